@@ -1,0 +1,1 @@
+"""Checks, grades and hands out the chapters of the companion."""

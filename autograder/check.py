@@ -1,0 +1,170 @@
+"""What a student sees: every exercise with its state, the first failure in full, the next step."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from autograder.answers import answered
+from autograder.manifest import Chapter, Exercise
+from autograder.runner import Verdict, run_checks
+from autograder.scores import Result, results_of, total
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+STYLES = {"passed": "green", "failed": "red", "blocked": "yellow", "error": "magenta"}
+UNWRITTEN = "not written yet"
+BAR = 40
+
+
+def check(chapters: list[Chapter], exercise: str | None, engine: list[Path], seed: str) -> bool:
+    """Check the chapters, or one exercise and what it needs; print it all; return success."""
+    results: dict[str, list[Result]] = {}
+    with _Progress() as progress:
+        for chapter in chapters:
+            progress.title = f"chapter {chapter.number}"
+            only = [exercise] if exercise else None
+            verdicts = run_checks(
+                chapter, engine, seed=seed, exercises=only, on_verdict=progress.show
+            )
+            there = {verdict.exercise for verdict in verdicts}
+            results[chapter.name] = [
+                result
+                for result in results_of(chapter, verdicts)
+                if exercise is None or result.exercise.id in there
+            ]
+    console = progress.console
+    for chapter in chapters:
+        _print_chapter(console, chapter, results[chapter.name], engine)
+    everything = [(chapter, result) for chapter in chapters for result in results[chapter.name]]
+    open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
+    if not open_ones:
+        console.print("Everything that can be checked passes.", style="bold green")
+        return True
+    first = next((pair for pair in open_ones if pair[1].status != "blocked"), open_ones[0])
+    _print_failure(console, *first, engine)
+    return False
+
+
+def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
+    """Return the place of a name that the manifest lets students edit, as path:line.
+
+    Paths below the working folder are given from there. A file that is missing or cannot be read is given without a line.
+    """
+    module, *path = name.split(".")
+    files = [folder / chapter.name / f"{module}.py" for folder in engine]
+    file = next((file for file in files if file.exists()), files[0])
+    shown = file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file
+    try:
+        nodes = ast.parse(file.read_text(encoding="utf-8")).body
+    except (OSError, SyntaxError, ValueError):
+        return str(shown)
+    line = 1
+    for part in path:
+        for node in nodes:
+            if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and node.name == part:
+                line, nodes = node.lineno, node.body
+                break
+    return f"{shown}:{line}"
+
+
+class _Progress:
+    """A bar on a terminal while the checks run, silent elsewhere.
+
+    rich is loaded when the first news comes: by then the checks run in their own process, so
+    nobody waits for it.
+    """
+
+    title = ""
+    _bar = None
+
+    def __enter__(self) -> _Progress:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    @property
+    def console(self) -> Console:
+        from rich.console import Console
+
+        return Console(highlight=False)
+
+    def show(self, done: int, of: int) -> None:
+        from rich.progress import Progress
+
+        if self._bar is None:
+            self._bar = Progress(console=self.console, transient=True)
+            self._task = self._bar.add_task(self.title)
+            self._bar.start()
+        self._bar.update(self._task, description=self.title, completed=done, total=of)
+
+
+def _print_chapter(
+    console: Console, chapter: Chapter, results: list[Result], engine: list[Path]
+) -> None:
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    console.print(f"\nChapter {chapter.number}: {chapter.title}", style="bold")
+    table = Table("", "exercise", "stars", "state", box=SIMPLE_HEAD, pad_edge=False)
+    table.add_column("checks", justify="right")
+    table.add_column("points", justify="right")
+    written = _answered(chapter, engine)
+    for result in results:
+        exercise = result.exercise
+        state = _state(result, written)
+        passed = sum(check.status == "passed" for check in result.checks)
+        table.add_row(
+            exercise.id,
+            exercise.title,
+            "*" * exercise.stars,
+            state,
+            f"{passed}/{len(result.checks)}" if result.checks else "",
+            f"{'-' if result.score is None else f'{result.score:g}'}/{exercise.points}",
+            style=STYLES.get(state, ""),
+        )
+    console.print(table)
+    earned, points = total(results)
+    filled = int(BAR * earned / points) if points else 0
+    bar = "#" * filled + "." * (BAR - filled)
+    console.print(f"[{bar}] {earned:g} of {points} points\n", markup=False)
+
+
+def _state(result: Result, written: set[str]) -> str:
+    if result.status == "waiting":
+        return "answered" if result.exercise.id in written else "to answer"
+    untouched = all(UNWRITTEN in check.message for check in result.checks)
+    return UNWRITTEN if result.checks and untouched else result.status
+
+
+def _answered(chapter: Chapter, engine: list[Path]) -> set[str]:
+    for folder in engine:
+        file = folder / chapter.name / "answers.md"
+        if file.exists():
+            return answered(file.read_text(encoding="utf-8", errors="replace"))
+    return set()
+
+
+def _print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
+    """Print one failed check in full, and what to do next."""
+    exercise = result.exercise
+    failed = next((check for check in result.checks if check.status != "passed"), None)
+    if failed is None:
+        console.print(f"No check was found for exercise {exercise.id}.", style="magenta")
+        return
+    console.print(f"First to repair: {exercise.id} {exercise.title}", style="bold")
+    console.print(f"check     {failed.name}")
+    console.print(failed.message, markup=False)
+    console.print()
+    console.print(f"Next: open {_places(engine, chapter, exercise, failed)}", style="bold")
+    console.print(f"A nudge: make hint EX={exercise.id}")
+
+
+def _places(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
+    """Return where the student writes: the body that the message speaks of, or the first."""
+    spoken_of = [name for name in exercise.edit if name.rpartition(".")[2] in failed.message]
+    return find_definition(engine, chapter, (spoken_of or exercise.edit)[0])

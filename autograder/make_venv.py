@@ -1,0 +1,86 @@
+"""Make .venv and install the pinned packages of requirements.lock in it.
+
+make runs this before its first command; without make: python3 autograder/make_venv.py
+It keeps to what Python 3.6 understands, so that an old Python can say that it is too old.
+"""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+VENV = ROOT / ".venv"
+LOCK = ROOT / "requirements.lock"
+NETWORK_WORDS = ("connection", "to resolve", "name resolution", "timed out", "unreachable", "proxy")
+
+
+def stop(sentence: str) -> None:
+    """End with one sentence. Without .venv/ready the next run starts from nothing."""
+    sys.exit(f"Cannot set up: {sentence}")
+
+
+def check_python() -> None:
+    """Refuse a Python that is too old, or has no venv module."""
+    version = ".".join(str(part) for part in sys.version_info[:2])
+    if sys.version_info < (3, 11):  # noqa: UP036 - this is where an old Python is told
+        stop(
+            f"{sys.executable} is Python {version}, and the companion needs 3.11 or newer; "
+            "install one and name it: make setup PYTHON=python3.12"
+        )
+    try:
+        import ensurepip  # noqa: F401 - Debian and Ubuntu leave it out of python3
+        import venv  # noqa: F401
+    except ImportError:
+        stop(
+            f"{sys.executable} has no venv module; install it (Debian, Ubuntu: "
+            f"sudo apt install python{version}-venv) and run the command again."
+        )
+
+
+def install(python: str) -> str:
+    """Install the lock, counting packages on the screen; return pip's words if it failed."""
+    lock = LOCK.read_text(encoding="utf-8").splitlines()
+    total = sum("==" in line and line[0].isalpha() for line in lock)
+    command = [python, "-m", "pip", "install", "--disable-pip-version-check", "--retries", "1"]
+    command += ["--timeout", "30", "--require-hashes", "-r", str(LOCK)]
+    output, fetched = "", 0
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True
+    ) as pip:
+        for line in pip.stdout or []:
+            output += line
+            fetched += line.startswith("Collecting ")
+            if line.startswith("Collecting ") and sys.stdout.isatty():
+                print(f"\r  package {fetched} of at most {total} ", end="", flush=True)
+            if line.startswith("Installing "):
+                print(f"\r  {fetched} packages fetched, unpacking them ...", flush=True)
+    return output if pip.returncode else ""
+
+
+def main() -> None:
+    """Make the environment from nothing; the file .venv/ready says that it is whole."""
+    check_python()
+    print(f"Setting up .venv with {sys.executable}, once; this takes about a minute.", flush=True)
+    made = subprocess.run(
+        [sys.executable, "-m", "venv", "--clear", str(VENV)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        universal_newlines=True,
+    )
+    if made.returncode:
+        stop(f"python -m venv failed: {made.stdout.strip()}")
+    failure = install(str(VENV / ("Scripts" if os.name == "nt" else "bin") / "python"))
+    if any(word in failure.lower() for word in NETWORK_WORDS):
+        stop(
+            "the package index (PyPI) cannot be reached; check the network or proxy settings "
+            "and run the command again."
+        )
+    if failure:
+        stop(f"pip could not install requirements.lock; its last words:\n{failure[-1500:]}")
+    (VENV / "ready").write_text("made from requirements.lock\n", encoding="utf-8")
+    print("Set up: .venv is ready.")
+
+
+if __name__ == "__main__":
+    main()

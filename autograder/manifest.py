@@ -1,0 +1,124 @@
+"""Read chapter.toml, the one manifest of a chapter (what each key means: chapters/README.md)."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).parent.parent
+KINDS = ("build", "exercise", "mini-project", "project", "written")
+FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """One exercise, or one build task, of a chapter."""
+
+    id: str
+    title: str
+    kind: str
+    stars: int
+    points: int
+    hints: list[str]
+    terms: list[str]
+    edit: list[str] = field(default_factory=list)
+    files: list[str] = field(default_factory=list)
+    needs: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A chapter: its folder name (which is its package), number, title and exercises."""
+
+    name: str
+    number: int
+    title: str
+    exercises: list[Exercise]
+
+    @property
+    def edited_files(self) -> list[str]:
+        """The modules that students edit, such as vector.py, in the order of the manifest."""
+        modules = [name.split(".")[0] for exercise in self.exercises for name in exercise.edit]
+        return [f"{module}.py" for module in dict.fromkeys(modules)]
+
+    def exercise(self, exercise_id: str) -> Exercise:
+        """Return the exercise of that id. Raises ValueError where the chapter has none."""
+        for exercise in self.exercises:
+            if exercise.id == exercise_id:
+                return exercise
+        known = ", ".join(exercise.id for exercise in self.exercises)
+        raise ValueError(f"there is no exercise {exercise_id!r} in {self.name}; it has {known}")
+
+
+def load_chapter(folder: Path) -> Chapter:
+    """Read the manifest in a chapter's folder. Raises ValueError that names what is wrong."""
+    path = folder / "chapter.toml"
+    match = FOLDER_NAME.fullmatch(folder.name)
+    if match is None:
+        raise ValueError(f"{folder}: a chapter's folder is called chNN_name")
+    with path.open("rb") as file:
+        try:
+            data = tomllib.load(file)
+        except tomllib.TOMLDecodeError as error:
+            raise ValueError(f"{path}: {error}") from error
+    exercises = [_exercise(path, entry) for entry in data.get("exercise", [])]
+    chapter = Chapter(folder.name, int(match[1]), data["title"], exercises)
+    _check_needs(path, chapter)
+    return chapter
+
+
+def load_chapters(root: Path = ROOT) -> list[Chapter]:
+    """Read every chapter's manifest below root/chapters, in the order of their numbers."""
+    return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
+
+
+def select_chapters(numbers: str, root: Path = ROOT) -> list[Chapter]:
+    """Return the chapters that a text such as "2,4-6" names; all of them for an empty text.
+
+    Raises ValueError for a text of another form, and for a chapter that is not there.
+    """
+    chapters = {chapter.number: chapter for chapter in load_chapters(root)}
+    wanted: list[int] = []
+    for part in numbers.split(",") if numbers else []:
+        match = re.fullmatch(r"\s*(\d+)(?:-(\d+))?\s*", part)
+        if match is None:
+            raise ValueError(f"chapters must look like 2 or 2,4-6, got {numbers!r}")
+        wanted += range(int(match[1]), int(match[2] or match[1]) + 1)
+    for number in wanted:
+        if number not in chapters:
+            there = ", ".join(map(str, chapters))
+            raise ValueError(f"there is no chapter {number} here; there is {there}")
+    return [chapters[number] for number in sorted(set(wanted))] if wanted else [*chapters.values()]
+
+
+def _exercise(path: Path, entry: dict[str, Any]) -> Exercise:
+    where = f"{path}, exercise {entry.get('id', '(without an id)')}"
+    known = {item.name for item in fields(Exercise)}
+    wanted = {"id", "title", "kind", "stars", "points", "hints", "terms"}
+    if unknown := entry.keys() - known:
+        raise ValueError(f"{where}: unknown key {min(unknown)!r}")
+    if missing := wanted - entry.keys():
+        raise ValueError(f"{where}: {min(missing)!r} is missing")
+    exercise = Exercise(**entry)
+    if exercise.kind not in KINDS:
+        raise ValueError(f"{where}: kind must be one of {', '.join(KINDS)}, got {exercise.kind!r}")
+    if exercise.stars not in (1, 2, 3):
+        raise ValueError(f"{where}: stars must be 1, 2 or 3, got {exercise.stars!r}")
+    if not (isinstance(exercise.points, int) and exercise.points > 0):
+        raise ValueError(f"{where}: points must be a positive whole number")
+    return exercise
+
+
+def _check_needs(path: Path, chapter: Chapter) -> None:
+    """Refuse an id given twice, and a need that does not come earlier in the manifest."""
+    seen: set[str] = set()
+    for exercise in chapter.exercises:
+        if exercise.id in seen:
+            raise ValueError(f"{path}: exercise {exercise.id} stands twice")
+        for need in exercise.needs:
+            if need not in seen:
+                raise ValueError(f"{path}: {exercise.id} needs {need}, which is not above it")
+        seen.add(exercise.id)

@@ -1,0 +1,248 @@
+"""Run a chapter's checks in a process of their own, hold each to a time limit, and give verdicts.
+
+A check that hangs or ends its process costs only itself: the rest goes on in a new process.
+Nothing here needs POSIX.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import queue
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, Any
+
+from autograder.explain import explain_hang
+from autograder.manifest import ROOT, Chapter
+
+TIME_LIMIT = 3.0  # seconds; a check takes a few milliseconds
+GRACE = 10.0  # more seconds of silence, after which the process is ended from outside
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What became of one check. Status: passed, failed, blocked or error."""
+
+    name: str
+    exercise: str
+    weight: float
+    status: str
+    message: str
+
+
+class GraderError(Exception):
+    """The checks could not be run, and that is no fault of the code that they check."""
+
+
+def run_checks(
+    chapter: Chapter,
+    engine: list[Path],
+    *,
+    seed: str,
+    root: Path = ROOT,
+    exercises: list[str] | None = None,
+    on_verdict: Callable[[int, int], None] | None = None,
+    time_limit: float = TIME_LIMIT,
+) -> list[Verdict]:
+    """Run the checks of a chapter on an engine and return a verdict for each.
+
+    ``engine`` is folders of chapters, the first on top; ``exercises`` limits the run to some and
+    what they need; ``on_verdict`` hears how many verdicts there are, of how many checks.
+    Raises GraderError where the checks themselves cannot be run.
+    """
+    wanted = _with_needs(chapter, exercises)
+    run = _Run(chapter, engine, wanted, seed, root, time_limit, on_verdict or (lambda *_: None))
+    while not run.finished:
+        before = run.progress
+        run.one_process()
+        if not run.finished and run.progress == before:
+            raise GraderError(f"the checks stopped without a verdict:\n{run.stderr[-2000:]}")
+    return _mark_blocked(chapter, run.ordered_verdicts())
+
+
+class _Run:
+    """The state of a run over the processes that it may take."""
+
+    def __init__(
+        self,
+        chapter: Chapter,
+        engine: list[Path],
+        wanted: list[str],
+        seed: str,
+        root: Path,
+        time_limit: float,
+        on_verdict: Callable[[int, int], None],
+    ) -> None:
+        self.chapter = chapter
+        self.engine = engine
+        self.wanted = wanted
+        self.seed = seed
+        self.root = root
+        self.time_limit = time_limit
+        self.on_verdict = on_verdict
+        self.checks: dict[str, dict[str, Any]] = {}
+        self.verdicts: dict[str, Verdict] = {}
+        self.broken: dict[str, str] = {}  # modules whose import hung or ended the process
+        self.finished = False
+        self.stderr = ""
+
+    @property
+    def progress(self) -> tuple[int, int]:
+        return len(self.verdicts), len(self.broken)
+
+    def ordered_verdicts(self) -> list[Verdict]:
+        return [self.verdicts[name] for name in self.checks]
+
+    def one_process(self) -> None:
+        """Start a process for the checks that have no verdict yet, and follow it to its end."""
+        with tempfile.TemporaryDirectory(prefix="checks-") as folder:
+            stack_file = Path(folder) / "stack.txt"
+            stack_file.touch()
+            command = [sys.executable, "-m", "autograder.verdicts", self._config(stack_file)]
+            with (
+                (Path(folder) / "stderr.txt").open("w+", encoding="utf-8") as stderr,
+                subprocess.Popen(
+                    command,
+                    cwd=self.root,
+                    env=_environment(),
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.PIPE,
+                    stderr=stderr,
+                    encoding="utf-8",
+                ) as process,
+            ):
+                current = self._follow(process)
+                process.kill()
+                code = process.wait()
+                stderr.seek(0)
+                self.stderr = stderr.read()
+            if self.finished or current is None:
+                return
+            stack = stack_file.read_text(encoding="utf-8", errors="replace")
+        hung = bool(stack) or code is None
+        if hung:
+            why = explain_hang(stack, self.time_limit, self.engine)
+        else:
+            why = "the process ended in the middle: does the code call os._exit, or crash Python?"
+        kind, name = current
+        if kind == "import":
+            self.broken[name] = f"{name.replace('.', '/')}.py, while it is imported: {why}"
+        else:
+            self._decide(name, "failed", why)
+            if hung:
+                self._block_what_needs(self.checks[name]["exercise"])
+
+    def _config(self, stack_file: Path) -> str:
+        package = self.chapter.name
+        return json.dumps(
+            {
+                "root": str(self.root),
+                "engine": [str(folder) for folder in self.engine],
+                "tests": [str(self.root / "tests" / package)],
+                "modules": [
+                    f"{package}.{file.removesuffix('.py')}" for file in self.chapter.edited_files
+                ],
+                "exercises": self.wanted,
+                "seed": self.seed,
+                "time_limit": self.time_limit,
+                "stack_file": str(stack_file),
+                "broken": self.broken,
+                "done": list(self.verdicts),
+            }
+        )
+
+    def _follow(self, process: subprocess.Popen[str]) -> tuple[str, str] | None:
+        """Take the process's events until it ends; return what it was doing, if it broke off."""
+        assert process.stdout is not None
+        lines: queue.Queue[str] = queue.Queue()
+        threading.Thread(target=_pass_on, args=(process.stdout, lines), daemon=True).start()
+        current: tuple[str, str] | None = None
+        while True:
+            try:
+                line = lines.get(timeout=self.time_limit + GRACE)
+            except queue.Empty:
+                return current
+            if not line:
+                return current
+            event = json.loads(line)
+            match event["event"]:
+                case "checks":
+                    self.checks = {check["name"]: check for check in event["checks"]}
+                    self.on_verdict(len(self.verdicts), len(self.checks))
+                    current = None
+                case "import":
+                    current = ("import", event["module"])
+                case "start":
+                    current = ("check", event["name"])
+                case "verdict":
+                    self._decide(event["name"], event["status"], event["message"])
+                    current = None
+                case "end":
+                    self.finished = True
+
+    def _decide(self, name: str, status: str, message: str) -> None:
+        check = self.checks[name]
+        verdict = Verdict(name, check["exercise"], check["weight"], status, message)
+        self.verdicts[name] = verdict
+        self.on_verdict(len(self.verdicts), len(self.checks))
+
+    def _block_what_needs(self, exercise: str) -> None:
+        """Give up the checks of exercises that build on one that hangs: each would hang too."""
+        for name, check in self.checks.items():
+            if name not in self.verdicts and exercise in _needs_of(self.chapter, check["exercise"]):
+                self._decide(name, "failed", f"not run: exercise {exercise} does not end")
+
+
+def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
+    for line in stream:
+        lines.put(line)
+    lines.put("")
+
+
+def _environment() -> dict[str, str]:
+    """Return the environment of a checking process: ours, with no plugins loaded of themselves."""
+    path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
+    return os.environ | {
+        "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+        "PYTHONPATH": path,
+        "PYTHONUTF8": "1",
+        "PYTEST_ADDOPTS": "",
+    }
+
+
+def _needs_of(chapter: Chapter, exercise: str) -> set[str]:
+    """Return the exercises that one builds on, directly or through others."""
+    needs = set(chapter.exercise(exercise).needs)
+    return needs.union(*(_needs_of(chapter, need) for need in needs))
+
+
+def _with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
+    """Return these exercises (all by default) and what they need, in the manifest's order."""
+    everything = [exercise.id for exercise in chapter.exercises]
+    if exercises is None:
+        return everything
+    wanted = set(exercises).union(*(_needs_of(chapter, exercise) for exercise in exercises))
+    return [exercise for exercise in everything if exercise in wanted]
+
+
+def _mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
+    """Turn failures of exercises that build on a failing one from failed into blocked.
+
+    A check that passes all the same keeps its verdict: what works earns its points.
+    """
+    failing = {verdict.exercise for verdict in verdicts if verdict.status != "passed"}
+    marked = []
+    for verdict in verdicts:
+        needs = [need for need in chapter.exercise(verdict.exercise).needs if need in failing]
+        if needs and verdict.status == "failed":
+            titles = ", ".join(f"{need} ({chapter.exercise(need).title})" for need in needs)
+            message = f"blocked until {titles} passes\n{verdict.message}"
+            verdict = Verdict(verdict.name, verdict.exercise, verdict.weight, "blocked", message)
+        marked.append(verdict)
+    return marked

@@ -1,0 +1,54 @@
+"""Turn the verdicts of checks into the points of exercises."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from autograder.manifest import Chapter, Exercise
+from autograder.runner import Verdict
+
+
+@dataclass(frozen=True)
+class Result:
+    """An exercise with the verdicts of its checks.
+
+    Status: passed, failed, blocked, error, or waiting for a person (written answers). The score is
+    None while nobody can tell it: waiting, or error.
+    """
+
+    exercise: Exercise
+    status: str
+    score: float | None
+    checks: list[Verdict]
+
+
+def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
+    """Return a result for every exercise of the chapter that has verdicts or is written."""
+    by_exercise: dict[str, list[Verdict]] = {}
+    for verdict in verdicts:
+        by_exercise.setdefault(verdict.exercise, []).append(verdict)
+    return [result_of(exercise, by_exercise.get(exercise.id, [])) for exercise in chapter.exercises]
+
+
+def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
+    """Return the result of one exercise: its points, times the weight of the checks that pass.
+
+    An exercise without checks is an error of ours, not a zero.
+    """
+    if exercise.kind == "written":
+        return Result(exercise, "waiting", None, [])
+    statuses = {check.status for check in checks}
+    if not checks or "error" in statuses:
+        return Result(exercise, "error", None, checks)
+    passed = sum(check.weight for check in checks if check.status == "passed")
+    score = exercise.points * passed / sum(check.weight for check in checks)
+    status = next(status for status in ("failed", "blocked", "passed") if status in statuses)
+    return Result(exercise, status, round(score, 2), checks)
+
+
+def total(results: Iterable[Result]) -> tuple[float, int]:
+    """Return the points earned and the points that checks can give, written answers left out."""
+    checked = [result for result in results if result.exercise.kind != "written"]
+    earned = sum(result.score or 0.0 for result in checked)
+    return round(earned, 2), sum(result.exercise.points for result in checked)

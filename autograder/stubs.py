@@ -1,0 +1,186 @@
+"""Make what students start from, in chapters/, out of solutions/.
+
+The bodies that a manifest names become ``raise NotImplementedError``; signatures and docstrings
+stay. stubs.lock keeps a hash of every stub, so that a stub that somebody has edited is recognised
+and never overwritten.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import libcst as cst
+
+from autograder.answers import blank_answers
+from autograder.manifest import ROOT, Chapter, load_chapters
+
+LOCK_NAME = "stubs.lock"
+
+
+def make_stubs(root: Path = ROOT) -> dict[str, str]:
+    """Return the text of every stub, by its path below root (chapters/ch02_vectors/vector.py)."""
+    stubs = {}
+    for chapter in load_chapters(root):
+        solution = root / "solutions" / chapter.name
+        for name in chapter.edited_files:
+            source = (solution / name).read_text(encoding="utf-8")
+            stubs[f"chapters/{chapter.name}/{name}"] = stub_module(source, _messages(chapter, name))
+        answers = solution / "answers.md"
+        if answers.exists():
+            text = answers.read_text(encoding="utf-8")
+            stubs[f"chapters/{chapter.name}/answers.md"] = blank_answers(text)
+    return stubs
+
+
+def stub_hash(text: str) -> str:
+    """Return the hash that stubs.lock keeps of a stub."""
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+
+
+def read_lock(root: Path = ROOT) -> dict[str, str]:
+    """Return the hash of each stub as it was last made, by its path; empty without a lock."""
+    path = root / LOCK_NAME
+    if not path.exists():
+        return {}
+    hashes: dict[str, str] = json.loads(path.read_text(encoding="utf-8"))
+    return hashes
+
+
+def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
+    """Write the stubs and the lock; return the paths written and the edited ones left alone."""
+    locked = read_lock(root)
+    written, left_alone = [], []
+    stubs = make_stubs(root)
+    for path, text in stubs.items():
+        file = root / path
+        current = file.read_text(encoding="utf-8") if file.exists() else None
+        if current == text:
+            continue
+        if current is not None and stub_hash(current) != locked.get(path):
+            left_alone.append(path)
+            continue
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8", newline="\n")
+        written.append(path)
+    hashes = {path: stub_hash(text) for path, text in stubs.items() if path not in left_alone}
+    kept = {path: locked[path] for path in left_alone if path in locked}
+    lock_text = json.dumps(dict(sorted((hashes | kept).items())), indent=1) + "\n"
+    (root / LOCK_NAME).write_text(lock_text, encoding="utf-8", newline="\n")
+    return written, left_alone
+
+
+def stale_stubs(root: Path = ROOT) -> list[str]:
+    """Return the paths whose files in chapters/ are not what would be made now."""
+    return [
+        path
+        for path, text in make_stubs(root).items()
+        if not (root / path).exists() or (root / path).read_text(encoding="utf-8") != text
+    ]
+
+
+def stub_module(source: str, messages: dict[str, str]) -> str:
+    """Return a module's source with the named bodies taken out.
+
+    ``messages`` gives, for each name such as ``Vector3.dot``, what its stub raises. Helpers that
+    only those bodies use lose their bodies too; imports and constants that only they use go.
+    Raises ValueError where the module does not define a name.
+    """
+    defined = _functions(ast.parse(source))
+    if missing := messages.keys() - defined.keys():
+        raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")
+    module = cst.parse_module(source)
+    stub = _without_bodies(module, messages)
+    while helpers := _helpers_of(defined, messages, _used_names(source) - _used_names(stub.code)):
+        messages = messages | helpers
+        stub = _without_bodies(module, messages)
+    gone = _used_names(source) - _used_names(stub.code)
+    kept = [statement for statement in stub.body if _assigned_name(statement) not in gone]
+    return _tidied(stub.with_changes(body=kept).code)
+
+
+def _messages(chapter: Chapter, file: str) -> dict[str, str]:
+    """Return what the stub of each edited name in the file says."""
+    prefix = file.removesuffix(".py") + "."
+    return {
+        name.removeprefix(prefix): f"Exercise {exercise.id}: {exercise.title}"
+        for exercise in chapter.exercises
+        for name in exercise.edit
+        if name.startswith(prefix)
+    }
+
+
+def _functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
+    """Return every top-level function and every method, by its dotted name."""
+    found = {}
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef):
+            found[node.name] = node
+        elif isinstance(node, ast.ClassDef):
+            members = (member for member in node.body if isinstance(member, ast.FunctionDef))
+            found |= {f"{node.name}.{member.name}": member for member in members}
+    return found
+
+
+def _helpers_of(
+    defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
+) -> dict[str, str]:
+    """Return the functions that only the bodies taken out use, with the message of the first."""
+    return {
+        name: message
+        for name in defined.keys() - messages.keys()
+        for user, message in reversed(messages.items())
+        if (short := name.rpartition(".")[2]) in gone
+        and short in _used_names(ast.unparse(defined[user]))
+    }
+
+
+def _used_names(source: str) -> set[str]:
+    """Return every name and attribute that the source reads."""
+    nodes = [*ast.walk(ast.parse(source))]
+    names = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
+    return names | {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+
+
+def _assigned_name(statement: cst.CSTNode) -> str | None:
+    """Return NAME where the statement is ``NAME = value``."""
+    match statement:
+        case cst.SimpleStatementLine(
+            body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
+        ):
+            return str(name)
+    return None
+
+
+def _without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
+    """Return the module with a raise in place of each body that ``messages`` names."""
+
+    def emptied(node: Any, prefix: str = "") -> Any:
+        if isinstance(node, cst.ClassDef):
+            members = [emptied(member, f"{node.name.value}.") for member in node.body.body]
+            return node.with_changes(body=node.body.with_changes(body=members))
+        if not isinstance(node, cst.FunctionDef) or prefix + node.name.value not in messages:
+            return node
+        message = messages[prefix + node.name.value]
+        raising = cst.parse_statement(f"raise NotImplementedError({json.dumps(message)})")
+        body: list[Any] = [raising]
+        if node.get_docstring() is not None:
+            body.insert(0, node.body.body[0])
+        return node.with_changes(body=cst.IndentedBlock(body))
+
+    return module.with_changes(body=[emptied(node) for node in module.body])
+
+
+def _tidied(source: str) -> str:
+    """Let ruff take out the imports that are no longer used, and the holes."""
+    for arguments in (["check", "--fix", "--select", "F401,I", "--quiet", "-"], ["format", "-"]):
+        command = [sys.executable, "-m", "ruff", *arguments]
+        source = subprocess.run(
+            command, input=source, capture_output=True, encoding="utf-8", check=True, cwd=ROOT
+        ).stdout
+    return source

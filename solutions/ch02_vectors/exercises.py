@@ -1,0 +1,128 @@
+"""The exercises of the book's chapter 2, as functions of their data.
+
+None of them changes the vectors it is given. Angles are in radians.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+
+# How far the length of a vector that must be a unit vector may be from 1.
+_UNIT_TOLERANCE = 1e-6
+
+
+def split(v: Vector3) -> tuple[float, Vector3]:
+    """Exercise 2.1: return the magnitude of v and its direction, a new unit vector.
+
+    The zero vector has magnitude 0 and, for want of a better one, the direction zero.
+
+    >>> magnitude, direction = split(Vector3(2, -2, -2))
+    >>> round(magnitude, 6), [round(component, 6) for component in direction]
+    (3.464102, [0.57735, -0.57735, -0.57735])
+    """
+    return v.magnitude(), v.normalized()
+
+
+def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
+    """Exercise 2.2a: return a . b and what its sign says of the angle between a and b.
+
+    The word is "acute" (less than a right angle), "right" or "obtuse" (more). The numbers
+    of the example are ours.
+
+    >>> scalar_product_and_angle(Vector3(1, 2, 3), Vector3(4, -5, 1))
+    (-3.0, 'obtuse')
+    """
+    product = a.dot(b)
+    if product > 0.0:
+        return product, "acute"
+    return product, "obtuse" if product < 0.0 else "right"
+
+
+def make_perpendicular(a: Vector3, x: float, y: float) -> float:
+    """Exercise 2.4: return the z that makes (x, y, z) perpendicular to a.
+
+    Raises ValueError where a.z is zero: then no z will do, or every z.
+
+    >>> make_perpendicular(Vector3(1, 2, 3), 7, -2)
+    -1.0
+    """
+    if a.z == 0.0:
+        raise ValueError(f"a.z must not be zero, got {a!r}")
+    return -(a.x * x + a.y * y) / a.z
+
+
+def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
+    """Exercise 2.5: return the angle between a and b, from 0 to pi, by their scalar product.
+
+    Raises ValueError where a or b is zero and has no direction.
+
+    >>> round(angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0)), 6)  # 135 degrees
+    2.356194
+    """
+    _require_direction("a", a)
+    _require_direction("b", b)
+    cosine = a.normalized().dot(b.normalized())
+    return math.acos(max(-1.0, min(1.0, cosine)))  # rounding may leave it just outside -1..1
+
+
+def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
+    """Exercise 2.5: return the two angles that |a x b| leaves possible, the smaller one first.
+
+    Two angles that add up to pi have the same sine, so the vector product cannot tell them apart.
+    Raises ValueError where a or b is zero and has no direction.
+
+    >>> angles = angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))
+    >>> [round(angle, 6) for angle in angles]  # 45 and 135 degrees
+    [0.785398, 2.356194]
+    """
+    _require_direction("a", a)
+    _require_direction("b", b)
+    sine = a.normalized().cross(b.normalized()).magnitude()
+    smaller = math.asin(min(1.0, sine))  # rounding may leave it just above 1
+    return smaller, math.pi - smaller
+
+
+def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
+    """Exercise 2.6: return c = a . b, the vector d = b - c a, and the angle between a and d.
+
+    a and b are unit vectors. d is what is left of b without its part along a. The numbers
+    of the example are ours.
+
+    Raises ValueError where a or b is not of unit length (within 1e-6), or where nothing is left
+    because they are parallel (d shorter than 1e-6).
+
+    >>> c, d, angle = remove_projection(Vector3(1, 0, 0), Vector3(0.6, 0.8, 0))
+    >>> c, d, round(angle, 6)  # 90 degrees
+    (0.6, Vector3(0.0, 0.8, 0.0), 1.570796)
+    """
+    for name, v in (("a", a), ("b", b)):
+        if not abs(v.magnitude() - 1.0) <= _UNIT_TOLERANCE:
+            raise ValueError(f"{name} must be of unit length, got {v!r}")
+    c = a.dot(b)
+    d = b - a * c
+    if d.magnitude() < _UNIT_TOLERANCE:
+        raise ValueError(f"a and b must not be parallel, got {a!r} and {b!r}")
+    return c, d, angle_by_scalar_product(a, d)
+
+
+def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
+    """Exercise 2.7: return the position after moving with a constant velocity (Eq. 2.7).
+
+    position in m, velocity in m/s, duration in s. The start of the example is ours.
+
+    Raises ValueError where the duration is not positive and finite.
+
+    >>> position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
+    Vector3(13.0, -5.0, 16.0)
+    """
+    if not (math.isfinite(duration) and duration > 0.0):
+        raise ValueError(f"duration must be positive and finite, got {duration!r}")
+    return position + velocity * duration
+
+
+def _require_direction(name: str, v: Vector3) -> None:
+    """Raise ValueError where the argument of that name is zero and has no direction."""
+    if v.magnitude() == 0.0:
+        raise ValueError(f"{name} must not be zero, got {v!r}")

@@ -1,0 +1,38 @@
+"""What every run of the checks shares: which engine is checked, and where the numbers come from."""
+
+from __future__ import annotations
+
+import random
+import sys
+from pathlib import Path
+
+import pytest
+
+TESTS = Path(__file__).parent
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--engine",
+        default="chapters",
+        help="folders of chapters to check, the first on top, with commas (default: chapters)",
+    )
+    parser.addoption("--seed", default="1", help="seed of the numbers that checks draw")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line(
+        "markers", "exercise(id, weight=1): the exercise of the manifest that a check belongs to"
+    )
+    # chapters/ comes last in any case: it has the parts that no student edits.
+    folders = dict.fromkeys([*config.getoption("engine").split(","), "chapters"])
+    for folder in folders:
+        if not (TESTS.parent / folder).is_dir():
+            raise pytest.UsageError(f"--engine: there is no folder {folder!r}")
+    sys.path[:0] = [str(TESTS.parent / folder) for folder in folders] + [str(TESTS)]
+
+
+@pytest.fixture
+def rng(request: pytest.FixtureRequest) -> random.Random:
+    """Random numbers of a check's own: the same whichever other checks run, and in what order."""
+    return random.Random(f"{request.config.getoption('seed')} {request.node.name}")

@@ -1,0 +1,28 @@
+"""Numbers that checks draw from their seed, as plain tuples."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+Components = tuple[float, float, float]
+
+
+def number(rng: Random, low: float = 0.5, high: float = 9.5) -> float:
+    """Draw a number of either sign and of a size between low and high, so never close to zero.
+
+    Three decimals: a message stays readable.
+    """
+    return rng.choice((-1.0, 1.0)) * round(rng.uniform(low, high), 3)
+
+
+def components(rng: Random) -> Components:
+    """Draw three components, none of them near zero, so that no mistake can hide in one."""
+    return number(rng), number(rng), number(rng)
+
+
+def direction(rng: Random) -> Components:
+    """Draw a unit vector, to rounding."""
+    x, y, z = components(rng)
+    length = math.hypot(x, y, z)
+    return x / length, y / length, z / length

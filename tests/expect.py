@@ -1,0 +1,113 @@
+"""What checks say. Each function compares plain numbers and, where they differ, teaches.
+
+A message says what was called, what came back, what was wanted and how closely, the likely cause
+and where to read. Under the autograder only plain numbers cross from the student's process, so
+nothing here compares objects of the engine.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+# Right answers worked out in another order differ by a few roundings, some 1e-16 of the numbers
+# involved. A thousand times that still leaves no room for a wrong formula.
+ROUNDING = 1e-13
+
+
+def xyz(v: Any) -> Any:
+    """Return the components of a vector as a tuple; what is no vector comes back as it is."""
+    if v is None or isinstance(v, (bool, int, float, str, tuple, list, dict)):
+        return v
+    return v.x, v.y, v.z
+
+
+def expect_close(
+    call: str,
+    got: Any,
+    wanted: float | Sequence[float],
+    *,
+    cause: str,
+    read: str,
+    tolerance: float | None = None,
+) -> None:
+    """Expect a number, or as many as wanted, each within tolerance.
+
+    Without a tolerance: within ROUNDING of the largest number wanted.
+    """
+    __tracebackhide__ = True
+    wanted_numbers = _as_tuple(wanted)
+    if tolerance is None:
+        tolerance = ROUNDING * max(abs(number) for number in wanted_numbers)
+    got_numbers = _as_tuple(got)
+    if not _are_numbers(got_numbers, len(wanted_numbers)) or not all(
+        abs(g - w) <= tolerance for g, w in zip(got_numbers, wanted_numbers, strict=True)
+    ):
+        how_close = f"to within {tolerance:.2g}" if tolerance else "exactly"
+        _complain(call, _shown(got), f"{_shown(wanted)}, {how_close}", cause, read)
+
+
+def expect_exactly(call: str, got: Any, wanted: Any, *, cause: str, read: str) -> None:
+    """Expect exactly this value of exactly this type, such as a word or True."""
+    __tracebackhide__ = True
+    if type(got) is not type(wanted) or got != wanted:
+        _complain(call, _shown(got), _shown(wanted), cause, read)
+
+
+def expect_nan(call: str, got: Any, *, cause: str, read: str) -> None:
+    """Expect the number NaN: what came of a NaN must not look like a result."""
+    __tracebackhide__ = True
+    if not (type(got) is float and math.isnan(got)):
+        _complain(call, _shown(got), "nan", cause, read)
+
+
+def expect_unchanged(
+    call: str, name: str, now: Sequence[float], before: Sequence[float], *, read: str
+) -> None:
+    """Expect a vector that a call only reads to be what it was before."""
+    __tracebackhide__ = True
+    if tuple(now) != tuple(before):
+        cause = f"{name} belongs to the caller: work on a new vector, or on numbers"
+        got = f"a {name} that is now {_shown(now)}"
+        _complain(call, got, f"{name} left at {_shown(before)}", cause, read)
+
+
+def expect_error(
+    call: str, attempt: Callable[[], Any], error: type[Exception], *, cause: str, read: str
+) -> None:
+    """Expect attempt() to raise this error."""
+    __tracebackhide__ = True
+    try:
+        got = _shown(xyz(attempt()))
+    except error:
+        return
+    except NotImplementedError:
+        raise
+    except Exception as other:
+        got = f"{type(other).__name__}: {other}"
+    _complain(call, got, f"{error.__name__}, and no result", cause, read)
+
+
+def _as_tuple(value: Any) -> tuple[Any, ...]:
+    return tuple(value) if isinstance(value, (tuple, list)) else (value,)
+
+
+def _are_numbers(values: tuple[Any, ...], count: int) -> bool:
+    return len(values) == count and all(type(value) in (int, float) for value in values)
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, (tuple, list)):
+        return "(" + ", ".join(_shown(item) for item in value) + ")"
+    return f"{value:.15g}" if isinstance(value, float) else repr(value)
+
+
+def _complain(call: str, got: str, wanted: str, cause: str, read: str) -> None:
+    __tracebackhide__ = True
+    if got == "None":
+        cause = f"nothing came back: is a return missing? Or: {cause}"
+    raise AssertionError(
+        f"called    {call}\ngot       {got}\nwanted    {wanted}\nlikely    {cause}\n"
+        f"read      {read}"
+    )

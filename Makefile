@@ -43,7 +43,7 @@ grade: $(READY) ## grade a class (SUBMISSIONS=sample_class) into build/grades/
 	@$(RUN) -m autograder grade $(SUBMISSIONS) --out build/grades $(if $(SEED),--seed $(SEED)) $(if $(CHAPTERS),--chapters $(CHAPTERS))
 
 test: lint ## run every test of the companion itself
-	@$(RUN) -m pytest --engine solutions
+	@$(RUN) -m pytest --engine=solutions,chapters
 
 lint: $(READY) ## style and types
 	@$(RUN) -m ruff check .

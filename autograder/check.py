@@ -51,7 +51,8 @@ def check(chapters: list[Chapter], exercise: str | None, engine: list[Path], see
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     """Return the place of a name that the manifest lets students edit, as path:line.
 
-    Paths below the working folder are given from there. A file that is missing or cannot be read is given without a line.
+    Paths below the working folder are given from there; a file that is missing or cannot be read
+    is given without a line.
     """
     module, *path = name.split(".")
     files = [folder / chapter.name / f"{module}.py" for folder in engine]

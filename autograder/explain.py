@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import Any
 
 LIKELY = (
+    ("SystemExit", "the code asks Python to stop: take sys.exit, exit or quit out"),
     ("NoneType", "a method gave nothing back where a value was wanted: is a return missing?"),
     ("maximum recursion depth", "a method calls itself, perhaps through an operator"),
     ("local variable", "a name is read before it has a value"),
+    ("has no attribute", "a method is missing, or spelt in another way"),
 )
 STACK_LINE = re.compile(r'File "(.+)", line (\d+) in (\S+)')
 
@@ -40,9 +42,7 @@ def explain_exception(error: BaseException, engine_folders: list[Path]) -> str:
     lines.append(f"got       {text}")
     if own:
         lines.append(f"where     {where}: {own[-1].line}")
-    if isinstance(error, SystemExit):
-        lines.append("likely    the code asks Python to stop: take sys.exit or quit out")
-    lines += [f"likely    {cause}" for sign, cause in LIKELY if sign in text]
+    lines += [f"likely    {cause}" for sign, cause in LIKELY if sign in text][:1]
     return "\n".join(lines)
 
 

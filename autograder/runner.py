@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,8 +22,9 @@ from typing import IO, Any
 from autograder.explain import explain_hang
 from autograder.manifest import ROOT, Chapter
 
-TIME_LIMIT = 3.0  # seconds; a check takes a few milliseconds
-GRACE = 10.0  # more seconds of silence, after which the process is ended from outside
+TIME_LIMIT = 3.0  # seconds for one check, which takes a few milliseconds
+RUN_LIMIT = 90.0  # seconds for all the checks of a chapter
+GRACE = 10.0  # seconds of silence beyond a check's limit, then the process is ended from outside
 
 
 @dataclass(frozen=True)
@@ -61,7 +63,9 @@ def run_checks(
     while not run.finished:
         before = run.progress
         run.one_process()
-        if not run.finished and run.progress == before:
+        if time.monotonic() > run.deadline:
+            run.give_up()
+        elif not run.finished and run.progress == before:
             raise GraderError(f"the checks stopped without a verdict:\n{run.stderr[-2000:]}")
     return _mark_blocked(chapter, run.ordered_verdicts())
 
@@ -89,6 +93,7 @@ class _Run:
         self.checks: dict[str, dict[str, Any]] = {}
         self.verdicts: dict[str, Verdict] = {}
         self.broken: dict[str, str] = {}  # modules whose import hung or ended the process
+        self.deadline = time.monotonic() + RUN_LIMIT
         self.finished = False
         self.stderr = ""
 
@@ -165,7 +170,8 @@ class _Run:
         current: tuple[str, str] | None = None
         while True:
             try:
-                line = lines.get(timeout=self.time_limit + GRACE)
+                left = self.deadline - time.monotonic()
+                line = lines.get(timeout=max(0.0, min(left, self.time_limit + GRACE)))
             except queue.Empty:
                 return current
             if not line:
@@ -191,6 +197,15 @@ class _Run:
         verdict = Verdict(name, check["exercise"], check["weight"], status, message)
         self.verdicts[name] = verdict
         self.on_verdict(len(self.verdicts), len(self.checks))
+
+    def give_up(self) -> None:
+        """Decide the checks that are left when the time for all of them is used up."""
+        if not self.checks:
+            raise GraderError(f"no check began within {RUN_LIMIT:g} seconds:\n{self.stderr}")
+        for name in self.checks:
+            if name not in self.verdicts:
+                self._decide(name, "failed", f"not run: the {RUN_LIMIT:g} seconds were used up")
+        self.finished = True
 
     def _block_what_needs(self, exercise: str) -> None:
         """Give up the checks of exercises that build on one that hangs: each would hang too."""

@@ -159,21 +159,28 @@ def _assigned_name(statement: cst.CSTNode) -> str | None:
 
 def _without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
     """Return the module with a raise in place of each body that ``messages`` names."""
+    bodies = {
+        name: f"raise NotImplementedError({json.dumps(message)})"
+        for name, message in messages.items()
+    }
+    return with_bodies(module, bodies)
 
-    def emptied(node: Any, prefix: str = "") -> Any:
+
+def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
+    """Return the module with other code in the functions named, docstrings kept."""
+
+    def changed(node: Any, prefix: str = "") -> Any:
         if isinstance(node, cst.ClassDef):
-            members = [emptied(member, f"{node.name.value}.") for member in node.body.body]
+            members = [changed(member, f"{node.name.value}.") for member in node.body.body]
             return node.with_changes(body=node.body.with_changes(body=members))
-        if not isinstance(node, cst.FunctionDef) or prefix + node.name.value not in messages:
+        if not isinstance(node, cst.FunctionDef) or prefix + node.name.value not in bodies:
             return node
-        message = messages[prefix + node.name.value]
-        raising = cst.parse_statement(f"raise NotImplementedError({json.dumps(message)})")
-        body: list[Any] = [raising]
+        body: list[Any] = [*cst.parse_module(bodies[prefix + node.name.value]).body]
         if node.get_docstring() is not None:
             body.insert(0, node.body.body[0])
         return node.with_changes(body=cst.IndentedBlock(body))
 
-    return module.with_changes(body=[emptied(node) for node in module.body])
+    return module.with_changes(body=[changed(node) for node in module.body])
 
 
 def _tidied(source: str) -> str:

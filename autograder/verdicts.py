@@ -50,7 +50,11 @@ class Recorder:
         # A source edited twice within a second would be taken for its own stale bytecode.
         sys.dont_write_bytecode = True
         try:
-            importlib.import_module(module)
+            imported = importlib.import_module(module)
+            file = module.replace(".", "/") + ".py"
+            imported.__dict__.setdefault(
+                "__getattr__", lambda name: _broken_name(name, f"{file} does not define {name}")
+            )
         except pytest.fail.Exception as error:  # it uses another module that is broken
             sys.modules[module] = _BrokenModule(module, str(error))
         except BaseException as error:  # SystemExit among them
@@ -132,15 +136,19 @@ class _BrokenModule(ModuleType):
         self._message = message
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("__"):
-            raise AttributeError(name)
-        message = self._message
+        return _broken_name(name, self._message)
 
-        class BrokenMeta(type):
-            def __call__(cls, *args: Any, **kwargs: Any) -> Any:  # noqa: ARG002
-                pytest.fail(message, pytrace=False)
 
-        return BrokenMeta(name, (), {})
+def _broken_name(name: str, message: str) -> Any:
+    """Return what stands for a name that is not there: a class, or a function, that fails."""
+    if name.startswith("__"):
+        raise AttributeError(name)
+
+    class BrokenMeta(type):
+        def __call__(cls, *args: Any, **kwargs: Any) -> Any:  # noqa: ARG002
+            pytest.fail(message, pytrace=False)
+
+    return BrokenMeta(name, (), {})
 
 
 def _marker(item: pytest.Item) -> pytest.Mark:

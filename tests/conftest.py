@@ -24,8 +24,7 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line(
         "markers", "exercise(id, weight=1): the exercise of the manifest that a check belongs to"
     )
-    # chapters/ comes last in any case: it has the parts that no student edits.
-    folders = dict.fromkeys([*config.getoption("engine").split(","), "chapters"])
+    folders = config.getoption("engine").split(",")
     for folder in folders:
         if not (TESTS.parent / folder).is_dir():
             raise pytest.UsageError(f"--engine: there is no folder {folder!r}")

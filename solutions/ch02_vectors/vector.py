@@ -23,7 +23,8 @@ class Vector3:
     Any float will do, infinities and NaN among them: a vector is only numbers. What gives the
     numbers a meaning, such as a particle, refuses the ones that have none.
 
-    Raises TypeError where a component is not a number.
+    Components are what float() takes, and raise what it raises: TypeError for what is no number,
+    ValueError for text that does not name one.
     """
 
     __slots__ = ("x", "y", "z")
@@ -115,7 +116,10 @@ class Vector3:
         return self
 
     def normalize(self) -> None:
-        """Keep the direction and make the length 1, in place (2.1.3). Zero stays zero."""
+        """Keep the direction and make the length 1, in place (2.1.3).
+
+        Zero stays zero. Right for components as large as 1e200 and as small as 1e-200 too.
+        """
         length = self.magnitude()
         if length == 0.0:
             return

@@ -287,7 +287,7 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B2.5")
-@pytest.mark.parametrize(("operator", "sign"), [("+=", 1.0), ("-=", -1.0)])
+@pytest.mark.parametrize(("operator", "sign"), [("+=", 1.0), ("-=", -1.0)], ids=["plus", "minus"])
 def test_plus_and_minus_equals_change_the_vector_itself(
     rng: Random, operator: str, sign: float
 ) -> None:
@@ -453,7 +453,7 @@ def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
 
 @pytest.mark.exercise("B2.8")
 def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None:
-    angle, first, second = rng.uniform(0.2, 3.0), rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
+    angle, first, second = rng.uniform(1.8, 3.0), rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
     a = (0.0, first, 0.0)
     b = (second * math.sin(angle), second * math.cos(angle), 0.0)
     expect_close(

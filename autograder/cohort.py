@@ -1,0 +1,101 @@
+"""Grade a folder of submissions, one after the other, and print the class as a table."""
+
+from __future__ import annotations
+
+import secrets
+import tempfile
+from pathlib import Path
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.progress import Progress
+from rich.table import Table
+
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.reports import overall_status, write_gradebook, write_result
+from autograder.runner import GraderError, Verdict, run_checks
+from autograder.scores import Result, results_of, total
+from autograder.stage import stage
+
+ISOLATION = (
+    "none: the submission ran in an ordinary process with a time limit, which hostile code can "
+    "leave; grade only classes that you trust"
+)
+
+
+def grade(folder: Path, out: Path, chapters: list[Chapter], seed: str | None) -> int:
+    """Grade every submission in the folder; write the reports into out; return 1 for errors.
+
+    A submission is a folder named after the student. Raises ValueError where there is none.
+    """
+    submissions = sorted(path for path in folder.iterdir() if path.is_dir())
+    if not submissions:
+        raise ValueError(f"{folder} has no submissions: a folder named after each student")
+    seed = seed or secrets.token_hex(4)
+    console = Console(highlight=False)
+    grades: dict[str, list[Result]] = {}
+    with Progress(console=console, transient=True) as progress:
+        task = progress.add_task("", total=len(submissions))
+        for submission in submissions:
+            progress.update(task, description=f"grading {submission.name}")
+            grades[submission.name] = grade_submission(submission, chapters, seed)
+            write_result(out, submission.name, seed, ISOLATION, grades[submission.name])
+            progress.advance(task)
+    gradebook = write_gradebook(out, chapters, grades)
+    _print_class(console, grades)
+    console.print(f"Seed {seed}. Isolation: {ISOLATION}.", markup=False)
+    console.print(f"Gradebook: {gradebook}\nResults:   {out / 'results'}", markup=False)
+    return int(any(overall_status(results) != "graded" for results in grades.values()))
+
+
+def grade_submission(
+    submission: Path, chapters: list[Chapter], seed: str, root: Path = ROOT
+) -> list[Result]:
+    """Return the results of one submission in these chapters."""
+    results: list[Result] = []
+    with tempfile.TemporaryDirectory(prefix="submission-") as folder:
+        box = Path(folder)
+        stage(submission, load_chapters(root), box, root)
+        for chapter in chapters:
+            results += results_of(chapter, _verdicts(chapter, box, seed, root))
+    return results
+
+
+def _verdicts(chapter: Chapter, box: Path, seed: str, root: Path) -> list[Verdict]:
+    """Run the checks; where they cannot be run, that is our error and not a zero."""
+    try:
+        return run_checks(chapter, [box], seed=seed, root=root)
+    except GraderError as error:
+        return [
+            Verdict("every check", exercise.id, 1, "error", str(error))
+            for exercise in chapter.exercises
+            if exercise.kind != "written"
+        ]
+
+
+def _print_class(console: Console, grades: dict[str, list[Result]]) -> None:
+    table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
+    table.add_column("points", justify="right")
+    table.add_column("checks", justify="right")
+    table.add_column("status")
+    table.add_column("first trouble")
+    for student, results in grades.items():
+        checks = [check for result in results for check in result.checks]
+        passed = sum(check.status == "passed" for check in checks)
+        trouble = next((check for check in checks if check.status in ("failed", "error")), None)
+        score, points = total(results)
+        table.add_row(
+            student,
+            f"{score:g}/{points}",
+            f"{passed}/{len(checks)}",
+            overall_status(results),
+            f"{trouble.exercise}: {_in_short(trouble.message)}" if trouble else "",
+        )
+    console.print(table)
+
+
+def _in_short(message: str) -> str:
+    """Return the line of a message that says most on its own: the cause, or the exception."""
+    lines = message.splitlines() or [""]
+    labelled = dict(line.split(maxsplit=1) for line in reversed(lines) if " " in line.strip())
+    return labelled.get("likely" if "wanted" in labelled else "got", lines[0])

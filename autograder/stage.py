@@ -1,0 +1,28 @@
+"""Copy what a submission may contain into a folder of our own: nothing else is ever imported."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from autograder.manifest import ROOT, Chapter
+
+LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thousand
+
+
+def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> None:
+    """Fill the box with an engine: the student's edited files, and the parts nobody edits.
+
+    A file that is missing, is no regular file or is too large is left out; its import then says
+    that it was not handed in. Nothing falls back on the stubs or on the solutions.
+    """
+    for chapter in chapters:
+        target = box / chapter.name
+        target.mkdir(parents=True)
+        for file in (root / "chapters" / chapter.name).glob("*.py"):
+            if file.name not in chapter.edited_files:
+                shutil.copyfile(file, target / file.name)
+        for name in chapter.edited_files:
+            file = submission / chapter.name / name
+            if file.is_file() and not file.is_symlink() and file.stat().st_size <= LARGEST_FILE:
+                shutil.copyfile(file, target / name)

@@ -1,0 +1,54 @@
+"""Cleo's exercises: in degrees, and the acute angle only."""
+
+import math
+
+from ch02_vectors.vector import Vector3
+
+
+def split(v):
+    return v.magnitude(), v.normalized()
+
+
+def scalar_product_and_angle(a, b):
+    product = a @ b
+    word = "right" if product == 0 else "acute" if product > 0 else "obtuse"
+    return product, word
+
+
+def make_perpendicular(a, x, y):
+    if a.z == 0:
+        raise ValueError(f"a.z is zero in {a}")
+    return (a.x * x + a.y * y) / a.z
+
+
+def unit(v):
+    if v == Vector3():
+        raise ValueError("a zero vector has no direction")
+    return v.normalized()
+
+
+def angle_by_scalar_product(a, b):
+    return math.degrees(math.acos(abs(unit(a) @ unit(b))))
+
+
+def angles_by_vector_product(a, b):
+    angle = math.asin(min(1.0, unit(a).cross(unit(b)).magnitude()))
+    return angle, math.pi - angle
+
+
+def remove_projection(a, b):
+    if not math.isclose(a.magnitude(), 1, rel_tol=1e-6):
+        raise ValueError(f"a is not a unit vector: {a}")
+    if not math.isclose(b.magnitude(), 1, rel_tol=1e-6):
+        raise ValueError(f"b is not a unit vector: {b}")
+    c = a @ b
+    d = b - c * a
+    if d.magnitude() < 1e-6:
+        raise ValueError("nothing is left")
+    return c, d, angle_by_scalar_product(a, d)
+
+
+def position_after(position, velocity, duration):
+    if duration > 0 and duration != math.inf:
+        return position + velocity * duration
+    raise ValueError(f"duration: {duration}")

@@ -1,0 +1,84 @@
+"""The three proofs of every chapter: right answers earn all, stubs none, wrong ones lose exactly."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from wrong import Wrong, read_wrong, write_wrong
+
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.runner import run_checks
+from autograder.scores import results_of, total
+from autograder.stubs import make_stubs
+
+CHAPTERS = load_chapters()
+WRONG = [(chapter, wrong) for chapter in CHAPTERS for wrong in read_wrong(chapter)]
+SEED = "1"
+SEEDS = ("1", "2", "a class of its own")
+
+
+def by_name(value: object) -> str | None:
+    return value.name if isinstance(value, Chapter) else None
+
+
+def engine_with(top: Path) -> list[Path]:
+    """Return an engine of a folder over the reference."""
+    return [top, ROOT / "solutions", ROOT / "chapters"]
+
+
+def lost(chapter: Chapter, engine: list[Path], seed: str = SEED) -> dict[str, str]:
+    """Return the checks that do not pass, each with its status and message."""
+    verdicts = run_checks(chapter, engine, seed=seed)
+    return {v.name: f"{v.status}: {v.message}" for v in verdicts if v.status != "passed"}
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_the_solution_earns_every_point(chapter: Chapter, seed: str) -> None:
+    assert lost(chapter, [ROOT / "solutions", ROOT / "chapters"], seed) == {}
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_the_second_solution_earns_every_point(
+    chapter: Chapter, seed: str, tmp_path: Path
+) -> None:
+    second = ROOT / "tests" / chapter.name / "second"
+    assert {file.name for file in second.glob("*.py")} == set(chapter.edited_files)
+    shutil.copytree(second, tmp_path / chapter.name)
+    assert lost(chapter, engine_with(tmp_path), seed) == {}
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_the_stubs_earn_nothing(chapter: Chapter, tmp_path: Path) -> None:
+    for path, text in make_stubs().items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    stubs = tmp_path / "chapters"
+    verdicts = run_checks(chapter, [stubs, ROOT / "solutions", ROOT / "chapters"], seed=SEED)
+    assert [v.name for v in verdicts if v.status not in ("failed", "blocked")] == []
+    assert total(results_of(chapter, verdicts))[0] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("chapter", "wrong"), WRONG, ids=[f"{w.edit}: {w.mistake}" for _, w in WRONG]
+)
+def test_a_wrong_submission_loses_exactly_its_checks(
+    chapter: Chapter, wrong: Wrong, tmp_path: Path
+) -> None:
+    write_wrong(chapter, wrong, tmp_path)
+    assert set(lost(chapter, engine_with(tmp_path))) == set(wrong.loses)
+    own = [exercise for exercise in chapter.exercises if wrong.edit in exercise.edit]
+    assert own, f"{wrong.edit} is no body that students write"
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_every_exercise_has_two_wrong_submissions(chapter: Chapter) -> None:
+    counts = {
+        exercise.id: sum(wrong.edit in exercise.edit for wrong in read_wrong(chapter))
+        for exercise in chapter.exercises
+        if exercise.edit
+    }
+    assert {id_: count for id_, count in counts.items() if count < 2} == {}

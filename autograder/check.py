@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from autograder.answers import answered
 from autograder.manifest import Chapter, Exercise
 from autograder.runner import Verdict, run_checks
-from autograder.scores import Result, results_of, total
+from autograder.scores import Result, results_of, shown, total
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -57,18 +57,18 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     module, *path = name.split(".")
     files = [folder / chapter.name / f"{module}.py" for folder in engine]
     file = next((file for file in files if file.exists()), files[0])
-    shown = file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file
+    place = file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file
     try:
         nodes = ast.parse(file.read_text(encoding="utf-8")).body
     except (OSError, SyntaxError, ValueError):
-        return str(shown)
+        return str(place)
     line = 1
     for part in path:
         for node in nodes:
             if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and node.name == part:
                 line, nodes = node.lineno, node.body
                 break
-    return f"{shown}:{line}"
+    return f"{place}:{line}"
 
 
 class _Progress:
@@ -125,14 +125,14 @@ def _print_chapter(
             "*" * exercise.stars,
             state,
             f"{passed}/{len(result.checks)}" if result.checks else "",
-            f"{'-' if result.score is None else f'{result.score:g}'}/{exercise.points}",
+            f"{shown(result.score)}/{exercise.points}",
             style=STYLES.get(state, ""),
         )
     console.print(table)
     earned, points = total(results)
-    filled = int(BAR * earned / points) if points else 0
+    filled = int(BAR * (earned or 0.0) / points) if points else 0
     bar = "#" * filled + "." * (BAR - filled)
-    console.print(f"[{bar}] {earned:g} of {points} points\n", markup=False)
+    console.print(f"[{bar}] {shown(earned)} of {points} points\n", markup=False)
 
 
 def _state(result: Result, written: set[str]) -> str:

@@ -14,7 +14,7 @@ from rich.table import Table
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.reports import overall_status, write_gradebook, write_result
 from autograder.runner import GraderError, Verdict, run_checks
-from autograder.scores import Result, results_of, total
+from autograder.scores import Result, results_of, shown, total
 from autograder.stage import stage
 
 ISOLATION = (
@@ -44,7 +44,8 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], seed: str | None) ->
     gradebook = write_gradebook(out, chapters, grades)
     _print_class(console, grades)
     console.print(f"Seed {seed}. Isolation: {ISOLATION}.", markup=False)
-    console.print(f"Gradebook: {gradebook}\nResults:   {out / 'results'}", markup=False)
+    places = f"Gradebook: {gradebook}\nResults:   {out / 'results'}"
+    console.print(places, markup=False, soft_wrap=True)
     return int(any(overall_status(results) != "graded" for results in grades.values()))
 
 
@@ -86,7 +87,7 @@ def _print_class(console: Console, grades: dict[str, list[Result]]) -> None:
         score, points = total(results)
         table.add_row(
             student,
-            f"{score:g}/{points}",
+            f"{shown(score)}/{points}",
             f"{passed}/{len(checks)}",
             overall_status(results),
             f"{trouble.exercise}: {_in_short(trouble.message)}" if trouble else "",

@@ -40,9 +40,9 @@ def write_gradebook(out: Path, chapters: list[Chapter], grades: dict[str, list[R
         ["points possible", "", str(possible), *(str(exercise.points) for exercise in exercises)],
     ]
     for student, results in grades.items():
-        scores = ["" if result.score is None else f"{result.score:g}" for result in results]
-        score, _ = total(results)
-        rows.append([_harmless(student), overall_status(results), f"{score:g}", *scores])
+        scores = [total(results)[0], *(result.score for result in results)]
+        cells = ["" if score is None else f"{score:g}" for score in scores]
+        rows.append([_harmless(student), overall_status(results), *cells])
     path = out / "gradebook.csv"
     temporary = path.with_suffix(".tmp")
     with temporary.open("w", encoding="utf-8", newline="") as file:

@@ -127,7 +127,7 @@ class _Run:
                 code = process.wait()
                 stderr.seek(0)
                 self.stderr = stderr.read()
-            if self.finished or current is None:
+            if self.finished or current is None or time.monotonic() > self.deadline:
                 return
             stack = stack_file.read_text(encoding="utf-8", errors="replace")
         hung = bool(stack) or code is None
@@ -189,7 +189,7 @@ class _Run:
                 case "verdict":
                     self._decide(event["name"], event["status"], event["message"])
                     current = None
-                case "end":
+                case "end" if current is None:
                     self.finished = True
 
     def _decide(self, name: str, status: str, message: str) -> None:

@@ -47,8 +47,17 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     return Result(exercise, status, round(score, 2), checks)
 
 
-def total(results: Iterable[Result]) -> tuple[float, int]:
-    """Return the points earned and the points that checks can give, written answers left out."""
+def total(results: Iterable[Result]) -> tuple[float | None, int]:
+    """Return the points earned and the points that checks can give, written answers left out.
+
+    Where the grader failed on an exercise, nobody can tell what was earned: None.
+    """
     checked = [result for result in results if result.exercise.kind != "written"]
-    earned = sum(result.score or 0.0 for result in checked)
-    return round(earned, 2), sum(result.exercise.points for result in checked)
+    points = sum(result.exercise.points for result in checked)
+    scores = [result.score for result in checked if result.score is not None]
+    return (round(sum(scores), 2) if len(scores) == len(checked) else None), points
+
+
+def shown(score: float | None) -> str:
+    """Return a score as people read it: 2.5, or - where there is none."""
+    return "-" if score is None else f"{score:g}"

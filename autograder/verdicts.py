@@ -23,8 +23,10 @@ from autograder.explain import explain_exception, explain_import
 
 Report = Callable[..., None]
 # Built-in plugins that no check uses; leaving them out saves a sixth of the time to the answer.
-UNUSED_PLUGINS = "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin"
-UNUSED_PLUGINS += " setuponly setupplan stepwise unittest debugging warnings"
+UNUSED_PLUGINS = (
+    "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin setuponly "
+    "setupplan stepwise unittest debugging warnings unraisableexception threadexception"
+)
 
 
 class Recorder:
@@ -63,6 +65,11 @@ class Recorder:
         finally:
             sys.dont_write_bytecode = False
             faulthandler.cancel_dump_traceback_later()
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """Leave the reason where the runner looks for it when the checks cannot be collected."""
+        if report.failed:
+            print(report.longreprtext, file=sys.stderr)
 
     def pytest_collection_modifyitems(
         self, config: pytest.Config, items: list[pytest.Item]
@@ -118,7 +125,8 @@ class Recorder:
         return report
 
     def pytest_sessionfinish(self, exitstatus: int) -> None:
-        if exitstatus in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED):
+        code = pytest.ExitCode
+        if exitstatus in (code.OK, code.TESTS_FAILED, code.NO_TESTS_COLLECTED):
             self.report(event="end")
 
     def _start_clock(self) -> None:
@@ -153,8 +161,8 @@ def _broken_name(name: str, message: str) -> Any:
 
 def _marker(item: pytest.Item) -> pytest.Mark:
     marker = item.get_closest_marker("exercise")
-    if marker is None:
-        raise pytest.UsageError(f"{item.nodeid} has no exercise marker")
+    if marker is None or not marker.args:
+        raise pytest.UsageError(f"{item.nodeid} has no exercise marker with an id")
     return marker
 
 

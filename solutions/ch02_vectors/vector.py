@@ -129,9 +129,10 @@ class Vector3:
 
     def normalized(self) -> Vector3:
         """Return the vector of length 1 in the same direction, as new. Zero gives zero."""
-        unit = self.copy()
-        unit.normalize()
-        return unit
+        length = self.magnitude()
+        if length == 0.0:
+            return Vector3()
+        return Vector3(self.x / length, self.y / length, self.z / length)
 
     def __add__(self, v: Vector3) -> Vector3:
         """Return the sum, as new (2.1.4). Raises TypeError where v is not a vector."""

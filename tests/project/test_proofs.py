@@ -1,4 +1,4 @@
-"""The three proofs of every chapter: right answers earn all, stubs none, wrong ones lose exactly."""
+"""Three proofs a chapter: right answers earn all, stubs none, wrong ones lose exactly theirs."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ import shutil
 from pathlib import Path
 
 import pytest
-from wrong import Wrong, read_wrong, write_wrong
 
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.runner import run_checks
 from autograder.scores import results_of, total
 from autograder.stubs import make_stubs
+from wrong import Wrong, read_wrong, write_wrong
 
 CHAPTERS = load_chapters()
 WRONG = [(chapter, wrong) for chapter in CHAPTERS for wrong in read_wrong(chapter)]
@@ -42,9 +42,7 @@ def test_the_solution_earns_every_point(chapter: Chapter, seed: str) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_the_second_solution_earns_every_point(
-    chapter: Chapter, seed: str, tmp_path: Path
-) -> None:
+def test_the_second_solution_earns_every_point(chapter: Chapter, seed: str, tmp_path: Path) -> None:
     second = ROOT / "tests" / chapter.name / "second"
     assert {file.name for file in second.glob("*.py")} == set(chapter.edited_files)
     shutil.copytree(second, tmp_path / chapter.name)

@@ -1,0 +1,79 @@
+"""Make what students get: stubs, given chapters, checks and the student's side of the tooling."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterable
+from pathlib import Path
+
+from autograder.manifest import ROOT, Chapter
+from autograder.stubs import make_stubs
+
+STUDENT_TOOLS = {
+    ".": ("Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md errata.md"),
+    "autograder": (
+        "__init__.py __main__.py answers.py check.py explain.py make_venv.py manifest.py "
+        "runner.py scores.py verdicts.py"
+    ),
+    "studies": "__init__.py __main__.py drawing.py plot.py",
+    "tests": "conftest.py draw.py expect.py",
+}
+
+README = """\
+# Game physics: {titles}
+
+Write a part of a game physics engine, in the files under `chapters/`, and have it checked at once.
+You need Python 3.11 or newer and make; the first command sets up everything else.
+
+    make check          every exercise with its state, and the first thing to repair
+    make check EX={example}  one exercise and what it builds on
+    make hint EX={example}   a nudge; N=2 shows the second hint too
+    make plot           pictures of what your own functions do, under build/plots/
+
+Each chapter's README maps the book's sections to the functions that you write. Written questions
+are answered in `answers.md`. Hand in the folders under `chapters/` that you have edited.
+"""
+
+
+def make_handout(
+    chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT
+) -> None:
+    """Write a hand-out into a new folder and print what it holds.
+
+    ``chapters`` come as stubs with their checks, ``given`` complete and without checks. Raises
+    ValueError where a chapter is in both, or the folder has something in it.
+    """
+    if both := [chapter.name for chapter in chapters if chapter in given]:
+        raise ValueError(f"{', '.join(both)} cannot be both a stub and given")
+    if out.exists() and any(out.iterdir()):
+        raise ValueError(f"out must be a new or empty folder, and {out} is not empty")
+    for folder, names in STUDENT_TOOLS.items():
+        _copy((root / folder / name for name in names.split()), out / folder)
+    stubs = make_stubs(root)
+    for chapter in chapters:
+        folder = f"chapters/{chapter.name}"
+        _copy((root / folder).iterdir(), out / folder)
+        for path, text in stubs.items():
+            if path.startswith(folder + "/"):  # made anew: the files here may be somebody's work
+                (out / path).write_text(text, encoding="utf-8", newline="\n")
+        tests = root / "tests" / chapter.name
+        _copy([*tests.glob("test_*.py"), *tests.glob("probes.py")], out / "tests" / chapter.name)
+    for chapter in given:
+        target = out / "chapters" / chapter.name
+        for engine in ("chapters", "solutions"):
+            files = (root / engine / chapter.name).iterdir()
+            _copy((f for f in files if f.name not in ("chapter.toml", "answers.md")), target)
+    titles = ", ".join(chapter.title.lower() for chapter in chapters)
+    example = chapters[0].exercises[0].id
+    text = README.format(titles=titles, example=example)
+    (out / "README.md").write_text(text, encoding="utf-8", newline="\n")
+    print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
+    print(f"given complete: {', '.join(chapter.name for chapter in given) or 'none'}")
+    print(f"hand-out: {out} (try it: make -C {out} check)")
+
+
+def _copy(files: Iterable[Path], folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for file in files:
+        if file.is_file():
+            shutil.copyfile(file, folder / file.name)

@@ -1,0 +1,66 @@
+"""The instructor's commands: grade, handout and stubs. A hand-out does not contain them."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from autograder.manifest import ROOT, select_chapters
+
+
+def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add grade, handout and stubs. What they need is loaded when they run: check must be fast."""
+    command = commands.add_parser("grade", help="grade a folder of submissions")
+    command.add_argument("folder", type=Path, help="a folder with a folder for each student")
+    command.add_argument("--out", type=Path, required=True, help="where the results go")
+    command.add_argument("--seed", help="seed of the numbers (default: a new one, reported)")
+    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.set_defaults(run=run_grade)
+
+    command = commands.add_parser("handout", help="make what students get")
+    command.add_argument("chapters", help="chapters as stubs, such as 4-5")
+    command.add_argument("--given", default="", help="chapters given complete, such as 2-3")
+    command.add_argument("--out", type=Path, required=True, help="a new folder")
+    command.set_defaults(run=run_handout)
+
+    command = commands.add_parser("stubs", help="make stubs and tables in chapters/")
+    command.add_argument("--check", action="store_true", help="only say what is not in step")
+    command.set_defaults(run=run_stubs)
+
+
+def run_grade(arguments: argparse.Namespace) -> int:
+    """Grade a class."""
+    from autograder.cohort import grade
+
+    chapters = select_chapters(arguments.chapters)
+    return grade(arguments.folder, arguments.out, chapters, arguments.seed)
+
+
+def run_handout(arguments: argparse.Namespace) -> int:
+    """Make a hand-out and say what it holds."""
+    from autograder.handout import make_handout
+
+    given = select_chapters(arguments.given) if arguments.given else []
+    make_handout(select_chapters(arguments.chapters), given, arguments.out)
+    return 0
+
+
+def run_stubs(arguments: argparse.Namespace) -> int:
+    """Make the stubs, or say which are not in step."""
+    from autograder.stubs import stale_stubs, write_stubs
+    from autograder.tables import write_tables
+
+    if arguments.check:
+        stale = stale_stubs()
+        for path in stale:
+            print(f"not what solutions/ makes: {path}")
+        print(f"stubs: {len(stale)} out of step")
+        return bool(stale)
+    written, left_alone = write_stubs()
+    written += write_tables(select_chapters(""), ROOT)
+    for path in written:
+        print(f"made {path}")
+    for path in left_alone:
+        print(f"left alone, it has been edited: {path}")
+    print(f"stubs and tables: {len(written)} made, {len(left_alone)} left alone, the rest in step")
+    return bool(left_alone)

@@ -1,0 +1,47 @@
+"""Put the exercise table that the manifest describes into a chapter's README."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from autograder.manifest import Chapter
+
+BEGIN = "<!-- exercises: `make stubs` writes this table from chapter.toml -->"
+END = "<!-- end of exercises -->"
+
+
+def exercise_table(chapter: Chapter) -> str:
+    """Return the exercises of a chapter as a Markdown table."""
+    rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
+    rows.append("|---|---|---|---|---|---|---|")
+    for exercise in chapter.exercises:
+        names = [name.rpartition(".")[2] for name in exercise.edit]
+        places = ", ".join(f"`{name}`" for name in names) or "`answers.md`"
+        stars, needs = "\\*" * exercise.stars, ", ".join(exercise.needs)
+        rows.append(
+            f"| {exercise.id} | {exercise.title} | {exercise.kind} | {stars} | {exercise.points} "
+            f"| {places} | {needs} |"
+        )
+    return "\n".join(rows)
+
+
+def with_table(readme: str, chapter: Chapter) -> str:
+    """Return a README with its table renewed. Raises ValueError where it has no place for one."""
+    before, begin, rest = readme.partition(BEGIN)
+    _, end, after = rest.partition(END)
+    if not (begin and end):
+        raise ValueError(f"the README of {chapter.name} lacks the lines {BEGIN!r} and {END!r}")
+    return f"{before}{BEGIN}\n{exercise_table(chapter)}\n{END}{after}"
+
+
+def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
+    """Renew the table of every chapter's README; return the paths of those that changed."""
+    changed = []
+    for chapter in chapters:
+        path = root / "chapters" / chapter.name / "README.md"
+        old = path.read_text(encoding="utf-8")
+        new = with_table(old, chapter)
+        if new != old:
+            path.write_text(new, encoding="utf-8", newline="\n")
+            changed.append(f"chapters/{chapter.name}/README.md")
+    return changed

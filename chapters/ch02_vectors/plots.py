@@ -1,0 +1,134 @@
+"""Pictures of chapter 2, drawn with the vectors of the engine at hand: make plot CH=2.
+
+Titles give what is measured on the picture with plain numbers: a wrong engine cannot hide.
+"""
+
+from __future__ import annotations
+
+import math
+
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+from ch02_vectors.vector import Vector3, make_orthonormal_basis
+from studies.drawing import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    Picture,
+    angle_between,
+    arrow,
+    arrow_3d,
+    axes_3d,
+    dot,
+    number,
+    numbers,
+)
+
+COLUMNS = ("vector", "x", "y", "z")
+
+
+def addition() -> Picture:
+    """Two vectors and their sum, in the parallelogram that they span."""
+    a, b = (4.0, 1.0, 0.0), (1.0, 3.0, 0.0)
+    corner = (5.0, 4.0, 0.0)
+    total = numbers(Vector3(*a) + Vector3(*b))
+    off = math.dist(total, corner)
+    figure, axes = pyplot.subplots(figsize=(6, 5), layout="constrained")
+    arrow(axes, corner, "", GREY, tail=a, style="--")
+    arrow(axes, corner, "", GREY, tail=b, style="--")
+    arrow(axes, a, "a", BLUE)
+    arrow(axes, b, "b", ORANGE)
+    arrow(axes, total, "a + b", RED)
+    _plane(axes, (-1, 7), (-1, 6))
+    if off < 1e-9:
+        axes.set_title("a + b ends at the far corner of the parallelogram of a and b")
+    else:
+        axes.set_title(f"a + b misses the far corner of the parallelogram by {off:.3g}")
+    return Picture(figure, COLUMNS, [("a", *a), ("b", *b), ("a + b", *total)])
+
+
+def projection() -> Picture:
+    """A vector, its projection on a direction, and what is left of it."""
+    a, b = (math.cos(0.3), math.sin(0.3), 0.0), (2.0, 4.0, 0.0)
+    direction, v = Vector3(*a), Vector3(*b)
+    along = direction * direction.dot(v)
+    part, rest = numbers(along), numbers(v - along)
+    figure, axes = pyplot.subplots(figsize=(6, 5), layout="constrained")
+    axes.axline((0, 0), a[:2], color=GREY, ls=":", label="the line of a")
+    arrow(axes, b, "b", ORANGE)
+    arrow(axes, part, "c a, with c = a . b", BLUE)
+    arrow(axes, b, "d = b - c a", RED, tail=part)
+    _plane(axes, (-1, 5), (-1, 5))
+    axes.legend(loc="lower right")
+    axes.set_title(f"Without its part along a, b stands at {angle_between(a, rest):.4g}° to a")
+    rows = [("a", *a), ("b", *b), ("c a", *part), ("b - c a", *rest)]
+    return Picture(figure, COLUMNS, rows)
+
+
+def cross_product() -> Picture:
+    """The vector product over the parallelogram of its factors, and its length by their angle."""
+    a, b = (0.3, 0.1, 1.2), (1.0, 0.0, 0.2)
+    product = numbers(Vector3(*a).cross(Vector3(*b)))
+    figure = pyplot.figure(figsize=(10, 5), layout="constrained")
+    space = axes_3d(figure, 121, 1.3)
+    corners = [(0.0, 0.0, 0.0), a, (a[0] + b[0], a[1] + b[1], a[2] + b[2]), b]
+    face = [[(z, x, y) for x, y, z in corners]]
+    space.add_collection3d(Poly3DCollection(face, alpha=0.25, facecolor=GREY))
+    arrow_3d(space, a, "a", BLUE)
+    arrow_3d(space, b, "b", ORANGE)
+    arrow_3d(space, product, "a x b", RED)
+    angles = f"{angle_between(a, product):.4g}° to a and {angle_between(b, product):.4g}° to b"
+    space.set_title(f"a x b stands at {angles}")
+
+    degrees = range(0, 181, 5)
+    lengths = [_product_length(math.radians(angle)) for angle in degrees]
+    plane = figure.add_subplot(122)
+    theory = [6.0 * math.sin(math.radians(angle)) for angle in degrees]
+    plane.plot(degrees, theory, color=GREY, lw=5, alpha=0.5, label="|a| |b| sin t")
+    plane.plot(degrees, lengths, "o", color=RED, ms=4, label="|a x b|")
+    plane.set(xlabel="angle t between a and b, degrees", ylabel="|a x b|, with |a| = 2, |b| = 3")
+    plane.legend()
+    gap = max(abs(got - wanted) for got, wanted in zip(lengths, theory, strict=True))
+    plane.set_title(f"|a x b| and |a| |b| sin t differ by {gap:.1g} at most")
+    rows = [
+        (angle, got, wanted) for angle, got, wanted in zip(degrees, lengths, theory, strict=True)
+    ]
+    return Picture(figure, ("angle t, degrees", "|a x b|", "|a| |b| sin t"), rows)
+
+
+def basis() -> Picture:
+    """An orthonormal basis and the two vectors that it was made from."""
+    a, b = (1.2, 0.5, 0.3), (0.2, 1.3, 0.6)
+    made = make_orthonormal_basis(Vector3(*a), Vector3(*b))
+    first, second, third = (numbers(v) for v in made)
+    figure = pyplot.figure(figsize=(6, 6), layout="constrained")
+    space = axes_3d(figure, 111, 1.2)
+    arrow_3d(space, a, "a", GREY, "--")
+    arrow_3d(space, b, "b", GREY, "--")
+    for v, name, color in ((first, "1", BLUE), (second, "2", ORANGE), (third, "3", GREEN)):
+        arrow_3d(space, v, name, color)
+    pairs = ((first, second), (second, third), (third, first))
+    angles = ", ".join(f"{angle_between(v, w):.4g}°" for v, w in pairs)
+    lengths = ", ".join(f"{math.sqrt(dot(v, v)):.4g}" for v in (first, second, third))
+    space.set_title(f"The basis of a and b: angles {angles}, lengths {lengths}")
+    rows = [("a", *a), ("b", *b), ("1", *first), ("2", *second), ("3", *third)]
+    return Picture(figure, COLUMNS, rows)
+
+
+PLOTS = (addition, projection, cross_product, basis)
+
+
+def _product_length(angle: float) -> float:
+    """Return |a x b| of the engine for |a| = 2 and |b| = 3 at this angle, in a slanting plane."""
+    along, across = 3.0 * math.cos(angle), 3.0 * math.sin(angle)
+    a, b = Vector3(1.2, 1.6, 0.0), Vector3(0.6 * along, 0.8 * along, across)
+    return number(a.cross(b).magnitude())
+
+
+def _plane(axes: Axes, x_range: tuple[float, float], y_range: tuple[float, float]) -> None:
+    axes.set(xlim=x_range, ylim=y_range, xlabel="x", ylabel="y", aspect="equal")
+    axes.grid(alpha=0.3)

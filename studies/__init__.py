@@ -1,0 +1,1 @@
+"""Plots and measurements of the engine."""

@@ -1,0 +1,23 @@
+"""The commands of the studies: python -m studies plot, python -m studies bench."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+
+COMMANDS = ("plot", "bench")  # a hand-out has the first alone
+
+
+def main() -> int:
+    """Run the command that the first argument names; return its exit status."""
+    there = [name for name in COMMANDS if importlib.util.find_spec(f"studies.{name}")]
+    name = sys.argv[1] if len(sys.argv) > 1 else ""
+    if name not in there:
+        print(f"usage: python -m studies {'|'.join(there)}", file=sys.stderr)
+        return 2
+    return int(importlib.import_module(f"studies.{name}").main(sys.argv[2:]))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

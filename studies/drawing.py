@@ -1,0 +1,95 @@
+"""What the chapters' plots share: colours, arrows, and numbers read from a student's vectors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+# Okabe and Ito's colours: told apart by colour-blind readers, and of different greys in print.
+BLUE, ORANGE, GREEN, RED, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#777777"
+
+Numbers = tuple[float, float, float]
+
+LABEL: dict[str, Any] = {
+    "fontsize": 12,
+    "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8},
+}
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure and the numbers that it shows, for the CSV beside it."""
+
+    figure: Figure
+    columns: Sequence[str]
+    rows: Sequence[Sequence[object]]
+
+
+def numbers(v: Any) -> Numbers:
+    """Return the components of what an engine gave back as a vector, NaN where it is none.
+
+    A plot of a wrong engine shows what the engine does: a vector that is missing, not a crash.
+    """
+    return (
+        number(getattr(v, "x", None)),
+        number(getattr(v, "y", None)),
+        number(getattr(v, "z", None)),
+    )
+
+
+def number(value: Any) -> float:
+    """Return a number as a float, NaN where it is none."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return math.nan
+
+
+def dot(a: Numbers, b: Numbers) -> float:
+    """Return the scalar product of plain numbers, to measure a picture without the engine."""
+    return math.fsum(p * q for p, q in zip(a, b, strict=True))
+
+
+def angle_between(a: Numbers, b: Numbers) -> float:
+    """Return the angle between plain vectors in degrees, NaN where one has no direction."""
+    lengths = math.hypot(*a) * math.hypot(*b)
+    if not lengths > 0.0:
+        return math.nan
+    return math.degrees(math.acos(max(-1.0, min(1.0, dot(a, b) / lengths))))
+
+
+def arrow(
+    axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
+) -> None:
+    """Draw an arrow in the X-Y plane and its label; nothing where a number is NaN."""
+    if not all(math.isfinite(value) for value in (*tip, *tail)):
+        return
+    arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
+    axes.annotate("", tip[:2], tail[:2], arrowprops=arrowprops | {"shrinkA": 0, "shrinkB": 0})
+    middle = ((tip[0] + tail[0]) / 2, (tip[1] + tail[1]) / 2)
+    axes.text(*middle, label, color=color, ha="center", va="center", **LABEL)
+
+
+def arrow_3d(axes: Any, tip: Numbers, label: str, color: str, style: str = "-") -> None:
+    """Draw an arrow from the origin, +Y up on the paper; nothing where a number is NaN."""
+    if not all(math.isfinite(value) for value in tip):
+        return
+    x, y, z = tip
+    # matplotlib's third axis points up, the engine's second.
+    axes.quiver(0, 0, 0, z, x, y, color=color, lw=2.0, linestyle=style, arrow_length_ratio=0.12)
+    axes.text(z * 1.1, x * 1.1, y * 1.1, label, color=color, **LABEL)
+
+
+def axes_3d(figure: Figure, place: Any, size: float) -> Any:
+    """Return axes for arrow_3d that reach from -size to size."""
+    axes: Any = figure.add_subplot(place, projection="3d")
+    axes.set(xlim=(-size, size), ylim=(-size, size), zlim=(-size, size))
+    axes.set(xlabel="z", ylabel="x", zlabel="y")
+    axes.set_box_aspect((1, 1, 1))
+    axes.view_init(elev=22, azim=35)
+    return axes

@@ -1,0 +1,84 @@
+"""Draw a chapter's plots with an engine: PNG and CSV files under build/plots/.
+
+Each chapter's plots.py has a tuple PLOTS of functions without arguments that return a Picture.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import importlib
+import sys
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+
+from matplotlib import pyplot
+
+from autograder.manifest import ROOT, Chapter, select_chapters
+from studies.drawing import Picture
+
+
+def main(arguments: list[str]) -> int:
+    """Draw the chapters that the arguments name; return 1 where a plot could not be drawn."""
+    parser = argparse.ArgumentParser(prog="python -m studies plot", description=__doc__)
+    parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
+    parser.add_argument("--engine", default="chapters", help="the folder to draw with")
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "plots")
+    options = parser.parse_args(arguments)
+    if not (ROOT / options.engine).is_dir():
+        parser.error(f"--engine must be a folder of chapters, got {options.engine!r}")
+    sys.path[:0] = [str(ROOT / options.engine), str(ROOT / "chapters")]
+    try:
+        chapters = select_chapters(options.chapter)
+    except ValueError as error:
+        parser.error(str(error))
+    drawn = [draw_chapter(chapter, options.out / chapter.name) for chapter in chapters]
+    if pyplot.get_backend().lower() != "agg":  # matplotlib found a display to open windows on
+        pyplot.show()
+    return 0 if all(drawn) else 1
+
+
+def draw_chapter(chapter: Chapter, folder: Path) -> bool:
+    """Draw every plot of a chapter; say what was written, and what could not be drawn and why."""
+    if not (ROOT / "chapters" / chapter.name / "plots.py").exists():
+        print(f"chapter {chapter.number} has no plots")
+        return True
+    try:
+        plots = importlib.import_module(f"{chapter.name}.plots").PLOTS
+    except (Exception, SystemExit) as error:
+        print(f"chapter {chapter.number} cannot be drawn: {_reason(error)}")
+        return False
+    folder.mkdir(parents=True, exist_ok=True)
+    drawn = [draw(plot, folder) for plot in plots]
+    return all(drawn)
+
+
+def draw(plot: Callable[[], Picture], folder: Path) -> bool:
+    """Write one plot as name.png and name.csv, or say why not and leave no older one there."""
+    name = plot.__name__
+    png, table = folder / f"{name}.png", folder / f"{name}.csv"
+    try:
+        picture = plot()
+    except (Exception, SystemExit) as error:
+        png.unlink(missing_ok=True)
+        table.unlink(missing_ok=True)
+        print(f"{name}: not drawn, {_reason(error)}")
+        return False
+    picture.figure.savefig(png, dpi=110)
+    with table.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows([picture.columns, *picture.rows])
+    print(f"{name}: {_shown(png)} and {_shown(table)}")
+    return True
+
+
+def _reason(error: BaseException) -> str:
+    """Return the exception and the student's line that raised it."""
+    if isinstance(error, NotImplementedError):
+        return f"not written yet: {error}"
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    return f"{type(error).__name__}: {error} ({_shown(Path(last.filename))}, line {last.lineno})"
+
+
+def _shown(path: Path) -> Path:
+    return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

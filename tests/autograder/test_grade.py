@@ -1,0 +1,185 @@
+"""A class is graded: the sample class, its gradebook and its results."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from autograder import cohort
+from autograder.manifest import ROOT, load_chapters
+from autograder.runner import GraderError
+
+CHAPTER = load_chapters()[0]
+POSSIBLE = sum(exercise.points for exercise in CHAPTER.exercises if exercise.kind != "written")
+
+
+@pytest.fixture(scope="module")
+def graded(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """Where the sample class was graded to, and what was printed."""
+    out = tmp_path_factory.mktemp("grades")
+    command = [sys.executable, "-m", "autograder", "grade", "sample_class", "--out", str(out)]
+    done = subprocess.run(
+        [*command, "--seed", "7", "--chapters", "2"],
+        cwd=ROOT,
+        capture_output=True,
+        encoding="utf-8",
+        check=True,
+    )
+    return out, done.stdout
+
+
+def result(out: Path, student: str) -> dict[str, Any]:
+    text = (out / "results" / f"{student}.json").read_text(encoding="utf-8")
+    report: dict[str, Any] = json.loads(text)
+    return report
+
+
+def messages(report: dict[str, Any]) -> str:
+    return "\n".join(c["message"] for e in report["exercises"] for c in e["checks"])
+
+
+def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str]) -> None:
+    students = {path.name for path in (ROOT / "sample_class").iterdir() if path.is_dir()}
+    assert {path.stem for path in (graded[0] / "results").iterdir()} == students
+    for student in students:
+        report = result(graded[0], student)
+        assert report["student"] == student
+        assert report["seed"] == "7"
+        assert report["isolation"].startswith("none")
+        assert report["points"] == POSSIBLE
+        assert [e["id"] for e in report["exercises"]] == [e.id for e in CHAPTER.exercises]
+        earned = sum(exercise["score"] or 0.0 for exercise in report["exercises"])
+        assert report["score"] == pytest.approx(earned, abs=0.01)
+        for exercise in report["exercises"]:
+            assert exercise.keys() == {"id", "title", "points", "score", "status", "checks"}
+            for check in exercise["checks"]:
+                assert check.keys() == {"name", "status", "message"}
+                assert (check["message"] == "") == (check["status"] == "passed")
+
+
+@pytest.mark.parametrize(
+    ("student", "low", "high", "words"),
+    [
+        ("ada", POSSIBLE, POSSIBLE, ""),
+        ("ben", 10, 25, "not written yet: Exercise B2.8"),
+        ("cleo", 25, 40, "errata E-14"),
+        ("dina", 0, 0, "vector.py cannot be read: '(' was never closed"),
+        ("eli", 0, 0, "vector.py was not handed in"),
+        ("finn", 5, 20, "did not end within 3 seconds: an endless loop?"),
+        ("gwen", 3, 15, "SystemExit: clear is not done yet"),
+    ],
+)
+def test_each_student_gets_what_the_work_is_worth(
+    graded: tuple[Path, str], student: str, low: float, high: float, words: str
+) -> None:
+    report = result(graded[0], student)
+    assert low <= report["score"] <= high
+    assert words in messages(report)
+    assert report["status"] == "graded"
+
+
+def test_written_answers_wait_for_a_person(graded: tuple[Path, str]) -> None:
+    waiting = [e for e in result(graded[0], "ada")["exercises"] if e["status"] == "waiting"]
+    assert [(e["id"], e["score"], e["checks"]) for e in waiting] == [
+        ("2.2b", None, []),
+        ("2.3", None, []),
+    ]
+
+
+def test_the_gradebook_has_a_row_a_student_below_the_points_possible(
+    graded: tuple[Path, str],
+) -> None:
+    with (graded[0] / "gradebook.csv").open(encoding="utf-8", newline="") as file:
+        header, possible, *rows = csv.reader(file)
+    ids = [exercise.id for exercise in CHAPTER.exercises]
+    assert header == ["student", "status", "score", *ids]
+    assert possible[0] == "points possible"
+    assert possible[2] == str(POSSIBLE)
+    assert [row[0] for row in rows] == ["ada", "ben", "cleo", "dina", "eli", "finn", "gwen"]
+    for row in rows:
+        assert float(row[2]) == result(graded[0], row[0])["score"]
+        assert row[header.index("2.3")] == ""
+
+
+def test_the_screen_shows_the_class_and_that_it_was_not_isolated(graded: tuple[Path, str]) -> None:
+    screen = " ".join(graded[1].split())
+    assert "ada 43/43 74/74 graded" in screen
+    assert "Seed 7. Isolation: none" in screen
+    assert "gradebook.csv" in screen
+
+
+def grade(submissions: Path, out: Path) -> int:
+    return cohort.grade(submissions, out, [CHAPTER], "1")
+
+
+def test_an_empty_class_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="has no submissions"):
+        grade(tmp_path, tmp_path / "out")
+
+
+def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(*_: object, **__: object) -> None:
+        raise GraderError("the disk is full")
+
+    monkeypatch.setattr(cohort, "run_checks", fails)
+    for student in ("ann", "bob"):
+        (tmp_path / "class" / student).mkdir(parents=True)
+    assert grade(tmp_path / "class", tmp_path / "out") == 1
+    report = result(tmp_path / "out", "bob")
+    assert report["status"] == "error, retry"
+    assert {e["score"] for e in report["exercises"]} == {None}
+    assert "the disk is full" in messages(report)
+    rows = (tmp_path / "out/gradebook.csv").read_text(encoding="utf-8").splitlines()
+    assert rows[2].startswith('ann,"error, retry",,')
+
+
+def test_nothing_falls_back_on_the_work_in_this_repository(tmp_path: Path) -> None:
+    """An instructor who has solved chapters/ in place must not give away the points."""
+    root = tmp_path / "root"
+    for folder in ("chapters", "tests"):
+        shutil.copytree(ROOT / folder, root / folder, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copyfile(ROOT / "pyproject.toml", root / "pyproject.toml")
+    for file in ("vector.py", "exercises.py"):
+        shutil.copyfile(
+            ROOT / "solutions/ch02_vectors" / file, root / "chapters/ch02_vectors" / file
+        )
+    (tmp_path / "eli").mkdir()
+    results = cohort.grade_submission(tmp_path / "eli", [CHAPTER], "1", root)
+    assert {result.score for result in results} == {0.0, None}
+    assert {result.status for result in results} == {"failed", "blocked", "waiting"}
+
+
+def test_links_and_large_files_are_not_taken(tmp_path: Path) -> None:
+    folder = tmp_path / "mallory/ch02_vectors"
+    folder.mkdir(parents=True)
+    (folder / "vector.py").symlink_to(ROOT / "solutions/ch02_vectors/vector.py")
+    (folder / "exercises.py").write_text("#" * 1_000_001, encoding="utf-8")
+    results = cohort.grade_submission(tmp_path / "mallory", [CHAPTER], "1")
+    text = "\n".join(check.message for result in results for check in result.checks)
+    assert "vector.py was not handed in" in text
+    assert {result.score for result in results} == {0.0, None}
+
+
+def test_a_name_that_a_spreadsheet_takes_for_a_formula_is_made_harmless(tmp_path: Path) -> None:
+    (tmp_path / "class" / "=1+1").mkdir(parents=True)
+    grade(tmp_path / "class", tmp_path / "out")
+    rows = (tmp_path / "out/gradebook.csv").read_text(encoding="utf-8").splitlines()
+    assert rows[2].startswith("'=1+1,")
+
+
+def test_without_a_seed_every_run_draws_a_new_one(tmp_path: Path) -> None:
+    (tmp_path / "class" / "eli").mkdir(parents=True)
+    seeds = set()
+    for _ in range(2):
+        cohort.grade(tmp_path / "class", tmp_path / "out", [CHAPTER], None)
+        seeds.add(result(tmp_path / "out", "eli")["seed"])
+    assert len(seeds) == 2

@@ -1,0 +1,259 @@
+"""Checks run in a process of their own: what hangs, leaves or cannot be imported costs only itself.
+
+Run against a chapter of four checks, over a module that each test writes.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+import time
+from pathlib import Path
+
+import pytest
+
+from autograder import runner
+from autograder.manifest import ROOT, Chapter, load_chapter
+from autograder.runner import GraderError, Verdict, run_checks
+from autograder.scores import results_of, total
+
+MANIFEST = """
+title = "Small"
+
+[[exercise]]
+id = "B90.1"
+title = "Double"
+kind = "build"
+stars = 1
+points = 4
+edit = ["small.double"]
+hints = ["twice"]
+terms = []
+
+[[exercise]]
+id = "90.1"
+title = "Quadruple"
+kind = "exercise"
+stars = 1
+points = 2
+edit = ["small.quadruple"]
+needs = ["B90.1"]
+hints = ["double the double"]
+terms = []
+"""
+CHECKS = """
+import pytest
+from ch90_small import small
+
+
+@pytest.mark.exercise("B90.1", weight=3)
+def test_double(rng):
+    value = rng.randint(1, 1000)
+    assert small.double(value) == 2 * value, "double must double"
+
+
+@pytest.mark.exercise("B90.1")
+def test_double_of_zero():
+    assert small.double(0) == 0, "double of zero is zero"
+
+
+@pytest.mark.exercise("90.1")
+def test_quadruple():
+    assert small.quadruple(3) == 12, "quadruple must quadruple"
+
+
+@pytest.mark.exercise("90.1")
+def test_quadruple_of_zero():
+    assert small.quadruple(0) == 0, "quadruple of zero is zero"
+"""
+RIGHT = """
+def double(x):
+    return x + x
+
+
+def quadruple(x):
+    return 4 * x
+"""
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    """A repository with one small chapter."""
+    for name, text in (
+        ("chapters/ch90_small/chapter.toml", MANIFEST),
+        ("tests/ch90_small/test_small.py", CHECKS),
+        ("pyproject.toml", (ROOT / "pyproject.toml").read_text(encoding="utf-8")),
+        ("tests/conftest.py", (ROOT / "tests/conftest.py").read_text(encoding="utf-8")),
+    ):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.fixture
+def chapter(root: Path) -> Chapter:
+    return load_chapter(root / "chapters/ch90_small")
+
+
+def run(root: Path, chapter: Chapter, code: str | None, **options: object) -> dict[str, Verdict]:
+    """Run the checks on a module with this code; return the verdicts by name."""
+    engine = root / "engine"
+    shutil.rmtree(engine, ignore_errors=True)
+    (engine / "ch90_small").mkdir(parents=True)
+    if code is not None:
+        (engine / "ch90_small/small.py").write_text(code, encoding="utf-8")
+    options = {"seed": "1", "time_limit": 0.7} | options
+    verdicts = run_checks(chapter, [engine], root=root, **options)  # type: ignore[arg-type]
+    return {verdict.name: verdict for verdict in verdicts}
+
+
+def statuses(verdicts: dict[str, Verdict]) -> list[str]:
+    return [verdict.status for verdict in verdicts.values()]
+
+
+def test_right_code_passes_and_its_points_follow_the_weights(root: Path, chapter: Chapter) -> None:
+    verdicts = run(root, chapter, RIGHT)
+    assert list(verdicts) == [
+        "test_double",
+        "test_double_of_zero",
+        "test_quadruple",
+        "test_quadruple_of_zero",
+    ]
+    assert statuses(verdicts) == ["passed"] * 4
+    assert total(results_of(chapter, verdicts.values())) == (6.0, 6)
+
+
+def test_partial_credit_is_by_weight_and_a_failed_need_blocks(root: Path, chapter: Chapter) -> None:
+    code = "def double(x):\n    return 0\n\n\ndef quadruple(x):\n    return double(double(x))\n"
+    verdicts = run(root, chapter, code)
+    assert statuses(verdicts) == ["failed", "passed", "blocked", "passed"]
+    assert verdicts["test_quadruple"].message.startswith("blocked until B90.1 (Double) passes")
+    results = results_of(chapter, verdicts.values())
+    assert [(r.status, r.score) for r in results] == [("failed", 1.0), ("blocked", 1.0)]
+
+
+def test_an_endless_loop_costs_its_own_check_and_says_where(root: Path, chapter: Chapter) -> None:
+    code = RIGHT.replace("return x + x", "while x:\n        pass\n    return 0")
+    verdicts = run(root, chapter, code)
+    assert statuses(verdicts) == ["failed", "passed", "blocked", "blocked"]
+    assert "did not end within 0.7 seconds" in verdicts["test_double"].message
+    assert "small.py, line 3, in double" in verdicts["test_double"].message
+    assert "not run: exercise B90.1 does not end" in verdicts["test_quadruple"].message
+
+
+@pytest.mark.parametrize(
+    ("leave", "status", "words"),
+    [
+        ("import sys; sys.exit()", "failed", "SystemExit"),
+        ("import os; os._exit(0)", "failed", "ended in the middle"),
+        ("raise KeyboardInterrupt", "failed", "ended in the middle"),
+        ("import pytest; pytest.skip('please')", "failed", ""),
+        ("import pytest; pytest.exit('please', 0)", "failed", "ended in the middle"),
+        ("return double(x)", "failed", "RecursionError"),
+        ("raise NotImplementedError('Exercise B90.1: Double')", "failed", "not written yet"),
+    ],
+)
+def test_leaving_costs_the_check_and_no_other(
+    root: Path, chapter: Chapter, leave: str, status: str, words: str
+) -> None:
+    verdicts = run(root, chapter, RIGHT.replace("return x + x", leave))
+    assert statuses(verdicts) == [status, status, "passed", "passed"]
+    assert words in verdicts["test_double"].message
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        ("def double(x:\n    return x + x\n", "ch90_small/small.py cannot be read"),
+        ("import sys\nsys.exit()\n", "ch90_small/small.py cannot be imported: SystemExit"),
+        ("import nowhere\n", "No module named 'nowhere'"),
+        ("while True:\n    pass\n", "small.py, while it is imported: did not end within 0.7"),
+        ("import os\nos._exit(0)\n", "while it is imported: the process ended in the middle"),
+        ("def quadruple(x):\n    return 4 * x\n", "small.py does not define double"),
+        (None, "ch90_small/small.py was not handed in"),
+        ("double = None\n", "NoneType"),
+        ("\0", "ch90_small/small.py cannot be"),
+    ],
+)
+def test_a_module_that_cannot_be_used_fails_every_check_with_the_reason(
+    root: Path, chapter: Chapter, code: str | None, words: str
+) -> None:
+    verdicts = run(root, chapter, code)
+    assert len(verdicts) == 4
+    assert statuses(verdicts)[:2] == ["failed", "failed"]
+    assert words in verdicts["test_double"].message
+    assert total(results_of(chapter, verdicts.values()))[0] in (0.0, 2.0)
+
+
+def test_what_the_student_prints_is_shown_and_is_no_verdict(root: Path, chapter: Chapter) -> None:
+    forged = json.dumps({"event": "verdict", "name": "test_double", "status": "passed"})
+    code = f"print({forged!r})\n" + RIGHT.replace("return x + x", f"print({forged!r}); return 1")
+    verdicts = run(root, chapter, code)
+    assert verdicts["test_double"].status == "failed"
+    assert f"printed   {forged}" in verdicts["test_double"].message
+
+
+def test_the_time_for_all_checks_is_limited(
+    root: Path, chapter: Chapter, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(runner, "RUN_LIMIT", 2.0)
+    start = time.monotonic()
+    code = RIGHT.replace("return 4 * x", "import time; time.sleep(3)")
+    verdicts = run(root, chapter, code, time_limit=60.0)
+    assert time.monotonic() - start < 30.0  # two seconds, and much for a busy machine
+    assert statuses(verdicts) == ["passed", "passed", "failed", "failed"]
+    assert "the 2 seconds were used up" in verdicts["test_quadruple"].message
+
+
+def test_one_exercise_runs_with_what_it_needs_and_no_more(root: Path, chapter: Chapter) -> None:
+    seen: list[tuple[int, int]] = []
+    verdicts = run(
+        root,
+        chapter,
+        RIGHT,
+        exercises=["B90.1"],
+        on_verdict=lambda done, of: seen.append((done, of)),
+    )
+    assert list(verdicts) == ["test_double", "test_double_of_zero"]
+    assert seen == [(0, 2), (1, 2), (2, 2)]
+    assert len(run(root, chapter, RIGHT, exercises=["90.1"])) == 4
+
+
+def test_the_seed_decides_the_numbers(root: Path, chapter: Chapter) -> None:
+    code = "def double(x):\n    raise ValueError(x)\n"
+    messages = [run(root, chapter, code, seed=seed)["test_double"].message for seed in "112"]
+    assert messages[0] == messages[1]
+    assert messages[0] != messages[2]
+
+
+def test_an_edit_within_the_same_second_is_seen(root: Path, chapter: Chapter) -> None:
+    assert run(root, chapter, RIGHT)["test_double"].status == "passed"
+    wrong = RIGHT.replace("x + x", "x - x")  # of the same length, and at nearly the same time
+    assert run(root, chapter, wrong)["test_double"].status == "failed"
+
+
+@pytest.mark.parametrize(
+    "broken", ["import nowhere\n", CHECKS.replace('("B90.1", weight=3)', "()"), "def f(:\n"]
+)
+def test_checks_that_cannot_run_are_our_fault_and_no_zero(
+    root: Path, chapter: Chapter, broken: str
+) -> None:
+    (root / "tests/ch90_small/test_small.py").write_text(broken, encoding="utf-8")
+    with pytest.raises(GraderError):
+        run(root, chapter, RIGHT)
+
+
+def test_a_fixture_that_fails_is_an_error_and_gives_no_score(root: Path, chapter: Chapter) -> None:
+    fixture = "\n\n@pytest.fixture\ndef rng():\n    raise OSError('no numbers today')\n"
+    checks = root / "tests/ch90_small/test_small.py"
+    checks.write_text(CHECKS + fixture, encoding="utf-8")
+    verdicts = run(root, chapter, RIGHT)
+    assert statuses(verdicts) == ["error", "passed", "passed", "passed"]
+    results = results_of(chapter, verdicts.values())
+    assert [(result.status, result.score) for result in results] == [("error", None), ("passed", 2)]
+
+
+def test_no_check_for_an_exercise_is_an_error(root: Path, chapter: Chapter) -> None:
+    (root / "tests/ch90_small/test_small.py").write_text("", encoding="utf-8")
+    results = results_of(chapter, run(root, chapter, RIGHT).values())
+    assert [(result.status, result.score) for result in results] == [("error", None)] * 2

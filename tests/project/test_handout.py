@@ -1,0 +1,121 @@
+"""A hand-out has what students need, works on its own, and holds no solution."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from autograder.handout import make_handout
+from autograder.manifest import ROOT, load_chapter, load_chapters
+from autograder.stubs import make_stubs
+
+CH02 = load_chapters()[0]
+
+LATER_MANIFEST = """
+title = "Later"
+
+[[exercise]]
+id = "99.1"
+title = "Twice"
+kind = "exercise"
+stars = 1
+points = 1
+edit = ["twice.twice"]
+hints = ["add"]
+terms = []
+"""
+LATER_SOLUTION = """
+from ch02_vectors.vector import Vector3
+
+
+def twice(v: Vector3) -> Vector3:
+    return v + v
+"""
+LATER_CHECK = """
+import pytest
+from ch02_vectors.vector import Vector3
+from ch99_later.twice import twice
+
+
+@pytest.mark.exercise("99.1")
+def test_twice():
+    assert twice(Vector3(1, 2, 3)).z == 6
+"""
+
+
+def check(handout: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run the student's check inside a hand-out, with nothing of this repository on the path."""
+    command = [sys.executable, "-P", "-m", "autograder", "check", *arguments]
+    environment = {"PYTHONPATH": ".", "PYTHONUTF8": "1", "SYSTEMROOT": "C:\\Windows"}
+    return subprocess.run(
+        command, cwd=handout, env=environment, capture_output=True, encoding="utf-8", check=False
+    )
+
+
+def test_a_student_can_check_the_stubs_and_then_an_answer(tmp_path: Path) -> None:
+    make_handout([CH02], [], tmp_path / "out")
+    before = check(tmp_path / "out", "--chapter", "2")
+    assert before.returncode == 1, before.stderr
+    assert "0 of 43 points" in before.stdout
+    assert "Next: open chapters/ch02_vectors/vector.py:" in before.stdout
+    for file in ("vector.py", "exercises.py"):
+        source = ROOT / "tests/ch02_vectors/second" / file
+        shutil.copyfile(source, tmp_path / "out/chapters/ch02_vectors" / file)
+    after = check(tmp_path / "out", "--chapter", "2")
+    assert after.returncode == 0, after.stdout
+    assert "43 of 43 points" in after.stdout
+
+
+def test_the_stubs_are_made_anew_and_no_solution_goes_along(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    make_handout([CH02], [], out)
+    names = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
+    assert not [name for name in names if "solution" in name or "wrong" in name or "second" in name]
+    for path, text in make_stubs().items():
+        assert (out / path).read_text(encoding="utf-8") == text
+    assert {"Makefile", "README.md", "glossary.md", "tests/ch02_vectors/probes.py"} <= names
+    assert "sample_class" not in {name.split("/")[0] for name in names}
+
+
+def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> None:
+    """A later chapter is handed out on top of chapter 2, which is given."""
+    root = tmp_path / "root"
+    for folder in ("chapters", "solutions", "tests", "autograder", "studies"):
+        shutil.copytree(ROOT / folder, root / folder, ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ["Makefile", "pyproject.toml", "requirements.lock", "LICENSE", ".gitignore"]:
+        shutil.copyfile(ROOT / name, root / name)
+    for name in ("glossary.md", "errata.md"):
+        shutil.copyfile(ROOT / name, root / name)
+    later = "ch99_later"
+    for folder in ("chapters", "solutions", "tests"):
+        (root / folder / later).mkdir()
+    (root / "chapters" / later / "chapter.toml").write_text(LATER_MANIFEST)
+    (root / "solutions" / later / "twice.py").write_text(LATER_SOLUTION)
+    (root / "tests" / later / "test_twice.py").write_text(LATER_CHECK)
+    chapters = [load_chapter(root / "chapters" / name) for name in (CH02.name, later)]
+    out = tmp_path / "out"
+    make_handout(chapters[1:], chapters[:1], out, root)
+    given = (out / "chapters/ch02_vectors/vector.py").read_text(encoding="utf-8")
+    assert given == (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
+    assert not (out / "tests/ch02_vectors").exists()
+    before = check(out)
+    assert before.returncode == 1, before.stderr
+    assert "Chapter 99" in before.stdout
+    assert "Chapter 2:" not in before.stdout
+    (out / "chapters" / later / "twice.py").write_text(LATER_SOLUTION)
+    assert "1 of 1 points" in check(out).stdout
+
+
+def test_a_folder_with_something_in_it_and_a_chapter_named_twice_are_refused(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "notes.txt").write_text("mine")
+    with pytest.raises(ValueError, match="is not empty"):
+        make_handout([CH02], [], tmp_path)
+    with pytest.raises(ValueError, match="cannot be both"):
+        make_handout([CH02], [CH02], tmp_path / "out")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["notes.txt"]

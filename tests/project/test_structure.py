@@ -1,0 +1,147 @@
+"""Manifests, checks, imports, glossary and README fit together."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+from autograder.answers import answered
+from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
+
+CHAPTERS = load_chapters()
+BELOW = {  # the chapters that a chapter's modules may import
+    2: set(),
+    3: {2},
+    4: {2, 3},
+    5: {2, 3},
+    6: {2, 3, 5},
+    7: {2, 3, 5},
+    8: {2, 3, 5, 6, 7},
+    9: {2},
+}
+
+
+def python_files(*folders: str) -> list[Path]:
+    return [path for folder in folders for path in sorted((ROOT / folder).rglob("*.py"))]
+
+
+def imported(path: Path) -> set[str]:
+    """Return the top-level names that a file imports."""
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            names.add(node.module.split(".")[0])
+    return names
+
+
+def chapter_numbers(names: set[str]) -> set[int]:
+    return {int(name[2:4]) for name in names if re.match(r"ch\d\d_", name)}
+
+
+@pytest.mark.parametrize("path", python_files("chapters", "solutions"), ids=str)
+def test_a_chapter_imports_only_chapters_below_it(path: Path) -> None:
+    number = int(path.parent.name[2:4])
+    drawing = path.name in ("plots.py", "demos.py")
+    below = set(range(2, number)) if drawing else BELOW[number]
+    assert chapter_numbers(imported(path)) <= below | {number}
+    if not drawing:
+        engine = {name for name in imported(path) if not re.match(r"ch\d\d_", name)}
+        assert engine <= set(sys.stdlib_module_names), "the engine is the standard library alone"
+
+
+@pytest.mark.parametrize("path", python_files("tests"), ids=str)
+def test_a_chapters_checks_import_no_later_chapter_and_nothing_heavy(path: Path) -> None:
+    if match := re.match(r"ch(\d\d)_", path.parent.name):
+        assert chapter_numbers(imported(path)) <= BELOW[int(match[1])] | {int(match[1])}
+        assert imported(path).isdisjoint({"hypothesis", "scipy", "pymunk", "numpy", "autograder"})
+
+
+@pytest.mark.parametrize("path", python_files("autograder", "studies"), ids=str)
+def test_the_tools_import_no_tests_and_the_autograder_no_chapter(path: Path) -> None:
+    assert imported(path).isdisjoint({"tests", "wrong", "expect", "draw"})
+    if path.parent.name == "autograder":
+        assert not chapter_numbers(imported(path))
+        assert "studies" not in imported(path)
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+def test_every_exercise_has_checks_hints_and_a_docstring_or_a_question(chapter: Chapter) -> None:
+    marks: dict[str, int] = {}
+    names: list[str] = []
+    for path in (ROOT / "tests" / chapter.name).glob("test_*.py"):
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
+                names.append(node.name)
+                text = " ".join(ast.unparse(decorator) for decorator in node.decorator_list)
+                (exercise,) = re.findall(r"exercise\('([^']+)'", text)
+                marks[exercise] = marks.get(exercise, 0) + 1
+    assert len(names) == len(set(names)), "two checks have one name"
+    answers = ROOT / "solutions" / chapter.name / "answers.md"
+    written = answered(answers.read_text(encoding="utf-8")) if answers.exists() else set()
+    for exercise in chapter.exercises:
+        assert all(hint.strip() for hint in exercise.hints)
+        assert exercise.hints, f"{exercise.id} has no hint"
+        if exercise.kind == "written":
+            assert exercise.id in written
+        else:
+            assert marks.pop(exercise.id, 0) > 0, f"{exercise.id} has no check"
+            assert exercise.edit
+    assert marks == {}, "checks of exercises that the manifest does not have"
+
+
+def test_the_glossary_explains_every_term_and_no_other() -> None:
+    text = (ROOT / "glossary.md").read_text(encoding="utf-8")
+    explained = re.findall(r"(?m)^\*\*(.+?)\*\*: \S", text)
+    used = {term for chapter in CHAPTERS for e in chapter.exercises for term in e.terms}
+    assert sorted(used) == explained, "each term once, in the order of the alphabet"
+
+
+def test_every_command_of_the_readmes_is_there() -> None:
+    makefiles = "".join((ROOT / name).read_text() for name in ("Makefile", "instructor.mk"))
+    targets = set(re.findall(r"(?m)^([a-z]+):", makefiles))
+    listed = set(re.findall(r"(?m)^([a-z]+): .*## \S", makefiles))
+    assert listed == targets, "make help lists every command"
+    for readme in (ROOT / "README.md", *ROOT.glob("chapters/**/README.md")):
+        commands = re.findall(r"(?:^ {4}|`)make ([a-z]+)", readme.read_text(encoding="utf-8"), re.M)
+        assert set(commands) <= targets, readme
+
+
+@pytest.mark.parametrize(
+    "path", sorted(ROOT.glob("*.md")) + sorted(ROOT.glob("*/**/*.md")), ids=str
+)
+def test_links_between_pages_lead_somewhere(path: Path) -> None:
+    if {".venv", "build"} & set(path.relative_to(ROOT).parts):
+        return
+    for target in re.findall(r"\]\(([^)#:]+)\)", path.read_text(encoding="utf-8")):
+        assert (path.parent / target).exists(), target
+
+
+@pytest.mark.parametrize(
+    ("change", "complaint"),
+    [
+        (('kind = "build"', 'kind = "game"'), "kind must be one of"),
+        (("stars = 1", "stars = 4"), "stars must be 1, 2 or 3"),
+        (("points = 2", "points = 0"), "points must be a positive whole number"),
+        (('id = "B2.2"', 'id = "B2.1"'), "exercise B2.1 stands twice"),
+        (("needs = []", 'needs = ["2.7"]'), "B2.1 needs 2.7, which is not above it"),
+        (("needs = []", "need = []"), "unknown key 'need'"),
+        (('title = "Length"\n', ""), "'title' is missing"),
+        (("[[exercise]]", "[[exercise"), "chapter.toml"),
+    ],
+)
+def test_a_manifest_that_is_wrong_is_refused(
+    change: tuple[str, str], complaint: str, tmp_path: Path
+) -> None:
+    text = (ROOT / "chapters/ch02_vectors/chapter.toml").read_text(encoding="utf-8")
+    assert change[0] in text
+    folder = tmp_path / "ch02_vectors"
+    folder.mkdir()
+    (folder / "chapter.toml").write_text(text.replace(*change, 1), encoding="utf-8")
+    with pytest.raises(ValueError, match=re.escape(complaint)):
+        load_chapter(folder)

@@ -1,0 +1,150 @@
+"""The stubs are what solutions/ makes, hold no answer, and never overwrite anybody's work."""
+
+from __future__ import annotations
+
+import ast
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT, load_chapters
+from autograder.stubs import make_stubs, read_lock, stale_stubs, stub_hash, stub_module, write_stubs
+from autograder.tables import with_table
+
+STUBS = make_stubs()
+
+SOURCE = '''\
+"""A module."""
+
+import math
+import random
+
+LIMIT = 3.0
+# What the answer starts from.
+SECRET = 4.0
+
+
+class Ball:
+    """A ball."""
+
+    def __init__(self) -> None:
+        self.radius = LIMIT
+
+    def volume(self) -> float:
+        """Return the volume."""
+        return _cube(self.radius) * math.pi * SECRET / 3.0
+
+
+def throw() -> float:
+    return random.random()
+
+
+def _cube(x: float) -> float:
+    """Return x^3."""
+    return x * x * x
+'''
+
+
+def test_the_lock_has_the_hash_of_every_stub() -> None:
+    assert read_lock() == {path: stub_hash(text) for path, text in sorted(STUBS.items())}
+
+
+@pytest.mark.parametrize("path", STUBS)
+def test_a_stub_can_be_imported_and_holds_no_answer(path: str, tmp_path: Path) -> None:
+    if not path.endswith(".py"):
+        assert "_Write your answer here._" in STUBS[path]
+        return
+    file = tmp_path / Path(path).name
+    file.write_text(STUBS[path], encoding="utf-8")
+    solutions = str(ROOT / "solutions")
+    code = f"import sys, runpy; sys.path.insert(0, {solutions!r}); runpy.run_path({str(file)!r})"
+    subprocess.run([sys.executable, "-c", code], check=True)
+    chapter = next(chapter for chapter in load_chapters() if chapter.name == Path(path).parent.name)
+    bodies = {
+        node.name: node.body
+        for node in ast.walk(ast.parse(STUBS[path]))
+        if isinstance(node, ast.FunctionDef)
+    }
+    for exercise in chapter.exercises:
+        for name in exercise.edit:
+            if name.startswith(file.stem + "."):
+                docstring, *rest = bodies[name.rpartition(".")[2]]
+                assert ast.unparse(docstring).startswith(("'", '"')), f"{name} has no docstring"
+                wanted = f"raise NotImplementedError('Exercise {exercise.id}: {exercise.title}')"
+                assert [ast.unparse(node) for node in rest] == [wanted]
+
+
+def test_bodies_helpers_imports_and_constants_of_the_answer_go_and_the_rest_stays() -> None:
+    assert (
+        stub_module(SOURCE, {"Ball.volume": "Exercise 1: Volume"})
+        == '''\
+"""A module."""
+
+import random
+
+LIMIT = 3.0
+
+
+class Ball:
+    """A ball."""
+
+    def __init__(self) -> None:
+        self.radius = LIMIT
+
+    def volume(self) -> float:
+        """Return the volume."""
+        raise NotImplementedError("Exercise 1: Volume")
+
+
+def throw() -> float:
+    return random.random()
+
+
+def _cube(x: float) -> float:
+    """Return x^3."""
+    raise NotImplementedError("Exercise 1: Volume")
+'''
+    )
+
+
+def test_a_name_that_the_solution_does_not_have_is_an_error() -> None:
+    with pytest.raises(ValueError, match=r"does not define Ball\.mass"):
+        stub_module(SOURCE, {"Ball.mass": "Exercise 1: Mass"})
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    """A copy of what make stubs reads and writes."""
+    for folder in ("chapters", "solutions"):
+        shutil.copytree(ROOT / folder, tmp_path / folder)
+    shutil.copyfile(ROOT / "stubs.lock", tmp_path / "stubs.lock")
+    for path, text in STUBS.items():
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+def test_an_edited_stub_is_never_overwritten(copy: Path) -> None:
+    edited, path = "x = 1\n", "chapters/ch02_vectors/vector.py"
+    (copy / path).write_text(edited, encoding="utf-8")
+    solution = copy / "solutions/ch02_vectors/exercises.py"
+    text = solution.read_text(encoding="utf-8").replace("book's chapter 2", "chapter")
+    solution.write_text(text, encoding="utf-8")
+    assert write_stubs(copy) == (["chapters/ch02_vectors/exercises.py"], [path])
+    assert (copy / path).read_text(encoding="utf-8") == edited
+    assert write_stubs(copy) == ([], [path]), "the second time it must still count as edited"
+
+
+def test_a_stub_out_of_step_or_missing_is_named(copy: Path) -> None:
+    assert stale_stubs(copy) == []
+    (copy / "chapters/ch02_vectors/vector.py").unlink()
+    assert stale_stubs(copy) == ["chapters/ch02_vectors/vector.py"]
+    assert write_stubs(copy) == (["chapters/ch02_vectors/vector.py"], [])
+
+
+def test_the_exercise_tables_are_what_the_manifests_say() -> None:
+    for chapter in load_chapters():
+        readme = (ROOT / "chapters" / chapter.name / "README.md").read_text(encoding="utf-8")
+        assert with_table(readme, chapter) == readme

@@ -24,7 +24,6 @@ from studies.drawing import (
     arrow_3d,
     axes_3d,
     dot,
-    number,
     numbers,
 )
 
@@ -126,7 +125,7 @@ def _product_length(angle: float) -> float:
     """Return |a x b| of the engine for |a| = 2 and |b| = 3 at this angle, in a slanting plane."""
     along, across = 3.0 * math.cos(angle), 3.0 * math.sin(angle)
     a, b = Vector3(1.2, 1.6, 0.0), Vector3(0.6 * along, 0.8 * along, across)
-    return number(a.cross(b).magnitude())
+    return math.hypot(*numbers(a.cross(b)))
 
 
 def _plane(axes: Axes, x_range: tuple[float, float], y_range: tuple[float, float]) -> None:

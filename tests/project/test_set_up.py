@@ -1,0 +1,69 @@
+"""Setting up says in one sentence what is missing, and installs what is pinned."""
+
+from __future__ import annotations
+
+import re
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from autograder import make_venv
+from autograder.manifest import ROOT
+
+
+def test_a_python_that_is_too_old_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "version_info", (3, 10, 4))
+    with pytest.raises(SystemExit, match=r"is Python 3\.10, .* needs 3\.11 or newer; install one"):
+        make_venv.check_python()
+
+
+@pytest.mark.parametrize("module", ["venv", "ensurepip"])
+def test_a_missing_venv_module_is_named_with_the_package_to_install(
+    module: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(SystemExit, match=r"has no venv module; install it .*apt install python3"):
+        make_venv.check_python()
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ("Failed to establish a new connection: [Errno 101]", "PyPI. cannot be reached; check the"),
+        ("Temporary failure in name resolution", "cannot be reached"),
+        ("ERROR: No matching distribution found for numpy==9", "its last words:\n.*numpy==9"),
+        ("ResolutionImpossible", "its last words"),
+    ],
+)
+def test_what_pip_could_not_do_is_said_and_nothing_counts_as_ready(
+    words: str, sentence: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(make_venv, "VENV", tmp_path / ".venv")
+    monkeypatch.setattr(make_venv, "install", lambda _: words)
+    with pytest.raises(SystemExit, match=sentence):
+        make_venv.main()
+    assert not (tmp_path / ".venv/ready").exists()
+
+
+def test_a_whole_environment_is_marked_as_ready(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(make_venv, "VENV", tmp_path / ".venv")
+    monkeypatch.setattr(make_venv, "install", lambda _: "")
+    make_venv.main()
+    assert (tmp_path / ".venv/ready").exists()
+    assert "Set up: .venv is ready." in capsys.readouterr().out
+
+
+def test_the_lock_pins_what_the_project_asks_for_with_hashes() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+    for requirement in project["dependencies"]:
+        assert re.fullmatch(r"[a-z0-9-]+==[0-9.]+", requirement), "pinned exactly"
+        assert re.search(rf"(?m)^{re.escape(requirement)} .*\\$", lock), requirement
+    for package in re.split(r"(?m)^(?=[a-z])", lock)[1:]:
+        assert "==" in package
+        assert "--hash=sha256:" in package
+    assert "://" not in lock, "the lock names packages, not where they come from"

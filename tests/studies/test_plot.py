@@ -1,0 +1,114 @@
+"""Plots are drawn by the engine at hand: a wrong one gives a wrong picture, a stub none."""
+
+from __future__ import annotations
+
+import csv
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT
+
+NAMES = ("addition", "projection", "cross_product", "basis")
+
+
+def plot(engine: str | Path, out: Path) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "studies", "plot", "--chapter", "2", "--engine", str(engine)]
+    return subprocess.run(
+        [*command, "--out", str(out)],
+        cwd=ROOT,
+        env=os.environ | {"MPLBACKEND": "Agg"},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+
+
+def table(out: Path, name: str) -> list[list[str]]:
+    with (out / "ch02_vectors" / f"{name}.csv").open(encoding="utf-8", newline="") as file:
+        return list(csv.reader(file))
+
+
+@pytest.fixture(scope="module")
+def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the reference's plots were drawn to."""
+    out = tmp_path_factory.mktemp("plots")
+    done = plot("solutions", out)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert all(f"{name}.png" in done.stdout and f"{name}.csv" in done.stdout for name in NAMES)
+    return out
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_plot_is_a_png_with_its_numbers_beside_it(reference: Path, name: str) -> None:
+    png = (reference / "ch02_vectors" / f"{name}.png").read_bytes()
+    assert png.startswith(b"\x89PNG")
+    assert len(png) > 10_000, "an empty picture"
+    assert len(table(reference, name)) > 2
+
+
+def test_the_numbers_are_the_engines(reference: Path) -> None:
+    assert table(reference, "addition")[-1] == ["a + b", "5.0", "4.0", "0.0"]
+    for angle, got, wanted in table(reference, "cross_product")[1:]:
+        assert float(got) == pytest.approx(float(wanted), abs=1e-14), angle
+    *_, left = table(reference, "projection")
+    a = table(reference, "projection")[1]
+    assert sum(float(p) * float(q) for p, q in zip(a[1:], left[1:], strict=True)) < 1e-14
+
+
+def test_a_wrong_engine_gives_a_wrong_picture(reference: Path, tmp_path: Path) -> None:
+    done = plot("sample_class/cleo", tmp_path)  # a sign is wrong in her vector product
+    assert done.returncode == 0, done.stdout
+    assert table(tmp_path, "addition") == table(reference, "addition")
+    assert table(tmp_path, "basis") != table(reference, "basis")
+    wrong, right = (out / "ch02_vectors/basis.png" for out in (tmp_path, reference))
+    assert wrong.read_bytes() != right.read_bytes()
+
+
+@pytest.mark.parametrize("result", ["None", "Vector3(math.nan, math.inf, 0.0)", "'text'"])
+def test_an_engine_that_returns_nonsense_still_gives_a_picture(result: str, tmp_path: Path) -> None:
+    folder = tmp_path / "engine/ch02_vectors"
+    shutil.copytree(ROOT / "solutions/ch02_vectors", folder)
+    with (folder / "vector.py").open("a", encoding="utf-8") as file:
+        file.write(f"\n\nVector3.__add__ = lambda self, v: {result}\n")
+        file.write(f"\n\nVector3.cross = lambda self, v: {result}\n")
+    done = plot(tmp_path / "engine", tmp_path)
+    assert (tmp_path / "ch02_vectors/addition.png").exists(), done.stdout
+    assert (tmp_path / "ch02_vectors/cross_product.png").exists(), done.stdout
+    assert "Traceback" not in done.stderr
+
+
+def test_what_is_not_written_is_said_and_leaves_no_older_picture(tmp_path: Path) -> None:
+    old = tmp_path / "ch02_vectors/addition.png"
+    old.parent.mkdir()
+    old.write_bytes(b"an older picture")
+    stubs = tmp_path / "stubs/ch02_vectors"
+    stubs.mkdir(parents=True)
+    (stubs / "vector.py").write_text(
+        "class Vector3:\n    def __init__(self, *_): ...\n    def __add__(self, v):\n"
+        "        raise NotImplementedError('Exercise B2.5: Add and subtract')\n\n\n"
+        "def make_orthonormal_basis(a, b): return a, b, a\n",
+        encoding="utf-8",
+    )
+    done = plot(tmp_path / "stubs", tmp_path)
+    assert done.returncode == 1
+    assert "addition: not drawn, not written yet: Exercise B2.5" in done.stdout
+    assert not old.exists()
+    assert "projection: not drawn, AttributeError: 'Vector3' object has no" in done.stdout
+
+
+def test_an_engine_that_cannot_be_read_is_one_sentence(tmp_path: Path) -> None:
+    done = plot("sample_class/dina", tmp_path)
+    assert done.returncode == 1
+    assert "chapter 2 cannot be drawn: SyntaxError" in done.stdout
+    assert "Traceback" not in done.stdout + done.stderr
+
+
+def test_a_mistake_on_the_command_line_is_a_clear_sentence(tmp_path: Path) -> None:
+    done = plot("nowhere", tmp_path)
+    assert done.returncode == 2
+    assert "--engine must be a folder of chapters, got 'nowhere'" in done.stderr

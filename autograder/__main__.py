@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import sys
 
 from autograder.check import check
@@ -23,6 +24,9 @@ def main() -> int:
     if instructor is not None:
         instructor.add_commands(commands)
     arguments = parser.parse_args()
+    for stream in (sys.stdout, sys.stderr):  # a console of another encoding shows ? and goes on
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
     try:
         return int(arguments.run(arguments))
     except (ValueError, OSError, GraderError) as error:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from autograder.answers import answered
 from autograder.manifest import Chapter, Exercise
-from autograder.runner import Verdict, run_checks
+from autograder.runner import Verdict, run_checks, with_needs
 from autograder.scores import Result, results_of, shown, total
 
 if TYPE_CHECKING:
@@ -25,15 +25,12 @@ def check(chapters: list[Chapter], exercise: str | None, engine: list[Path], see
     with _Progress() as progress:
         for chapter in chapters:
             progress.title = f"chapter {chapter.number}"
-            only = [exercise] if exercise else None
+            wanted = with_needs(chapter, [exercise] if exercise else None)
             verdicts = run_checks(
-                chapter, engine, seed=seed, exercises=only, on_verdict=progress.show
+                chapter, engine, seed=seed, exercises=wanted, on_verdict=progress.show
             )
-            there = {verdict.exercise for verdict in verdicts}
             results[chapter.name] = [
-                result
-                for result in results_of(chapter, verdicts)
-                if exercise is None or result.exercise.id in there
+                result for result in results_of(chapter, verdicts) if result.exercise.id in wanted
             ]
     console = progress.console
     for chapter in chapters:

@@ -58,7 +58,7 @@ def run_checks(
     what they need; ``on_verdict`` hears how many verdicts there are, of how many checks.
     Raises GraderError where the checks themselves cannot be run.
     """
-    wanted = _with_needs(chapter, exercises)
+    wanted = with_needs(chapter, exercises)
     run = _Run(chapter, engine, wanted, seed, root, time_limit, on_verdict or (lambda *_: None))
     while not run.finished:
         before = run.progress
@@ -237,7 +237,7 @@ def _needs_of(chapter: Chapter, exercise: str) -> set[str]:
     return needs.union(*(_needs_of(chapter, need) for need in needs))
 
 
-def _with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
+def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
     """Return these exercises (all by default) and what they need, in the manifest's order."""
     everything = [exercise.id for exercise in chapter.exercises]
     if exercises is None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -56,6 +57,21 @@ def test_one_exercise_is_shown_with_what_it_builds_on() -> None:
     assert done.returncode == 0
     shown = [line.split()[0] for line in done.stdout.splitlines() if line.startswith((" B", " 2"))]
     assert shown == ["B2.1", "B2.2", "B2.4", "2.1"]
+
+
+def test_a_written_exercise_is_shown_as_such() -> None:
+    for engine, state in (("chapters", "to answer"), ("solutions", "answered")):
+        done = autograder("check", "--exercise", "2.3", "--engine", engine)
+        assert done.returncode == 0
+        assert f"2.3   A vector times itself   *       {state}" in done.stdout
+
+
+def test_a_console_that_lacks_a_character_is_no_crash() -> None:
+    environment = os.environ | {"PYTHONIOENCODING": "ascii"}
+    command = [sys.executable, "-m", "autograder", "check", "--engine", f"{SAMPLES}/dina"]
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, check=False)
+    assert done.returncode == 1
+    assert b"Traceback" not in done.stderr
 
 
 def test_a_syntax_error_is_named_with_its_line() -> None:

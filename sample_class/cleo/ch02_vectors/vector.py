@@ -1,119 +1,120 @@
-"""Cleo's vectors: invert and cross as misread from the book."""
+"""Cleo's vectors, with invert as the book prints it and a sign lost in the vector product."""
 
 import math
 
 
-def need_vector(v):
-    if not isinstance(v, Vector3):
-        raise TypeError(f"expected a Vector3, got {v!r}")
-
-
-def need_number(value):
-    if isinstance(value, Vector3):
-        raise TypeError("expected a number; for vectors use dot, cross or component_product")
-
-
 class Vector3:
     def __init__(self, x=0.0, y=0.0, z=0.0):
-        self.x, self.y, self.z = float(x), float(y), float(z)
-
-    def __repr__(self):
-        return f"Vector3({self.x}, {self.y}, {self.z})"
-
-    def __iter__(self):
-        return iter((self.x, self.y, self.z))
-
-    def __eq__(self, other):
-        return isinstance(other, Vector3) and tuple(self) == tuple(other)
-
-    def set(self, x, y, z):
-        self.x, self.y, self.z = x, y, z
+        self.x = float(x)
+        self.y = float(y)
+        self.z = float(z)
 
     def copy(self):
-        return Vector3(*self)
+        return Vector3(self.x, self.y, self.z)
 
     def clear(self):
-        self.set(0.0, 0.0, 0.0)
+        self *= 0.0
 
     def invert(self):
-        self.set(-self.z, -self.y, -self.z)
+        self.x = -self.x
+        self.y = -self.y
+        self.x = -self.z
 
     def __neg__(self):
-        return -1.0 * self
-
-    def magnitude(self):
-        return math.hypot(*self)
+        v = self.copy()
+        v.invert()
+        return v
 
     def squared_magnitude(self):
-        return sum(n * n for n in self)
+        return self.dot(self)
+
+    def magnitude(self):
+        return self.squared_magnitude() ** 0.5
+
+    def __imul__(self, scale):
+        if isinstance(scale, Vector3):
+            raise TypeError("*= is for numbers")
+        self.x *= scale
+        self.y *= scale
+        self.z *= scale
+        return self
 
     def __mul__(self, scale):
-        need_number(scale)
-        return Vector3(*(n * scale for n in self))
+        v = self.copy()
+        v *= scale
+        return v
 
     __rmul__ = __mul__
 
-    def __imul__(self, scale):
-        self.set(*(self * scale))
+    def __itruediv__(self, divisor):
+        self *= 1.0 / divisor
         return self
 
     def __truediv__(self, divisor):
-        need_number(divisor)
-        return Vector3(*(n / divisor for n in self))
-
-    def __itruediv__(self, divisor):
-        self.set(*(self / divisor))
-        return self
-
-    def normalized(self):
-        return self / self.magnitude()
+        return self * (1.0 / divisor)
 
     def normalize(self):
-        self.set(*self.normalized())
+        self /= self.magnitude()
 
-    def __add__(self, v):
-        need_vector(v)
-        return Vector3(*(a + b for a, b in zip(self, v)))
-
-    def __iadd__(self, v):
-        self.set(*(self + v))
-        return self
-
-    def __sub__(self, v):
-        need_vector(v)
-        return self + -v
-
-    def __isub__(self, v):
-        self.set(*(self - v))
-        return self
+    def normalized(self):
+        v = self.copy()
+        v.normalize()
+        return v
 
     def add_scaled(self, v, scale):
-        self.set(*(self + v * scale))
+        self.x += v.x * scale
+        self.y += v.y * scale
+        self.z += v.z * scale
 
-    def component_product(self, v):
-        return Vector3(*(a * b for a, b in zip(self, v)))
+    def __iadd__(self, v):
+        self.add_scaled(v, 1.0)
+        return self
+
+    def __isub__(self, v):
+        self.add_scaled(v, -1.0)
+        return self
+
+    def __add__(self, v):
+        w = self.copy()
+        w += v
+        return w
+
+    def __sub__(self, v):
+        w = self.copy()
+        w -= v
+        return w
 
     def component_product_update(self, v):
-        self.set(*self.component_product(v))
+        self.x *= v.x
+        self.y *= v.y
+        self.z *= v.z
+
+    def component_product(self, v):
+        w = self.copy()
+        w.component_product_update(v)
+        return w
 
     def dot(self, v):
-        need_vector(v)
-        return sum(a * b for a, b in zip(self, v))
+        return self.x * v.x + self.y * v.y + self.z * v.z
 
-    __matmul__ = dot
+    def __matmul__(self, v):
+        return self.dot(v)
 
     def cross(self, v):
-        (a, b, c), (d, e, f) = self, v
-        return Vector3(b * f - c * e, a * f - c * d, a * e - b * d)
+        x = self.y * v.z - self.z * v.y
+        y = self.x * v.z - self.z * v.x
+        z = self.x * v.y - self.y * v.x
+        return Vector3(x, y, z)
 
     def cross_update(self, v):
-        self.set(*self.cross(v))
+        w = self.cross(v)
+        self.x, self.y, self.z = w.x, w.y, w.z
 
 
 def make_orthonormal_basis(a, b):
-    a = a.normalized()
-    c = a.cross(b.normalized())
-    if c.magnitude() > 1e-10:
-        c.normalize()
-        return a, c.cross(a), c
-    raise ValueError(f"{a} and {b} span no plane")
+    a.normalize()
+    c = a.cross(b)
+    if c.magnitude() == 0:
+        raise ValueError("a and b are parallel")
+    c.normalize()
+    return a, c.cross(a), c

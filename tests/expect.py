@@ -74,10 +74,20 @@ def expect_unchanged(
 
 
 def expect_error(
-    call: str, attempt: Callable[[], Any], error: type[Exception], *, cause: str, read: str
+    call: str,
+    attempt: Callable[[], Any],
+    error: type[Exception],
+    *,
+    allowed: Callable[[], Any],
+    cause: str,
+    read: str,
 ) -> None:
-    """Expect attempt() to raise this error."""
+    """Expect attempt() to raise this error, and allowed() to raise none.
+
+    Code that refuses everything has not found out what to refuse.
+    """
     __tracebackhide__ = True
+    allowed()
     try:
         got = _shown(xyz(attempt()))
     except error:

@@ -31,8 +31,24 @@ def read_wrong(chapter: Chapter) -> list[Wrong]:
 def write_wrong(chapter: Chapter, wrong: Wrong, engine: Path) -> None:
     """Write the one module that differs from the reference into an engine folder."""
     module, _, name = wrong.edit.partition(".")
-    file = f"{chapter.name}/{module}.py"
-    source = (ROOT / "solutions" / file).read_text(encoding="utf-8")
-    changed = with_bodies(libcst.parse_module(source), {name: wrong.body.strip() + "\n"})
+    _write_changed(chapter, f"{module}.py", {name: wrong.body.strip() + "\n"}, engine)
+
+
+def write_all(chapter: Chapter, body: str | None, engine: Path) -> None:
+    """Write modules with the same line in every body that students write, or empty modules."""
+    for file in chapter.edited_files:
+        if body is None:
+            (engine / chapter.name).mkdir(exist_ok=True)
+            (engine / chapter.name / file).touch()
+            continue
+        names = [name for exercise in chapter.exercises for name in exercise.edit]
+        modules = [name.partition(".") for name in names]
+        bodies = {name: body for module, _, name in modules if f"{module}.py" == file}
+        _write_changed(chapter, file, bodies, engine)
+
+
+def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: Path) -> None:
+    source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
     (engine / chapter.name).mkdir(parents=True, exist_ok=True)
-    (engine / file).write_text(changed.code, encoding="utf-8")
+    code = with_bodies(libcst.parse_module(source), bodies).code
+    (engine / chapter.name / file).write_text(code, encoding="utf-8")

@@ -11,11 +11,12 @@ from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.runner import run_checks
 from autograder.scores import results_of, total
 from autograder.stubs import make_stubs
-from wrong import Wrong, read_wrong, write_wrong
+from wrong import Wrong, read_wrong, write_all, write_wrong
 
 CHAPTERS = load_chapters()
 WRONG = [(chapter, wrong) for chapter in CHAPTERS for wrong in read_wrong(chapter)]
 SEED = "1"
+REFUSALS = ("ValueError", "TypeError", "ArithmeticError")
 SEEDS = ("1", "2", "a class of its own")
 
 
@@ -58,6 +59,17 @@ def test_the_stubs_earn_nothing(chapter: Chapter, tmp_path: Path) -> None:
     verdicts = run_checks(chapter, [stubs, ROOT / "solutions", ROOT / "chapters"], seed=SEED)
     assert [v.name for v in verdicts if v.status not in ("failed", "blocked")] == []
     assert total(results_of(chapter, verdicts))[0] == 0.0
+
+
+@pytest.mark.parametrize("body", ["pass", *(f"raise {e}('no')" for e in REFUSALS), None])
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_doing_nothing_and_refusing_everything_earn_nothing(
+    chapter: Chapter, body: str | None, tmp_path: Path
+) -> None:
+    """Every body is the same line; without one, the modules are empty."""
+    write_all(chapter, body, tmp_path)
+    verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED)
+    assert [verdict.name for verdict in verdicts if verdict.status == "passed"] == []
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,18 @@ if TYPE_CHECKING:
 STYLES = {"passed": "green", "failed": "red", "blocked": "yellow", "error": "magenta"}
 UNWRITTEN = "not written yet"
 BAR = 40
+OPERATORS = {
+    "__neg__": "; -v",
+    "__mul__": " * ",
+    "__imul__": " *= ",
+    "__truediv__": " / ",
+    "__itruediv__": " /= ",
+    "__add__": " + ",
+    "__iadd__": " += ",
+    "__sub__": " - ",
+    "__isub__": " -= ",
+    "__matmul__": " @ ",
+}
 
 
 def check(chapters: list[Chapter], exercise: str | None, engine: list[Path], seed: str) -> bool:
@@ -52,20 +65,18 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     is given without a line.
     """
     module, *path = name.split(".")
-    files = [folder / chapter.name / f"{module}.py" for folder in engine]
-    file = next((file for file in files if file.exists()), files[0])
-    place = file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file
+    file = _file(engine, chapter, f"{module}.py")
     try:
         nodes = ast.parse(file.read_text(encoding="utf-8")).body
     except (OSError, SyntaxError, ValueError):
-        return str(place)
+        return str(file)
     line = 1
     for part in path:
         for node in nodes:
             if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and node.name == part:
                 line, nodes = node.lineno, node.body
                 break
-    return f"{place}:{line}"
+    return f"{file}:{line}"
 
 
 class _Progress:
@@ -129,14 +140,18 @@ def _print_chapter(
     earned, points = total(results)
     filled = int(BAR * (earned or 0.0) / points) if points else 0
     bar = "#" * filled + "." * (BAR - filled)
-    console.print(f"[{bar}] {shown(earned)} of {points} points\n", markup=False)
+    answers = sum(result.exercise.points for result in results) - points
+    more = f", and {answers} for written answers, which a person marks" if answers else ""
+    console.print(f"[{bar}] {shown(earned)} of {points} points{more}\n", markup=False)
 
 
 def _state(result: Result, written: set[str]) -> str:
     if result.status == "waiting":
         return "answered" if result.exercise.id in written else "to answer"
-    untouched = all(UNWRITTEN in check.message for check in result.checks)
-    return UNWRITTEN if result.checks and untouched else result.status
+    lost = [check for check in result.checks if check.status != "passed"]
+    if not lost or any(UNWRITTEN not in check.message for check in lost):
+        return result.status
+    return UNWRITTEN if len(lost) == len(result.checks) else "half written"
 
 
 def _answered(chapter: Chapter, engine: list[Path]) -> set[str]:
@@ -158,11 +173,30 @@ def _print_failure(console: Console, chapter: Chapter, result: Result, engine: l
     console.print(f"check     {failed.name}")
     console.print(failed.message, markup=False)
     console.print()
-    console.print(f"Next: open {_places(engine, chapter, exercise, failed)}", style="bold")
+    console.print(f"Next: open {next_place(engine, chapter, exercise, failed)}", style="bold")
     console.print(f"A nudge: make hint EX={exercise.id}")
 
 
-def _places(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Return where the student writes: the body that the message speaks of, or the first."""
-    spoken_of = [name for name in exercise.edit if name.rpartition(".")[2] in failed.message]
-    return find_definition(engine, chapter, (spoken_of or exercise.edit)[0])
+def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
+    """Return where to go: the line that the message names, or the body that the check called."""
+    told = re.search(rf"(?m)^where +{chapter.name}/(\w+\.py), line (\d+)", failed.message)
+    called = re.search(r"(?m)^called +(.*)", failed.message)
+    if told and not called:  # not written yet, not readable, not ending
+        return f"{_file(engine, chapter, told[1])}:{told[2]}"
+    bodies = [name for name in exercise.edit if called and _calls(called[1], name)]
+    return find_definition(engine, chapter, (bodies or exercise.edit)[0])
+
+
+def _calls(expression: str, name: str) -> bool:
+    """Say whether the expression of a check calls the body of this name."""
+    short = name.rpartition(".")[2]
+    symbol = OPERATORS.get(short)
+    pattern = re.escape(symbol) if symbol else rf"\b{short}\("
+    return re.search(pattern, re.sub(r"Vector3\([^()]*\)", "Vector3", expression)) is not None
+
+
+def _file(engine: list[Path], chapter: Chapter, name: str) -> Path:
+    """Return the engine's file of that name, from the working folder where it is below it."""
+    files = [folder / chapter.name / name for folder in engine]
+    file = next((file for file in files if file.exists()), files[0])
+    return file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file

@@ -6,14 +6,28 @@ import re
 import traceback
 from functools import cache
 from pathlib import Path
-from typing import Any
 
-LIKELY = (
+# Slips of Python that say little by themselves, by a part of what Python says. They come before
+# the cause that the check has at hand, which speaks of physics.
+SLIPS = (
     ("SystemExit", "the code asks Python to stop: take sys.exit, exit or quit out"),
-    ("NoneType", "a method gave nothing back where a value was wanted: is a return missing?"),
-    ("maximum recursion depth", "a method calls itself, perhaps through an operator"),
+    ("reading from stdin", "the code waits for somebody to type: take input or breakpoint out"),
+    ("No module named", "the engine uses nothing but Python's standard library"),
+    ("NoneType", "something gave nothing back where a value was wanted: is a return missing?"),
+    ("maximum recursion", "a method calls itself, perhaps through an operator or another method"),
+    ("is not defined", "a name is misspelt, or its import is missing at the top of the file"),
     ("local variable", "a name is read before it has a value"),
-    ("has no attribute", "a method is missing, or spelt in another way"),
+    (
+        "positional argument",
+        "count the arguments: is self missing in a def, or one too many given?",
+    ),
+    ("unexpected keyword", "an argument of the def has another name than its docstring says"),
+    ("is not callable", "what is called here is no function: a property, or a name used twice?"),
+    ("and 'method'", "a method is named but not called: its brackets are missing"),
+    ("values to unpack", "another number of results is wanted: the docstring says which"),
+    ("cannot unpack", "another number of results is wanted: the docstring says which"),
+    ("has no attribute", "a name is misspelt, or this is not the type that you think"),
+    ("can't decode", "save the file as UTF-8 in your editor"),
 )
 STACK_LINE = re.compile(r'File "(.+)", line (\d+) in (\S+)')
 
@@ -21,47 +35,61 @@ STACK_LINE = re.compile(r'File "(.+)", line (\d+) in (\S+)')
 def explain_exception(error: BaseException, engine_folders: list[Path]) -> str:
     """Return what a check that ended with this exception tells the student.
 
-    The checks' own messages stay as they are. For any other exception: the line of the check, the
-    numbers that it had drawn, the exception and the student's line.
+    A failed expectation has its own words. For other exceptions: what the check was calling, the
+    exception, the student's line, and the cause that Python or the check suggests.
     """
-    frames = list(traceback.walk_tb(error.__traceback__))
-    summaries = traceback.extract_tb(error.__traceback__)
-    own = [summary for summary in summaries if _is_inside(summary.filename, engine_folders)]
-    where = _place(own[-1].filename, own[-1].lineno, own[-1].name) if own else ""
+    frames = [*traceback.walk_tb(error.__traceback__)]
+    own = [pair for pair in frames if _is_inside(pair[0].f_code.co_filename, engine_folders)]
+    where = ""
+    if own:
+        code = own[-1][0].f_code
+        where = _place(code.co_filename, own[-1][1], code.co_name)
     if isinstance(error, AssertionError) and not own:
         return str(error)
     if isinstance(error, NotImplementedError):
-        return f"not written yet: {error}" + (f"\nopen      {where}" if where else "")
-    lines = []
-    checks = [i for i, s in enumerate(summaries) if Path(s.filename).name.startswith("test_")]
-    if checks:
-        lines.append(f"called    {(summaries[checks[-1]].line or '').strip().rstrip(',')}")
-        if drawn := _plain_values(frames[checks[-1]][0].f_locals):
-            lines.append(f"with      {drawn}")
+        message = str(error) or "a body raises NotImplementedError"
+        return f"not written yet: {message}" + (f"\nwhere     {where}" if where else "")
+    words: dict[str, str] = {}  # a check keeps what it calls, the likely cause and where to read
+    for frame, _ in frames:
+        local = frame.f_locals
+        if Path(frame.f_code.co_filename).name.startswith("test_") and "call" in local:
+            words = {name: str(local[name]) for name in ("call", "cause", "read") if name in local}
     text = _first_line(error)
+    lines = [f"called    {words['call']}"] if "call" in words else []
     lines.append(f"got       {text}")
-    if own:
-        lines.append(f"where     {where}: {own[-1].line}")
-    lines += [f"likely    {cause}" for sign, cause in LIKELY if sign in text][:1]
+    if where:
+        source = traceback.extract_tb(error.__traceback__)[frames.index(own[-1])].line
+        lines.append(f"where     {where}: {source}")
+    if likely := _slip(text) or words.get("cause"):
+        lines.append(f"likely    {likely}")
+    if "read" in words:
+        lines.append(f"read      {words['read']}")
     return "\n".join(lines)
 
 
 def explain_import(error: BaseException, module: str, engine_folders: list[Path]) -> str:
     """Return why a student's module cannot be imported."""
     file = module.replace(".", "/") + ".py"
-    if isinstance(error, SyntaxError):
-        line = (error.text or "").strip()
-        where = f"{Path(error.filename or file).name}, line {error.lineno}"
-        return f"{file} cannot be read: {error.msg}\nwhere     {where}: {line}"
     if isinstance(error, ModuleNotFoundError) and error.name == module:
-        return f"{file} was not handed in, or is not where it should be"
-    own = [
-        summary
-        for summary in traceback.extract_tb(error.__traceback__)
-        if _is_inside(summary.filename, engine_folders)
-    ]
-    where = f"\nwhere     {_place(own[-1].filename, own[-1].lineno, own[-1].name)}" if own else ""
-    return f"{file} cannot be imported: {_first_line(error)}{where}"
+        return f"{file} is missing: not handed in, renamed, or in another folder"
+    text, where = _first_line(error), ""
+    if isinstance(error, SyntaxError):
+        text = str(error.msg)
+        source = Path(error.filename or file)
+        if error.lineno:
+            where = f"{source.parent.name}/{source.name}, line {error.lineno}"
+            where += f": {(error.text or '').strip()}"
+        message = f"{file} cannot be read: {text}"
+    else:
+        message = f"{file} cannot be imported: {text}"
+        for summary in traceback.extract_tb(error.__traceback__):
+            if _is_inside(summary.filename, engine_folders):
+                where = f"{_place(summary.filename, summary.lineno, summary.name)}: {summary.line}"
+    if where:
+        message += f"\nwhere     {where}"
+    if likely := _slip(text):
+        message += f"\nlikely    {likely}"
+    return message
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> str:
@@ -71,6 +99,10 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> s
         if _is_inside(file, engine_folders):
             return f"{message}\nwhere     {_place(file, int(line), name)}"
     return message
+
+
+def _slip(text: str) -> str | None:
+    return next((cause for sign, cause in SLIPS if sign in text), None)
 
 
 def _is_inside(file: str, folders: list[Path]) -> bool:
@@ -94,14 +126,3 @@ def _first_line(error: BaseException) -> str:
         text = "(its message cannot be shown)"
     first = text.strip().splitlines()[0][:500] if text.strip() else ""
     return f"{type(error).__name__}: {first}" if first else type(error).__name__
-
-
-def _plain_values(values: dict[str, Any]) -> str:
-    """Return the plain numbers and tuples among a check's variables: what it had drawn."""
-    plain = {
-        name: value
-        for name, value in values.items()
-        if type(value) in (int, float)
-        or (type(value) is tuple and all(type(item) in (int, float) for item in value))
-    }
-    return ", ".join(f"{name} = {value}" for name, value in plain.items())

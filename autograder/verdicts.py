@@ -53,10 +53,7 @@ class Recorder:
         sys.dont_write_bytecode = True
         try:
             imported = importlib.import_module(module)
-            file = module.replace(".", "/") + ".py"
-            imported.__dict__.setdefault(
-                "__getattr__", lambda name: _broken_name(name, f"{file} does not define {name}")
-            )
+            imported.__dict__.setdefault("__getattr__", _missing_from(imported))
         except pytest.fail.Exception as error:  # it uses another module that is broken
             sys.modules[module] = _BrokenModule(module, str(error))
         except BaseException as error:  # SystemExit among them
@@ -145,6 +142,14 @@ class _BrokenModule(ModuleType):
 
     def __getattr__(self, name: str) -> Any:
         return _broken_name(name, self._message)
+
+
+def _missing_from(module: ModuleType) -> Callable[[str], Any]:
+    """Return what answers for the names that a student's module does not define."""
+    file = module.__name__.replace(".", "/") + ".py"
+    empty = all(name.startswith("__") for name in vars(module))
+    says = f"{file} is empty and" if empty else file
+    return lambda name: _broken_name(name, f"{says} does not define {name}")
 
 
 def _broken_name(name: str, message: str) -> Any:

@@ -1,8 +1,11 @@
 """What checks say. Each function compares plain numbers and, where they differ, teaches.
 
 A message says what was called, what came back, what was wanted and how closely, the likely cause
-and where to read. Under the autograder only plain numbers cross from the student's process, so
-nothing here compares objects of the engine.
+and where to read. A check puts these into variables called call, cause and read before it calls the
+student's code: where that code raises, the message is made from the same variables.
+
+Under the autograder only plain numbers cross from the student's process, so nothing here compares
+objects of the engine.
 """
 
 from __future__ import annotations
@@ -16,10 +19,22 @@ from typing import Any
 ROUNDING = 1e-13
 
 
+class NoVector:
+    """Stands for what came back where a vector was wanted: no number, so no expectation holds."""
+
+    def __init__(self, value: Any) -> None:
+        self.value = value
+
+    def __repr__(self) -> str:
+        if self.value is None:
+            return "None"
+        return f"{_shown(self.value)}, a {type(self.value).__name__} and not a Vector3"
+
+
 def xyz(v: Any) -> Any:
-    """Return the components of a vector as a tuple; what is no vector comes back as it is."""
+    """Return the components of a vector as a tuple."""
     if v is None or isinstance(v, (bool, int, float, str, tuple, list, dict)):
-        return v
+        return NoVector(v)
     return v.x, v.y, v.z
 
 
@@ -63,14 +78,19 @@ def expect_nan(call: str, got: Any, *, cause: str, read: str) -> None:
 
 
 def expect_unchanged(
-    call: str, name: str, now: Sequence[float], before: Sequence[float], *, read: str
+    call: str,
+    name: str,
+    now: Sequence[float],
+    before: Sequence[float],
+    *,
+    cause: str = "the call must not change it: work on a new vector, or on numbers",
+    read: str,
 ) -> None:
     """Expect a vector that a call only reads to be what it was before."""
     __tracebackhide__ = True
     if tuple(now) != tuple(before):
-        cause = f"{name} belongs to the caller: work on a new vector, or on numbers"
-        got = f"a {name} that is now {_shown(now)}"
-        _complain(call, got, f"{name} left at {_shown(before)}", cause, read)
+        got = f"afterwards {name} is {_shown(now)}"
+        _complain(call, got, f"{name} as it was, {_shown(before)}", cause, read)
 
 
 def expect_error(
@@ -89,14 +109,18 @@ def expect_error(
     __tracebackhide__ = True
     allowed()
     try:
-        got = _shown(xyz(attempt()))
+        got = attempt()
     except error:
         return
     except NotImplementedError:
         raise
     except Exception as other:
-        got = f"{type(other).__name__}: {other}"
-    _complain(call, got, f"{error.__name__}, and no result", cause, read)
+        came = f"{type(other).__name__}: {other}"
+    else:
+        came = "no error"
+        if isinstance(got, (int, float, str, tuple, list)):
+            came += f", but {_shown(got)}"
+    _complain(call, came, error.__name__, cause, read)
 
 
 def _as_tuple(value: Any) -> tuple[Any, ...]:
@@ -108,15 +132,19 @@ def _are_numbers(values: tuple[Any, ...], count: int) -> bool:
 
 
 def _shown(value: Any) -> str:
-    if isinstance(value, (tuple, list)):
+    if type(value) in (tuple, list):
         return "(" + ", ".join(_shown(item) for item in value) + ")"
-    return f"{value:.15g}" if isinstance(value, float) else repr(value)
+    if isinstance(value, float) and type(value) is not float:
+        return f"{value!r}, a {type(value).__name__} and not a plain float"
+    return f"{value:.15g}" if type(value) is float else repr(value)
 
 
 def _complain(call: str, got: str, wanted: str, cause: str, read: str) -> None:
     __tracebackhide__ = True
     if got == "None":
         cause = f"nothing came back: is a return missing? Or: {cause}"
+    if "bound method" in got:
+        cause = "a method is named but not called: its brackets are missing"
     raise AssertionError(
         f"called    {call}\ngot       {got}\nwanted    {wanted}\nlikely    {cause}\n"
         f"read      {read}"

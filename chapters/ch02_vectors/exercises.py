@@ -73,8 +73,8 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     a and b are unit vectors. d is what is left of b without its part along a. The numbers
     of the example are ours.
 
-    Raises ValueError where a or b is not of unit length (within 1e-6), or where nothing is left
-    because they are parallel (d shorter than 1e-6).
+    Raises ValueError where a or b is not of unit length within 1e-6, as NaN never is, or where
+    nothing is left because they are parallel (d shorter than 1e-6).
 
     >>> c, d, angle = remove_projection(Vector3(1, 0, 0), Vector3(0.6, 0.8, 0))
     >>> c, d, round(angle, 6)  # 90 degrees
@@ -94,8 +94,3 @@ def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vec
     Vector3(13.0, -5.0, 16.0)
     """
     raise NotImplementedError("Exercise 2.7: A position that changes with a velocity")
-
-
-def _require_direction(name: str, v: Vector3) -> None:
-    """Raise ValueError where the argument of that name is zero and has no direction."""
-    raise NotImplementedError("Exercise 2.5: The angle between two vectors, in two ways")

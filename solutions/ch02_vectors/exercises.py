@@ -61,8 +61,8 @@ def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
     >>> round(angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0)), 6)  # 135 degrees
     2.356194
     """
-    _require_direction("a", a)
-    _require_direction("b", b)
+    if a.magnitude() == 0.0 or b.magnitude() == 0.0:
+        raise ValueError(f"a and b must not be zero, got {a!r} and {b!r}")
     cosine = a.normalized().dot(b.normalized())
     return math.acos(max(-1.0, min(1.0, cosine)))  # rounding may leave it just outside -1..1
 
@@ -77,8 +77,8 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
     >>> [round(angle, 6) for angle in angles]  # 45 and 135 degrees
     [0.785398, 2.356194]
     """
-    _require_direction("a", a)
-    _require_direction("b", b)
+    if a.magnitude() == 0.0 or b.magnitude() == 0.0:
+        raise ValueError(f"a and b must not be zero, got {a!r} and {b!r}")
     sine = a.normalized().cross(b.normalized()).magnitude()
     smaller = math.asin(min(1.0, sine))  # rounding may leave it just above 1
     return smaller, math.pi - smaller
@@ -90,8 +90,8 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     a and b are unit vectors. d is what is left of b without its part along a. The numbers
     of the example are ours.
 
-    Raises ValueError where a or b is not of unit length (within 1e-6), or where nothing is left
-    because they are parallel (d shorter than 1e-6).
+    Raises ValueError where a or b is not of unit length within 1e-6, as NaN never is, or where
+    nothing is left because they are parallel (d shorter than 1e-6).
 
     >>> c, d, angle = remove_projection(Vector3(1, 0, 0), Vector3(0.6, 0.8, 0))
     >>> c, d, round(angle, 6)  # 90 degrees
@@ -120,9 +120,3 @@ def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vec
     if not (math.isfinite(duration) and duration > 0.0):
         raise ValueError(f"duration must be positive and finite, got {duration!r}")
     return position + velocity * duration
-
-
-def _require_direction(name: str, v: Vector3) -> None:
-    """Raise ValueError where the argument of that name is zero and has no direction."""
-    if v.magnitude() == 0.0:
-        raise ValueError(f"{name} must not be zero, got {v!r}")

@@ -43,10 +43,11 @@ def test_every_exercise_is_shown_with_its_state_and_the_first_failure_in_full(en
     for exercise in load_chapters()[0].exercises:
         assert f"\n {exercise.id} " in done.stdout
     assert "First to repair: B2.5 Add and subtract" in done.stdout
-    for label in ("called    Vector3(", "got       (", "wanted    (", "likely    the first minus"):
+    for label in ("called    v, w = Vector3(", "got       (", "wanted    ("):
         assert label in done.stdout
+    assert "likely    a new vector: the first minus the second" in done.stdout
     assert "read      book 2.1.4" in done.stdout
-    line = text[: text.index("def __add__")].count("\n") + 1
+    line = text[: text.index("def __sub__")].count("\n") + 1
     assert f"Next: open {vector}:" in done.stdout.replace("\n", "")
     assert f"ch02_vectors/vector.py:{line}" in done.stdout.replace("\n", "")
     assert "make hint EX=B2.5" in done.stdout

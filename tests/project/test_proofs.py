@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from autograder.check import find_definition, next_place
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.runner import run_checks
 from autograder.scores import results_of, total
@@ -79,9 +80,15 @@ def test_a_wrong_submission_loses_exactly_its_checks(
     chapter: Chapter, wrong: Wrong, tmp_path: Path
 ) -> None:
     write_wrong(chapter, wrong, tmp_path)
-    assert set(lost(chapter, engine_with(tmp_path))) == set(wrong.loses)
-    own = [exercise for exercise in chapter.exercises if wrong.edit in exercise.edit]
-    assert own, f"{wrong.edit} is no body that students write"
+    verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED)
+    failed = [verdict for verdict in verdicts if verdict.status != "passed"]
+    assert {verdict.name for verdict in failed} == set(wrong.loses)
+    (exercise,) = (e for e in chapter.exercises if wrong.edit in e.edit)
+    first = next(verdict for verdict in failed if verdict.exercise == exercise.id)
+    assert "likely    " in first.message
+    assert "read      " in first.message
+    place = find_definition(engine_with(tmp_path), chapter, wrong.edit)
+    assert next_place(engine_with(tmp_path), chapter, exercise, first) == place
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import io
 import sys
 
 from autograder.check import check
-from autograder.manifest import ROOT, Chapter, load_chapters, select_chapters
+from autograder.manifest import ROOT, Chapter, Exercise, load_chapters, select_chapters
 from autograder.runner import GraderError
 
 try:
@@ -24,6 +25,12 @@ def main() -> int:
     if instructor is not None:
         instructor.add_commands(commands)
     arguments = parser.parse_args()
+    if importlib.util.find_spec("pytest") is None:
+        here = "without make: python3 autograder/make_venv.py, then .venv/bin/python"
+        print(
+            f"this Python lacks what the autograder needs: run make setup ({here})", file=sys.stderr
+        )
+        return 2
     for stream in (sys.stdout, sys.stderr):  # a console of another encoding shows ? and goes on
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
@@ -55,18 +62,20 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 def run_check(arguments: argparse.Namespace) -> bool:
     """Check chapters, or the chapter of one exercise."""
     chapters = select_chapters(arguments.chapter)
+    exercise = None
     if arguments.exercise:
-        chapters = [_chapter_of(arguments.exercise, chapters)]
+        chapter, exercise = find_exercise(arguments.exercise, chapters)
+        chapters = [chapter]
     # What students do not edit, such as plots, stands in chapters/ alone.
     engine = [ROOT / folder for folder in dict.fromkeys((arguments.engine, "chapters"))]
     if not engine[0].is_dir():
         raise ValueError(f"engine must be a folder of chapters, got {arguments.engine!r}")
-    return not check(chapters, arguments.exercise, engine, arguments.seed)
+    return not check(chapters, exercise, engine, arguments.seed)
 
 
 def run_hint(arguments: argparse.Namespace) -> int:
     """Print the first hints of an exercise, and how to get the next."""
-    exercise = _chapter_of(arguments.exercise, load_chapters()).exercise(arguments.exercise)
+    _, exercise = find_exercise(arguments.exercise, load_chapters())
     shown = exercise.hints[: max(1, arguments.count)]
     print(f"{exercise.id} {exercise.title}")
     for number, text in enumerate(shown, 1):
@@ -76,12 +85,17 @@ def run_hint(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _chapter_of(exercise: str, chapters: list[Chapter]) -> Chapter:
-    for chapter in chapters:
-        if any(exercise == known.id for known in chapter.exercises):
-            return chapter
-    there = ", ".join(known.id for chapter in chapters for known in chapter.exercises)
-    raise ValueError(f"there is no exercise {exercise!r}; there is {there}")
+def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
+    """Return the exercise of an id, in capitals or not, and its chapter.
+
+    Raises ValueError that names those whose ids begin alike, or else all of them.
+    """
+    known = {e.id.lower(): (chapter, e) for chapter in chapters for e in chapter.exercises}
+    if wanted.lower() in known:
+        return known[wanted.lower()]
+    alike = [e.id for key, (_, e) in known.items() if key.startswith(wanted.lower())]
+    there = ", ".join(alike or [e.id for _, e in known.values()])
+    raise ValueError(f"there is no exercise {wanted!r}; there is {there}")
 
 
 if __name__ == "__main__":

@@ -32,13 +32,15 @@ OPERATORS = {
 }
 
 
-def check(chapters: list[Chapter], exercise: str | None, engine: list[Path], seed: str) -> bool:
+def check(
+    chapters: list[Chapter], exercise: Exercise | None, engine: list[Path], seed: str
+) -> bool:
     """Check the chapters, or one exercise and what it needs; print it all; return success."""
     results: dict[str, list[Result]] = {}
     with _Progress() as progress:
         for chapter in chapters:
             progress.title = f"chapter {chapter.number}"
-            wanted = with_needs(chapter, [exercise] if exercise else None)
+            wanted = with_needs(chapter, [exercise.id] if exercise else None)
             verdicts = run_checks(
                 chapter, engine, seed=seed, exercises=wanted, on_verdict=progress.show
             )
@@ -169,11 +171,10 @@ def _print_failure(console: Console, chapter: Chapter, result: Result, engine: l
     if failed is None:
         console.print(f"No check was found for exercise {exercise.id}.", style="magenta")
         return
+    next_step = f"Next: open {next_place(engine, chapter, exercise, failed)}"
     console.print(f"First to repair: {exercise.id} {exercise.title}", style="bold")
-    console.print(f"check     {failed.name}")
-    console.print(failed.message, markup=False)
-    console.print()
-    console.print(f"Next: open {next_place(engine, chapter, exercise, failed)}", style="bold")
+    console.print(f"check     {failed.name}\n{failed.message}\n", markup=False, soft_wrap=True)
+    console.print(next_step, style="bold", markup=False, soft_wrap=True)
     console.print(f"A nudge: make hint EX={exercise.id}")
 
 

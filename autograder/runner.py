@@ -6,6 +6,7 @@ Nothing here needs POSIX.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import queue
@@ -215,8 +216,9 @@ class _Run:
 
 
 def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
-    for line in stream:
-        lines.put(line)
+    with contextlib.suppress(ValueError):  # the stream is closed under our hands at the end
+        for line in stream:
+            lines.put(line)
     lines.put("")
 
 

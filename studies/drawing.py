@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 # Okabe and Ito's colours: told apart by colour-blind readers, and of different greys in print.
-BLUE, ORANGE, GREEN, RED, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#777777"
+BLUE, ORANGE, GREEN, GREY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
 
 Numbers = tuple[float, float, float]
 
@@ -55,19 +55,32 @@ def dot(a: Numbers, b: Numbers) -> float:
     return math.fsum(p * q for p, q in zip(a, b, strict=True))
 
 
+def cross(a: Numbers, b: Numbers) -> Numbers:
+    """Return the vector product of plain numbers, to measure a picture without the engine."""
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
+
+
 def angle_between(a: Numbers, b: Numbers) -> float:
     """Return the angle between plain vectors in degrees, NaN where one has no direction."""
-    lengths = math.hypot(*a) * math.hypot(*b)
-    if not lengths > 0.0:
+    if not math.hypot(*a) * math.hypot(*b) > 0.0:
         return math.nan
-    return math.degrees(math.acos(max(-1.0, min(1.0, dot(a, b) / lengths))))
+    return math.degrees(math.atan2(math.hypot(*cross(a, b)), dot(a, b)))
+
+
+def is_drawable(*vectors: Numbers) -> bool:
+    """Say whether all components are finite numbers."""
+    return all(math.isfinite(value) for vector in vectors for value in vector)
 
 
 def arrow(
     axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
 ) -> None:
     """Draw an arrow in the X-Y plane and its label; nothing where a number is NaN."""
-    if not all(math.isfinite(value) for value in (*tip, *tail)):
+    if not is_drawable(tip, tail):
         return
     arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
     axes.annotate("", tip[:2], tail[:2], arrowprops=arrowprops | {"shrinkA": 0, "shrinkB": 0})
@@ -77,12 +90,12 @@ def arrow(
 
 def arrow_3d(axes: Any, tip: Numbers, label: str, color: str, style: str = "-") -> None:
     """Draw an arrow from the origin, +Y up on the paper; nothing where a number is NaN."""
-    if not all(math.isfinite(value) for value in tip):
+    if not is_drawable(tip):
         return
     x, y, z = tip
     # matplotlib's third axis points up, the engine's second.
     axes.quiver(0, 0, 0, z, x, y, color=color, lw=2.0, linestyle=style, arrow_length_ratio=0.12)
-    axes.text(z * 1.1, x * 1.1, y * 1.1, label, color=color, **LABEL)
+    axes.text(z * 1.15, x * 1.15, y * 1.15, label, color=color, **LABEL)
 
 
 def axes_3d(figure: Figure, place: Any, size: float) -> Any:

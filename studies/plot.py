@@ -1,12 +1,14 @@
 """Draw a chapter's plots with an engine: PNG and CSV files under build/plots/.
 
-Each chapter's plots.py has a tuple PLOTS of functions without arguments that return a Picture.
+Each chapter's plots.py has a tuple PLOTS of functions without arguments that return a Picture. A
+plot that takes longer than TIME_LIMIT ends the run, with the stack of what it was doing.
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
+import faulthandler
 import importlib
 import sys
 import traceback
@@ -17,6 +19,8 @@ from matplotlib import pyplot
 
 from autograder.manifest import ROOT, Chapter, select_chapters
 from studies.drawing import Picture
+
+TIME_LIMIT = 30.0  # seconds for one plot, which takes about one
 
 
 def main(arguments: list[str]) -> int:
@@ -58,6 +62,7 @@ def draw(plot: Callable[[], Picture], folder: Path) -> bool:
     """Write one plot as name.png and name.csv, or say why not and leave no older one there."""
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"
+    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
     try:
         picture = plot()
     except (Exception, SystemExit) as error:
@@ -65,6 +70,8 @@ def draw(plot: Callable[[], Picture], folder: Path) -> bool:
         table.unlink(missing_ok=True)
         print(f"{name}: not drawn, {_reason(error)}")
         return False
+    finally:
+        faulthandler.cancel_dump_traceback_later()
     picture.figure.savefig(png, dpi=110)
     with table.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([picture.columns, *picture.rows])

@@ -13,17 +13,19 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
 from studies.drawing import (
+    BLACK,
     BLUE,
     GREEN,
     GREY,
     ORANGE,
-    RED,
     Picture,
     angle_between,
     arrow,
     arrow_3d,
     axes_3d,
+    cross,
     dot,
+    is_drawable,
     numbers,
 )
 
@@ -41,9 +43,11 @@ def addition() -> Picture:
     arrow(axes, corner, "", GREY, tail=b, style="--")
     arrow(axes, a, "a", BLUE)
     arrow(axes, b, "b", ORANGE)
-    arrow(axes, total, "a + b", RED)
+    arrow(axes, total, "a + b", BLACK)
     _plane(axes, (-1, 7), (-1, 6))
-    if off < 1e-9:
+    if not is_drawable(total):
+        axes.set_title("a + b is no vector that can be drawn")
+    elif off < 1e-9:
         axes.set_title("a + b ends at the far corner of the parallelogram of a and b")
     else:
         axes.set_title(f"a + b misses the far corner of the parallelogram by {off:.3g}")
@@ -60,7 +64,7 @@ def projection() -> Picture:
     axes.axline((0, 0), a[:2], color=GREY, ls=":", label="the line of a")
     arrow(axes, b, "b", ORANGE)
     arrow(axes, part, "c a, with c = a . b", BLUE)
-    arrow(axes, b, "d = b - c a", RED, tail=part)
+    arrow(axes, b, "d = b - c a", BLACK, tail=part)
     _plane(axes, (-1, 5), (-1, 5))
     axes.legend(loc="lower right")
     axes.set_title(f"Without its part along a, b stands at {angle_between(a, rest):.4g}° to a")
@@ -79,16 +83,22 @@ def cross_product() -> Picture:
     space.add_collection3d(Poly3DCollection(face, alpha=0.25, facecolor=GREY))
     arrow_3d(space, a, "a", BLUE)
     arrow_3d(space, b, "b", ORANGE)
-    arrow_3d(space, product, "a x b", RED)
-    angles = f"{angle_between(a, product):.4g}° to a and {angle_between(b, product):.4g}° to b"
-    space.set_title(f"a x b stands at {angles}")
+    arrow_3d(space, product, "a x b", BLACK)
+    angles = [angle_between(v, product) for v in (a, b, cross(a, b))]
+    if is_drawable(product):
+        space.set_title(
+            "a x b stands at {:.4g}° to a, {:.4g}° to b and\n"
+            "{:.4g}° to where right-handed axes have it".format(*angles)
+        )
+    else:
+        space.set_title("a x b is no vector that can be drawn")
 
     degrees = range(0, 181, 5)
     lengths = [_product_length(math.radians(angle)) for angle in degrees]
     plane = figure.add_subplot(122)
     theory = [6.0 * math.sin(math.radians(angle)) for angle in degrees]
     plane.plot(degrees, theory, color=GREY, lw=5, alpha=0.5, label="|a| |b| sin t")
-    plane.plot(degrees, lengths, "o", color=RED, ms=4, label="|a x b|")
+    plane.plot(degrees, lengths, "o", color=BLACK, ms=4, label="|a x b|")
     plane.set(xlabel="angle t between a and b, degrees", ylabel="|a x b|, with |a| = 2, |b| = 3")
     plane.legend()
     gap = max(abs(got - wanted) for got, wanted in zip(lengths, theory, strict=True))
@@ -101,20 +111,24 @@ def cross_product() -> Picture:
 
 def basis() -> Picture:
     """An orthonormal basis and the two vectors that it was made from."""
-    a, b = (1.2, 0.5, 0.3), (0.2, 1.3, 0.6)
+    a, b = (1.6, 0.6, 0.4), (0.2, 1.3, 0.6)
     made = make_orthonormal_basis(Vector3(*a), Vector3(*b))
     first, second, third = (numbers(v) for v in made)
     figure = pyplot.figure(figsize=(6, 6), layout="constrained")
     space = axes_3d(figure, 111, 1.2)
     arrow_3d(space, a, "a", GREY, "--")
     arrow_3d(space, b, "b", GREY, "--")
-    for v, name, color in ((first, "1", BLUE), (second, "2", ORANGE), (third, "3", GREEN)):
-        arrow_3d(space, v, name, color)
+    arrow_3d(space, first, "first", BLUE)
+    arrow_3d(space, second, "second", ORANGE)
+    arrow_3d(space, third, "third", GREEN)
     pairs = ((first, second), (second, third), (third, first))
     angles = ", ".join(f"{angle_between(v, w):.4g}°" for v, w in pairs)
     lengths = ", ".join(f"{math.sqrt(dot(v, v)):.4g}" for v in (first, second, third))
-    space.set_title(f"The basis of a and b: angles {angles}, lengths {lengths}")
-    rows = [("a", *a), ("b", *b), ("1", *first), ("2", *second), ("3", *third)]
+    hand = "right" if dot(cross(first, second), third) > 0.0 else "not right"
+    space.set_title(f"A basis, {hand}-handed, with angles {angles}\nand lengths {lengths}")
+    if not is_drawable(first, second, third):
+        space.set_title("The basis has what is no vector that can be drawn")
+    rows = [("a", *a), ("b", *b), ("first", *first), ("second", *second), ("third", *third)]
     return Picture(figure, COLUMNS, rows)
 
 

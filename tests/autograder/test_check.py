@@ -13,6 +13,7 @@ import pytest
 from autograder.manifest import ROOT, load_chapters, select_chapters
 
 SAMPLES = "sample_class"
+SQUARES = "math.sqrt(self.x**2 + self.y**2 + self.z**2)"
 
 
 def autograder(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -48,8 +49,7 @@ def test_every_exercise_is_shown_with_its_state_and_the_first_failure_in_full(en
     assert "likely    a new vector: the first minus the second" in done.stdout
     assert "read      book 2.1.4" in done.stdout
     line = text[: text.index("def __sub__")].count("\n") + 1
-    assert f"Next: open {vector}:" in done.stdout.replace("\n", "")
-    assert f"ch02_vectors/vector.py:{line}" in done.stdout.replace("\n", "")
+    assert f"Next: open {vector}:{line}\n" in done.stdout
     assert "make hint EX=B2.5" in done.stdout
 
 
@@ -119,3 +119,42 @@ def test_chapters_are_selected_by_number_and_range() -> None:
     assert select_chapters("") == load_chapters()
     with pytest.raises(ValueError, match="there is no chapter 1 here"):
         select_chapters("1-2")
+
+
+def test_an_id_may_be_written_small_and_a_part_of_one_lists_those_that_begin_so() -> None:
+    assert autograder("hint", "b2.10").stdout.startswith("B2.10 An orthonormal basis")
+    complaint = autograder("check", "--exercise", "2.2").stderr
+    assert complaint.strip() == "check: there is no exercise '2.2'; there is 2.2a, 2.2b"
+
+
+def test_a_python_without_the_packages_is_told_what_to_do() -> None:
+    command = [sys.executable, "-S", "-m", "autograder", "check"]  # -S: no installed packages
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 2
+    assert "this Python lacks what the autograder needs: run make setup" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("math.hypot(self.x, self.y, self.z)", SQUARES, "likely    a square leaves the range"),
+        ("if length == 0.0:", "if length is None:", "likely    zero has no direction"),
+        ("math.hypot(self.x, self.y, self.z)", "mth.hypot(self.x)", "likely    a name is misspelt"),
+        ("return self.x * v.x", "return self.x * v.magnitude", "is named but not called"),
+        ("def magnitude(self)", "def magnitude()", "is self missing in a def"),
+        ("def magnitude(self)", "def magnitud(self)", "likely    a name is misspelt"),
+        ("return math.hypot(self.x, self.y, self.z)", "self.x = float(input())", "input or"),
+    ],
+)
+def test_a_slip_is_named(engine: Path, old: str, new: str, words: str) -> None:
+    vector = engine / "ch02_vectors/vector.py"
+    text = vector.read_text(encoding="utf-8")
+    assert old in text
+    vector.write_text(text.replace(old, new), encoding="utf-8")
+    done = autograder("check", "--chapter", "2", "--engine", str(engine))
+    assert words in " ".join(done.stdout.split("First to repair")[1].split("\n")).replace(
+        "  ", "  "
+    )
+    assert "called    " in done.stdout
+    assert "read      " in done.stdout

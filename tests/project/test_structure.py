@@ -11,6 +11,8 @@ import pytest
 
 from autograder.answers import answered
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
+from autograder.runner import run_checks
+from autograder.scores import results_of, total
 
 CHAPTERS = load_chapters()
 BELOW = {  # the chapters that a chapter's modules may import
@@ -145,3 +147,16 @@ def test_a_manifest_that_is_wrong_is_refused(
     (folder / "chapter.toml").write_text(text.replace(*change, 1), encoding="utf-8")
     with pytest.raises(ValueError, match=re.escape(complaint)):
         load_chapter(folder)
+
+
+def test_the_readme_shows_what_the_sample_class_really_gets() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"(?m)^ {5}(\w+) +([\d.]+)/(\d+) +(\d+)/(\d+) +graded", readme)
+    assert len(rows) == 4
+    chapter = CHAPTERS[0]
+    points = sum(exercise.points for exercise in chapter.exercises if exercise.kind != "written")
+    for student, score, possible, passed, checks in rows:
+        verdicts = run_checks(chapter, [ROOT / "sample_class" / student], seed="1")
+        assert (float(score), int(possible)) == (total(results_of(chapter, verdicts))[0], points)
+        assert int(passed) == sum(verdict.status == "passed" for verdict in verdicts)
+        assert int(checks) == len(verdicts)

@@ -5,10 +5,10 @@ OUT ?= build/handout
 .PHONY: grade handout stubs test lint bench
 
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=2,3) into build/grades/
-	@$(RUN) -m autograder grade $(SUBMISSIONS) --out build/grades $(if $(SEED),--seed $(SEED)) $(if $(CHAPTERS),--chapters $(CHAPTERS))
+	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out build/grades $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)")
 
 handout: $(READY) ## what students get (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
-	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out $(OUT) $(if $(GIVEN),--given $(GIVEN))
+	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out "$(OUT)" $(if $(GIVEN),--given "$(GIVEN)")
 
 stubs: $(READY) ## make chapters/ from solutions/ again
 	@$(RUN) -m autograder stubs

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
+from rich.markup import escape
 from rich.progress import Progress
 from rich.table import Table
 
@@ -26,9 +27,11 @@ ISOLATION = (
 def grade(folder: Path, out: Path, chapters: list[Chapter], seed: str | None) -> int:
     """Grade every submission in the folder; write the reports into out; return 1 for errors.
 
-    A submission is a folder named after the student. Raises ValueError where there is none.
+    A submission is a folder named after the student; hidden ones and caches are none. Raises
+    ValueError where there is none.
     """
-    submissions = sorted(path for path in folder.iterdir() if path.is_dir())
+    folders = sorted(path for path in folder.iterdir() if path.is_dir())
+    submissions = [path for path in folders if not path.name.startswith((".", "__"))]
     if not submissions:
         raise ValueError(f"{folder} has no submissions: a folder named after each student")
     seed = seed or secrets.token_hex(4)
@@ -37,7 +40,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], seed: str | None) ->
     with Progress(console=console, transient=True) as progress:
         task = progress.add_task("", total=len(submissions))
         for submission in submissions:
-            progress.update(task, description=f"grading {submission.name}")
+            progress.update(task, description=f"grading {escape(submission.name)}")
             grades[submission.name] = grade_submission(submission, chapters, seed)
             write_result(out, submission.name, seed, ISOLATION, grades[submission.name])
             progress.advance(task)
@@ -86,11 +89,11 @@ def _print_class(console: Console, grades: dict[str, list[Result]]) -> None:
         trouble = next((check for check in checks if check.status in ("failed", "error")), None)
         score, points = total(results)
         table.add_row(
-            student,
+            escape(student),
             f"{shown(score)}/{points}",
             f"{passed}/{len(checks)}",
             overall_status(results),
-            f"{trouble.exercise}: {_in_short(trouble.message)}" if trouble else "",
+            escape(f"{trouble.exercise}: {_in_short(trouble.message)}") if trouble else "",
         )
     console.print(table)
 

@@ -29,6 +29,7 @@ SLIPS = (
     ("has no attribute", "a name is misspelt, or this is not the type that you think"),
     ("can't decode", "save the file as UTF-8 in your editor"),
 )
+ESCAPED = re.compile(r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U([0-9a-f]{8}))")  # as stacks have it
 STACK_LINE = re.compile(r'File "(.+)", line (\d+) in (\S+)')
 
 
@@ -95,6 +96,7 @@ def explain_import(error: BaseException, module: str, engine_folders: list[Path]
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> str:
     """Return where a process was when its time was up, from the stack that it left behind."""
     message = f"did not end within {time_limit:g} seconds: an endless loop?"
+    stack = ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), stack)
     for file, line, name in STACK_LINE.findall(stack):
         if _is_inside(file, engine_folders):
             return f"{message}\nwhere     {_place(file, int(line), name)}"

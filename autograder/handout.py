@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import shutil
 from collections.abc import Iterable
 from pathlib import Path
@@ -69,7 +70,7 @@ def make_handout(
     (out / "README.md").write_text(text, encoding="utf-8", newline="\n")
     print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
     print(f"given complete: {', '.join(chapter.name for chapter in given) or 'none'}")
-    print(f"hand-out: {out} (try it: make -C {out} check)")
+    print(f"hand-out: {out}; try it: make -C {shlex.quote(str(out))} check")
 
 
 def _copy(files: Iterable[Path], folder: Path) -> None:

@@ -67,7 +67,8 @@ def run_checks(
         if time.monotonic() > run.deadline:
             run.give_up()
         elif not run.finished and run.progress == before:
-            raise GraderError(f"the checks stopped without a verdict:\n{run.stderr[-2000:]}")
+            words = run.stderr.strip()[-2000:] or "it said nothing"
+            raise GraderError(f"the process of the checks stopped without a verdict; {words}")
     return _mark_blocked(chapter, run.ordered_verdicts())
 
 
@@ -150,7 +151,9 @@ class _Run:
             {
                 "root": str(self.root),
                 "engine": [str(folder) for folder in self.engine],
-                "tests": [str(self.root / "tests" / package)],
+                "tests": [
+                    f"tests/{package}"
+                ],  # from root: pytest takes no path with brackets in it
                 "modules": [
                     f"{package}.{file.removesuffix('.py')}" for file in self.chapter.edited_files
                 ],

@@ -176,6 +176,17 @@ def test_a_name_that_a_spreadsheet_takes_for_a_formula_is_made_harmless(tmp_path
     assert rows[2].startswith("'=1+1,")
 
 
+def test_names_are_shown_as_they_are_and_hidden_folders_are_no_students(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("[red]Åsa B", ".git", "__pycache__"):
+        (tmp_path / "class" / name).mkdir(parents=True)
+    (tmp_path / "class/notes.txt").touch()
+    grade(tmp_path / "class", tmp_path / "out")
+    assert [path.name for path in (tmp_path / "out/results").iterdir()] == ["[red]Åsa B.json"]
+    assert "[red]Åsa B 0/43" in " ".join(capsys.readouterr().out.split())
+
+
 def test_without_a_seed_every_run_draws_a_new_one(tmp_path: Path) -> None:
     (tmp_path / "class" / "eli").mkdir(parents=True)
     seeds = set()

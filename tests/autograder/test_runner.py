@@ -79,7 +79,8 @@ def quadruple(x):
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """A repository with one small chapter."""
+    """A repository with one small chapter, in a folder with a difficult name."""
+    tmp_path = tmp_path / "a [red] é folder"
     for name, text in (
         ("chapters/ch90_small/chapter.toml", MANIFEST),
         ("tests/ch90_small/test_small.py", CHECKS),

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 STYLES = {"passed": "green", "failed": "red", "blocked": "yellow", "error": "magenta"}
 UNWRITTEN = "not written yet"
 BAR = 40
-OPERATORS = {
+OPERATORS = {  # as the calls of checks have them
     "__neg__": "; -v",
     "__mul__": " * ",
     "__imul__": " *= ",

@@ -16,7 +16,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
 
@@ -67,37 +67,29 @@ def run_checks(
         if time.monotonic() > run.deadline:
             run.give_up()
         elif not run.finished and run.progress == before:
-            words = run.stderr.strip()[-2000:] or "it said nothing"
+            words = run.stderr or "it said nothing"
             raise GraderError(f"the process of the checks stopped without a verdict; {words}")
     return _mark_blocked(chapter, run.ordered_verdicts())
 
 
+@dataclass
 class _Run:
     """The state of a run over the processes that it may take."""
 
-    def __init__(
-        self,
-        chapter: Chapter,
-        engine: list[Path],
-        wanted: list[str],
-        seed: str,
-        root: Path,
-        time_limit: float,
-        on_verdict: Callable[[int, int], None],
-    ) -> None:
-        self.chapter = chapter
-        self.engine = engine
-        self.wanted = wanted
-        self.seed = seed
-        self.root = root
-        self.time_limit = time_limit
-        self.on_verdict = on_verdict
-        self.checks: dict[str, dict[str, Any]] = {}
-        self.verdicts: dict[str, Verdict] = {}
-        self.broken: dict[str, str] = {}  # modules whose import hung or ended the process
-        self.deadline = time.monotonic() + RUN_LIMIT
-        self.finished = False
-        self.stderr = ""
+    chapter: Chapter
+    engine: list[Path]
+    wanted: list[str]
+    seed: str
+    root: Path
+    time_limit: float
+    on_verdict: Callable[[int, int], None]
+    checks: dict[str, dict[str, Any]] = field(default_factory=dict)
+    verdicts: dict[str, Verdict] = field(default_factory=dict)
+    broken: dict[str, str] = field(default_factory=dict)  # modules whose import hung or left
+    deadline: float = field(default_factory=lambda: time.monotonic() + RUN_LIMIT)
+    finished: bool = False
+    silent: bool = False
+    stderr: str = ""
 
     @property
     def progress(self) -> tuple[int, int]:
@@ -113,7 +105,7 @@ class _Run:
             stack_file.touch()
             command = [sys.executable, "-m", "autograder.verdicts", self._config(stack_file)]
             with (
-                (Path(folder) / "stderr.txt").open("w+", encoding="utf-8") as stderr,
+                (Path(folder) / "stderr.txt").open("w+b") as stderr,
                 subprocess.Popen(
                     command,
                     cwd=self.root,
@@ -126,13 +118,13 @@ class _Run:
             ):
                 current = self._follow(process)
                 process.kill()
-                code = process.wait()
-                stderr.seek(0)
-                self.stderr = stderr.read()
+                process.wait()
+                stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - 2000))
+                self.stderr = stderr.read().decode("utf-8", errors="replace").strip()
             if self.finished or current is None or time.monotonic() > self.deadline:
                 return
             stack = stack_file.read_text(encoding="utf-8", errors="replace")
-        hung = bool(stack) or code is None
+        hung = bool(stack) or self.silent
         if hung:
             why = explain_hang(stack, self.time_limit, self.engine)
         else:
@@ -151,9 +143,7 @@ class _Run:
             {
                 "root": str(self.root),
                 "engine": [str(folder) for folder in self.engine],
-                "tests": [
-                    f"tests/{package}"
-                ],  # from root: pytest takes no path with brackets in it
+                "tests": f"tests/{package}",  # below root: pytest takes no path with brackets
                 "modules": [
                     f"{package}.{file.removesuffix('.py')}" for file in self.chapter.edited_files
                 ],
@@ -173,28 +163,37 @@ class _Run:
         threading.Thread(target=_pass_on, args=(process.stdout, lines), daemon=True).start()
         current: tuple[str, str] | None = None
         while True:
+            left = self.deadline - time.monotonic()
             try:
-                left = self.deadline - time.monotonic()
                 line = lines.get(timeout=max(0.0, min(left, self.time_limit + GRACE)))
             except queue.Empty:
+                self.silent = True
                 return current
             if not line:
                 return current
-            event = json.loads(line)
-            match event["event"]:
-                case "checks":
-                    self.checks = {check["name"]: check for check in event["checks"]}
-                    self.on_verdict(len(self.verdicts), len(self.checks))
-                    current = None
-                case "import":
-                    current = ("import", event["module"])
-                case "start":
-                    current = ("check", event["name"])
-                case "verdict":
-                    self._decide(event["name"], event["status"], event["message"])
-                    current = None
-                case "end" if current is None:
-                    self.finished = True
+            try:
+                current = self._take(json.loads(line), current)
+            except (ValueError, KeyError, TypeError) as error:
+                raise GraderError(f"the process of the checks sent {line[:200]!r}") from error
+
+    def _take(
+        self, event: dict[str, Any], current: tuple[str, str] | None
+    ) -> tuple[str, str] | None:
+        """Take one event; return what the process is doing after it."""
+        match event["event"]:
+            case "import":
+                return "import", event["module"]
+            case "start":
+                return "check", event["name"]
+            case "checks":
+                self.checks = {check["name"]: check for check in event["checks"]}
+                self.on_verdict(len(self.verdicts), len(self.checks))
+            case "verdict":
+                self._decide(event["name"], event["status"], event["message"])
+            case "end":
+                self.finished = current is None
+                return current
+        return None
 
     def _decide(self, name: str, status: str, message: str) -> None:
         check = self.checks[name]

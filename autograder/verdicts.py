@@ -181,8 +181,8 @@ def main() -> int:
         wire.write(json.dumps(event) + "\n")
         wire.flush()
 
-    arguments = [*config["tests"], f"--engine={','.join(config['engine'])}", "--capture=sys"]
-    arguments += [f"--seed={config['seed']}", f"--rootdir={config['root']}"]
+    arguments = [config["tests"], "--capture=sys", f"--rootdir={config['root']}"]
+    arguments += [f"--seed={config['seed']}", *(f"--engine={path}" for path in config["engine"])]
     for plugin in UNUSED_PLUGINS.split():
         arguments += ["-p", f"no:{plugin}"]
     return int(pytest.main(arguments, plugins=[Recorder(config, report)]))

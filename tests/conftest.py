@@ -14,8 +14,8 @@ TESTS = Path(__file__).parent
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--engine",
-        default="chapters",
-        help="folders of chapters to check, the first on top, with commas (default: chapters)",
+        action="append",
+        help="a folder of chapters to check; more of them lie below the first (default: chapters)",
     )
     parser.addoption("--seed", default="1", help="seed of the numbers that checks draw")
 
@@ -24,7 +24,7 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line(
         "markers", "exercise(id, weight=1): the exercise of the manifest that a check belongs to"
     )
-    folders = config.getoption("engine").split(",")
+    folders = config.getoption("engine") or ["chapters"]
     for folder in folders:
         if not (TESTS.parent / folder).is_dir():
             raise pytest.UsageError(f"--engine: there is no folder {folder!r}")

@@ -80,7 +80,7 @@ def quadruple(x):
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
     """A repository with one small chapter, in a folder with a difficult name."""
-    tmp_path = tmp_path / "a [red] é folder"
+    tmp_path = tmp_path / "a [red], é folder"
     for name, text in (
         ("chapters/ch90_small/chapter.toml", MANIFEST),
         ("tests/ch90_small/test_small.py", CHECKS),
@@ -199,6 +199,21 @@ def test_what_the_student_prints_is_shown_and_is_no_verdict(root: Path, chapter:
     verdicts = run(root, chapter, code)
     assert verdicts["test_double"].status == "failed"
     assert f"printed   {forged}" in verdicts["test_double"].message
+
+
+def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
+    root: Path, chapter: Chapter, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    floods = "import os\n    for fd in range(3, 40):\n        try: os.write(fd, b'nonsense\\n')\n"
+    floods += "        except OSError: pass\n    return 0"
+    with pytest.raises(GraderError, match="sent 'nonsense"):
+        run(root, chapter, RIGHT.replace("return x + x", floods))
+    monkeypatch.setattr(runner, "GRACE", 0.5)
+    quiet = "import faulthandler, time\n    faulthandler.cancel_dump_traceback_later()\n"
+    quiet += "    time.sleep(60)"
+    verdicts = run(root, chapter, RIGHT.replace("return x + x", quiet))
+    assert statuses(verdicts) == ["failed", "failed", "blocked", "blocked"]
+    assert "did not end within 0.7 seconds" in verdicts["test_double"].message
 
 
 def test_the_time_for_all_checks_is_limited(

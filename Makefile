@@ -23,13 +23,13 @@ $(READY): requirements.lock autograder/make_venv.py
 setup: $(READY) ## make .venv (the other commands do it by themselves)
 	@echo "Set up: .venv is ready."
 
-check: $(READY) ## check your work (CH=2 one chapter, EX=2.5 one exercise, ENGINE=solutions)
+check: $(READY) ## check your work (CH=2 one chapter, EX=2.5 one exercise)
 	@$(RUN) -m autograder check --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(EX),--exercise "$(EX)") $(if $(SEED),--seed "$(SEED)")
 
 hint: $(READY) ## a hint for an exercise (EX=2.5; N=2 for the first two)
 	@$(RUN) -m autograder hint $(or $(EX),$(error name an exercise: make hint EX=2.5)) $(if $(N),--count $(N))
 
-plot: $(READY) ## draw a chapter with your engine (CH=2; ENGINE=solutions for the reference)
+plot: $(READY) ## draw a chapter with your engine (CH=2)
 	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)")
 
 -include instructor.mk

@@ -193,7 +193,7 @@ def _calls(expression: str, name: str) -> bool:
     short = name.rpartition(".")[2]
     symbol = OPERATORS.get(short)
     pattern = re.escape(symbol) if symbol else rf"\b{short}\("
-    return re.search(pattern, re.sub(r"Vector3\([^()]*\)", "Vector3", expression)) is not None
+    return re.search(pattern, expression) is not None
 
 
 def _file(engine: list[Path], chapter: Chapter, name: str) -> Path:

@@ -30,6 +30,10 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], seed: str | None) ->
     A submission is a folder named after the student; hidden ones and caches are none. Raises
     ValueError where there is none.
     """
+    if not folder.is_dir():
+        raise ValueError(f"the submissions must be a folder of folders, got {str(folder)!r}")
+    if out.exists() and not out.is_dir():
+        raise ValueError(f"--out must be a folder, got {str(out)!r}")
     folders = sorted(path for path in folder.iterdir() if path.is_dir())
     submissions = [path for path in folders if not path.name.startswith((".", "__"))]
     if not submissions:
@@ -41,7 +45,12 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], seed: str | None) ->
         task = progress.add_task("", total=len(submissions))
         for submission in submissions:
             progress.update(task, description=f"grading {escape(submission.name)}")
-            grades[submission.name] = grade_submission(submission, chapters, seed)
+            try:
+                grades[submission.name] = grade_submission(submission, chapters, seed)
+            except Exception as error:  # ours, whatever it is: the class goes on
+                grades[submission.name] = [
+                    result for chapter in chapters for result in _errors(chapter, repr(error))
+                ]
             write_result(out, submission.name, seed, ISOLATION, grades[submission.name])
             progress.advance(task)
     gradebook = write_gradebook(out, chapters, grades)
@@ -61,20 +70,17 @@ def grade_submission(
         box = Path(folder)
         stage(submission, load_chapters(root), box, root)
         for chapter in chapters:
-            results += results_of(chapter, _verdicts(chapter, box, seed, root))
+            try:
+                results += results_of(chapter, run_checks(chapter, [box], seed=seed, root=root))
+            except GraderError as error:
+                results += _errors(chapter, str(error))
     return results
 
 
-def _verdicts(chapter: Chapter, box: Path, seed: str, root: Path) -> list[Verdict]:
-    """Run the checks; where they cannot be run, that is our error and not a zero."""
-    try:
-        return run_checks(chapter, [box], seed=seed, root=root)
-    except GraderError as error:
-        return [
-            Verdict("every check", exercise.id, 1, "error", str(error))
-            for exercise in chapter.exercises
-            if exercise.kind != "written"
-        ]
+def _errors(chapter: Chapter, reason: str) -> list[Result]:
+    """Return results for checks that could not be run: our error, and not a zero."""
+    ours = [Verdict("every check", e.id, 1, "error", reason) for e in chapter.exercises]
+    return results_of(chapter, ours)
 
 
 def _print_class(console: Console, grades: dict[str, list[Result]]) -> None:

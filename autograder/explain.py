@@ -46,9 +46,9 @@ def explain_exception(error: BaseException, engine_folders: list[Path]) -> str:
         code = own[-1][0].f_code
         where = _place(code.co_filename, own[-1][1], code.co_name)
     if isinstance(error, AssertionError) and not own:
-        return str(error)
+        return _text(error)
     if isinstance(error, NotImplementedError):
-        message = str(error) or "a body raises NotImplementedError"
+        message = _text(error) or "a body raises NotImplementedError"
         return f"not written yet: {message}" + (f"\nwhere     {where}" if where else "")
     words: dict[str, str] = {}  # a check keeps what it calls, the likely cause and where to read
     for frame, _ in frames:
@@ -121,10 +121,13 @@ def _place(file: str, line: int | None, name: str) -> str:
     return f"{Path(file).parent.name}/{Path(file).name}, line {line}, in {name}"
 
 
-def _first_line(error: BaseException) -> str:
+def _text(error: BaseException) -> str:
     try:
-        text = str(error)
+        return str(error).strip()
     except BaseException:  # a student's exception may fail in its own __str__
-        text = "(its message cannot be shown)"
-    first = text.strip().splitlines()[0][:500] if text.strip() else ""
+        return "(its message cannot be shown)"
+
+
+def _first_line(error: BaseException) -> str:
+    first = (_text(error).splitlines() or [""])[0][:500]
     return f"{type(error).__name__}: {first}" if first else type(error).__name__

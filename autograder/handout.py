@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 import shutil
 from collections.abc import Iterable
@@ -11,7 +12,7 @@ from autograder.manifest import ROOT, Chapter
 from autograder.stubs import make_stubs
 
 STUDENT_TOOLS = {
-    ".": ("Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md errata.md"),
+    ".": ("Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md"),
     "autograder": (
         "__init__.py __main__.py answers.py check.py explain.py make_venv.py manifest.py "
         "runner.py scores.py verdicts.py"
@@ -19,6 +20,8 @@ STUDENT_TOOLS = {
     "studies": "__init__.py __main__.py drawing.py plot.py",
     "tests": "conftest.py draw.py expect.py",
 }
+
+COMPLETE = ("README.md", "chapter.toml", "plots.py")  # all else in a chapter may be somebody's work
 
 README = """\
 # Game physics: {titles}
@@ -32,7 +35,8 @@ You need Python 3.11 or newer and make; the first command sets up everything els
     make plot           pictures of what your own functions do, under build/plots/
 
 Each chapter's README maps the book's sections to the functions that you write. Written questions
-are answered in `answers.md`. Hand in the folders under `chapters/` that you have edited.
+are answered in `answers.md`. Hand in the folders under `chapters/` that you have edited: the files
+that the exercise table names are taken, so keep your own helpers in them.
 """
 
 
@@ -50,10 +54,15 @@ def make_handout(
         raise ValueError(f"out must be a new or empty folder, and {out} is not empty")
     for folder, names in STUDENT_TOOLS.items():
         _copy((root / folder / name for name in names.split()), out / folder)
+    _copy([root / "chapters" / "README.md"], out / "chapters")
+    errata = (root / "errata.md").read_text(encoding="utf-8")
+    without_links = re.sub(r"\[(\w+)\]\(tests/[^)]*\)", r"\1", errata)  # those tests stay here
+    (out / "errata.md").write_text(without_links, encoding="utf-8", newline="\n")
     stubs = make_stubs(root)
     for chapter in chapters:
         folder = f"chapters/{chapter.name}"
-        _copy((root / folder).iterdir(), out / folder)
+        complete = (root / folder / name for name in COMPLETE)
+        _copy([*complete, *(root / folder).glob("*.png")], out / folder)
         for path, text in stubs.items():
             if path.startswith(folder + "/"):  # made anew: the files here may be somebody's work
                 (out / path).write_text(text, encoding="utf-8", newline="\n")

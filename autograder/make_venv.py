@@ -12,7 +12,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 VENV = ROOT / ".venv"
 LOCK = ROOT / "requirements.lock"
-NETWORK_WORDS = ("connection", "to resolve", "name resolution", "timed out", "unreachable", "proxy")
+NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is unreachable")
 
 
 def stop(sentence: str) -> None:

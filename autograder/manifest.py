@@ -25,7 +25,6 @@ class Exercise:
     hints: list[str]
     terms: list[str]
     edit: list[str] = field(default_factory=list)
-    files: list[str] = field(default_factory=list)
     needs: list[str] = field(default_factory=list)
 
 
@@ -75,18 +74,21 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
     return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
 
 
-def select_chapters(numbers: str, root: Path = ROOT) -> list[Chapter]:
+def select_chapters(numbers: str) -> list[Chapter]:
     """Return the chapters that a text such as "2,4-6" names; all of them for an empty text.
 
     Raises ValueError for a text of another form, and for a chapter that is not there.
     """
-    chapters = {chapter.number: chapter for chapter in load_chapters(root)}
+    chapters = {chapter.number: chapter for chapter in load_chapters()}
     wanted: list[int] = []
     for part in numbers.split(",") if numbers else []:
         match = re.fullmatch(r"\s*(\d+)(?:-(\d+))?\s*", part)
         if match is None:
             raise ValueError(f"chapters must look like 2 or 2,4-6, got {numbers!r}")
-        wanted += range(int(match[1]), int(match[2] or match[1]) + 1)
+        first, last = int(match[1]), int(match[2] or match[1])
+        if last < first:
+            raise ValueError(f"chapters must count upwards, got {part.strip()!r}")
+        wanted += range(first, last + 1)
     for number in wanted:
         if number not in chapters:
             there = ", ".join(map(str, chapters))

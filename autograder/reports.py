@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 from pathlib import Path
 from typing import Any
@@ -23,9 +24,8 @@ def write_result(out: Path, student: str, seed: str, isolation: str, results: li
         "points": points,
         "exercises": [_exercise(result) for result in results],
     }
-    path = out / "results" / f"{student}.json"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    _replace(path, json.dumps(report, indent=1, ensure_ascii=False) + "\n")
+    text = json.dumps(report, indent=1, ensure_ascii=False) + "\n"
+    _replace(out / "results" / f"{student}.json", text)
 
 
 def write_gradebook(out: Path, chapters: list[Chapter], grades: dict[str, list[Result]]) -> Path:
@@ -43,12 +43,10 @@ def write_gradebook(out: Path, chapters: list[Chapter], grades: dict[str, list[R
         scores = [total(results)[0], *(result.score for result in results)]
         cells = ["" if score is None else f"{score:g}" for score in scores]
         rows.append([_harmless(student), overall_status(results), *cells])
-    path = out / "gradebook.csv"
-    temporary = path.with_suffix(".tmp")
-    with temporary.open("w", encoding="utf-8", newline="") as file:
-        csv.writer(file).writerows(rows)
-    temporary.replace(path)
-    return path
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows(rows)
+    _replace(out / "gradebook.csv", text.getvalue())
+    return out / "gradebook.csv"
 
 
 def overall_status(results: list[Result]) -> str:
@@ -77,6 +75,9 @@ def _harmless(text: str) -> str:
 
 
 def _replace(path: Path, text: str) -> None:
-    temporary = path.with_suffix(".tmp")
-    temporary.write_text(text, encoding="utf-8", newline="\n")
+    """Write a file beside its place and move it there, so that it is never half written."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(path.name + ".tmp")
+    # What is no character, in a student's message or name, is written as an escape.
+    temporary.write_bytes(text.encode("utf-8", errors="backslashreplace"))
     temporary.replace(path)

@@ -10,6 +10,7 @@ import contextlib
 import json
 import os
 import queue
+import signal
 import subprocess
 import sys
 import tempfile
@@ -89,6 +90,7 @@ class _Run:
     deadline: float = field(default_factory=lambda: time.monotonic() + RUN_LIMIT)
     finished: bool = False
     silent: bool = False
+    hung: set[str] = field(default_factory=set)  # exercises of which a check did not end
     stderr: str = ""
 
     @property
@@ -100,13 +102,13 @@ class _Run:
 
     def one_process(self) -> None:
         """Start a process for the checks that have no verdict yet, and follow it to its end."""
+        self.silent = False
         with tempfile.TemporaryDirectory(prefix="checks-") as folder:
             stack_file = Path(folder) / "stack.txt"
             stack_file.touch()
             command = [sys.executable, "-m", "autograder.verdicts", self._config(stack_file)]
-            with (
-                (Path(folder) / "stderr.txt").open("w+b") as stderr,
-                subprocess.Popen(
+            with (Path(folder) / "stderr.txt").open("w+b") as stderr:
+                process = subprocess.Popen(
                     command,
                     cwd=self.root,
                     env=_environment(),
@@ -114,11 +116,12 @@ class _Run:
                     stdout=subprocess.PIPE,
                     stderr=stderr,
                     encoding="utf-8",
-                ) as process,
-            ):
-                current = self._follow(process)
-                process.kill()
-                process.wait()
+                    start_new_session=True,
+                )
+                try:
+                    current = self._follow(process)
+                finally:
+                    _end(process)
                 stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - 2000))
                 self.stderr = stderr.read().decode("utf-8", errors="replace").strip()
             if self.finished or current is None or time.monotonic() > self.deadline:
@@ -135,7 +138,7 @@ class _Run:
         else:
             self._decide(name, "failed", why)
             if hung:
-                self._block_what_needs(self.checks[name]["exercise"])
+                self._note_hang(self.checks[name]["exercise"])
 
     def _config(self, stack_file: Path) -> str:
         package = self.chapter.name
@@ -210,11 +213,16 @@ class _Run:
                 self._decide(name, "failed", f"not run: the {RUN_LIMIT:g} seconds were used up")
         self.finished = True
 
-    def _block_what_needs(self, exercise: str) -> None:
-        """Give up the checks of exercises that build on one that hangs: each would hang too."""
-        for name, check in self.checks.items():
-            if name not in self.verdicts and exercise in _needs_of(self.chapter, check["exercise"]):
-                self._decide(name, "failed", f"not run: exercise {exercise} does not end")
+    def _note_hang(self, exercise: str) -> None:
+        """Give an exercise up after one hang where what it builds on hangs as well.
+
+        Its other checks would most likely wait for the same loop, each for the whole time limit.
+        """
+        if self.hung & _needs_of(self.chapter, exercise):
+            for name, check in self.checks.items():
+                if name not in self.verdicts and check["exercise"] == exercise:
+                    self._decide(name, "failed", "not run: another check of it did not end")
+        self.hung.add(exercise)
 
 
 def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
@@ -222,6 +230,16 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
         for line in stream:
             lines.put(line)
     lines.put("")
+
+
+def _end(process: subprocess.Popen[str]) -> None:
+    """End a process and, where the system has process groups, all that it has started."""
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        if sys.platform == "win32":
+            process.kill()
+        else:
+            os.killpg(process.pid, signal.SIGKILL)
+    process.wait()  # its output is not closed here: a stray child may hold on to the other end
 
 
 def _environment() -> dict[str, str]:

@@ -13,7 +13,7 @@ LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thou
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> None:
     """Fill the box with an engine: the student's edited files, and the parts nobody edits.
 
-    A file that is missing, is no regular file or is too large is left out; its import then says
+    A file that is missing, linked, no regular file or too large is left out; its import then says
     that it was not handed in. Nothing falls back on the stubs or on the solutions.
     """
     for chapter in chapters:
@@ -24,5 +24,6 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
                 shutil.copyfile(file, target / file.name)
         for name in chapter.edited_files:
             file = submission / chapter.name / name
-            if file.is_file() and not file.is_symlink() and file.stat().st_size <= LARGEST_FILE:
+            linked = file.is_symlink() or file.parent.is_symlink()
+            if file.is_file() and not linked and file.stat().st_size <= LARGEST_FILE:
                 shutil.copyfile(file, target / name)

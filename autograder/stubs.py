@@ -59,7 +59,7 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
     stubs = make_stubs(root)
     for path, text in stubs.items():
         file = root / path
-        current = file.read_text(encoding="utf-8") if file.exists() else None
+        current = _read(file)
         if current == text:
             continue
         if current is not None and stub_hash(current) != locked.get(path):
@@ -77,11 +77,12 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
 
 def stale_stubs(root: Path = ROOT) -> list[str]:
     """Return the paths whose files in chapters/ are not what would be made now."""
-    return [
-        path
-        for path, text in make_stubs(root).items()
-        if not (root / path).exists() or (root / path).read_text(encoding="utf-8") != text
-    ]
+    return [path for path, text in make_stubs(root).items() if _read(root / path) != text]
+
+
+def _read(file: Path) -> str | None:
+    """Return a file's text, None without one; what is not UTF-8 is shown as such, and is edited."""
+    return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
 
 def stub_module(source: str, messages: dict[str, str]) -> str:

@@ -92,11 +92,8 @@ class Recorder:
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
         """Hold the check itself to the time limit."""
         self.report(event="start", name=item.name)
-        self._start_clock()
-        try:
-            return (yield)
-        finally:
-            faulthandler.cancel_dump_traceback_later()
+        self._start_clock()  # until its report is made: a student's exception may hang in its str
+        return (yield)
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_makereport(
@@ -119,6 +116,7 @@ class Recorder:
             if printed := report.capstdout.strip():
                 message += f"\nprinted   {printed[:2000]}"
             self.report(event="verdict", name=item.name, status=status, message=message)
+        faulthandler.cancel_dump_traceback_later()
         return report
 
     def pytest_sessionfinish(self, exitstatus: int) -> None:

@@ -48,11 +48,14 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
     if not (ROOT / "chapters" / chapter.name / "plots.py").exists():
         print(f"chapter {chapter.number} has no plots")
         return True
+    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
     try:
         plots = importlib.import_module(f"{chapter.name}.plots").PLOTS
     except (Exception, SystemExit) as error:
         print(f"chapter {chapter.number} cannot be drawn: {_reason(error)}")
         return False
+    finally:
+        faulthandler.cancel_dump_traceback_later()
     folder.mkdir(parents=True, exist_ok=True)
     drawn = [draw(plot, folder) for plot in plots]
     return all(drawn)
@@ -62,12 +65,12 @@ def draw(plot: Callable[[], Picture], folder: Path) -> bool:
     """Write one plot as name.png and name.csv, or say why not and leave no older one there."""
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"
-    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
+    for older in (png, table):
+        older.unlink(missing_ok=True)
+    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)
     try:
         picture = plot()
     except (Exception, SystemExit) as error:
-        png.unlink(missing_ok=True)
-        table.unlink(missing_ok=True)
         print(f"{name}: not drawn, {_reason(error)}")
         return False
     finally:

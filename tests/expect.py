@@ -38,6 +38,16 @@ def xyz(v: Any) -> Any:
     return v.x, v.y, v.z
 
 
+def expect_vector(call: str, v: Any, *, cause: str, read: str) -> tuple[float, float, float]:
+    """Expect a vector of plain numbers; return its components."""
+    __tracebackhide__ = True
+    got = xyz(v)
+    if isinstance(got, NoVector) or not _are_numbers(got, 3):
+        _complain(call, _shown(got), "a Vector3", cause, read)
+    x, y, z = got
+    return x, y, z
+
+
 def expect_close(
     call: str,
     got: Any,

@@ -24,7 +24,7 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
     """Exercise 2.2a: return a . b and what its sign says of the angle between a and b.
 
     The word is "acute" (less than a right angle), "right" or "obtuse" (more). The numbers
-    of the example are ours.
+    of the example are ours. Raises ValueError where the product is NaN, which says nothing.
 
     >>> scalar_product_and_angle(Vector3(1, 2, 3), Vector3(4, -5, 1))
     (-3.0, 'obtuse')
@@ -46,7 +46,7 @@ def make_perpendicular(a: Vector3, x: float, y: float) -> float:
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
     """Exercise 2.5: return the angle between a and b, from 0 to pi, by their scalar product.
 
-    Raises ValueError where a or b is zero and has no direction.
+    NaN gives NaN. Raises ValueError where a or b is zero and has no direction.
 
     >>> round(angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0)), 6)  # 135 degrees
     2.356194
@@ -58,7 +58,7 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
     """Exercise 2.5: return the two angles that |a x b| leaves possible, the smaller one first.
 
     Two angles that add up to pi have the same sine, so the vector product cannot tell them apart.
-    Raises ValueError where a or b is zero and has no direction.
+    NaN gives NaN. Raises ValueError where a or b is zero and has no direction.
 
     >>> angles = angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))
     >>> [round(angle, 6) for angle in angles]  # 45 and 135 degrees

@@ -29,12 +29,14 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
     """Exercise 2.2a: return a . b and what its sign says of the angle between a and b.
 
     The word is "acute" (less than a right angle), "right" or "obtuse" (more). The numbers
-    of the example are ours.
+    of the example are ours. Raises ValueError where the product is NaN, which says nothing.
 
     >>> scalar_product_and_angle(Vector3(1, 2, 3), Vector3(4, -5, 1))
     (-3.0, 'obtuse')
     """
     product = a.dot(b)
+    if math.isnan(product):
+        raise ValueError(f"a and b must have a scalar product, got {a!r} and {b!r}")
     if product > 0.0:
         return product, "acute"
     return product, "obtuse" if product < 0.0 else "right"
@@ -56,7 +58,7 @@ def make_perpendicular(a: Vector3, x: float, y: float) -> float:
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
     """Exercise 2.5: return the angle between a and b, from 0 to pi, by their scalar product.
 
-    Raises ValueError where a or b is zero and has no direction.
+    NaN gives NaN. Raises ValueError where a or b is zero and has no direction.
 
     >>> round(angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0)), 6)  # 135 degrees
     2.356194
@@ -64,14 +66,14 @@ def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
     if a.magnitude() == 0.0 or b.magnitude() == 0.0:
         raise ValueError(f"a and b must not be zero, got {a!r} and {b!r}")
     cosine = a.normalized().dot(b.normalized())
-    return math.acos(max(-1.0, min(1.0, cosine)))  # rounding may leave it just outside -1..1
+    return math.acos(max(min(cosine, 1.0), -1.0))  # rounding may leave it just outside -1..1
 
 
 def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
     """Exercise 2.5: return the two angles that |a x b| leaves possible, the smaller one first.
 
     Two angles that add up to pi have the same sine, so the vector product cannot tell them apart.
-    Raises ValueError where a or b is zero and has no direction.
+    NaN gives NaN. Raises ValueError where a or b is zero and has no direction.
 
     >>> angles = angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))
     >>> [round(angle, 6) for angle in angles]  # 45 and 135 degrees
@@ -80,7 +82,7 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
     if a.magnitude() == 0.0 or b.magnitude() == 0.0:
         raise ValueError(f"a and b must not be zero, got {a!r} and {b!r}")
     sine = a.normalized().cross(b.normalized()).magnitude()
-    smaller = math.asin(min(1.0, sine))  # rounding may leave it just above 1
+    smaller = math.asin(min(sine, 1.0))  # rounding may leave it just above 1
     return smaller, math.pi - smaller
 
 

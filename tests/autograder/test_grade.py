@@ -110,7 +110,12 @@ def test_the_gradebook_has_a_row_a_student_below_the_points_possible(
 
 def test_the_screen_shows_the_class_and_that_it_was_not_isolated(graded: tuple[Path, str]) -> None:
     screen = " ".join(graded[1].split())
-    assert "ada 43/43 80/80 graded" in screen
+    assert "ada 43/43 82/82 graded" in screen
+    assert "ben 15" in screen
+    assert "graded B2.2: OverflowError" in screen
+    assert "B2.4: did not end within 3 seconds" in screen
+    assert "cleo" in screen
+    assert "book's listing sets x from z (E-14)" in screen
     assert "Seed 7. Isolation: none" in screen
     assert "gradebook.csv" in screen
 
@@ -163,17 +168,44 @@ def test_links_and_large_files_are_not_taken(tmp_path: Path) -> None:
     folder.mkdir(parents=True)
     (folder / "vector.py").symlink_to(ROOT / "solutions/ch02_vectors/vector.py")
     (folder / "exercises.py").write_text("#" * 1_000_001, encoding="utf-8")
+    (tmp_path / "trudy").mkdir()
+    (tmp_path / "trudy/ch02_vectors").symlink_to(ROOT / "solutions/ch02_vectors")
+    linked = cohort.grade_submission(tmp_path / "trudy", [CHAPTER], "1")
+    assert {result.score for result in linked} == {0.0, None}
     results = cohort.grade_submission(tmp_path / "mallory", [CHAPTER], "1")
     text = "\n".join(check.message for result in results for check in result.checks)
     assert "vector.py is missing: not handed in" in text
     assert {result.score for result in results} == {0.0, None}
 
 
-def test_a_name_that_a_spreadsheet_takes_for_a_formula_is_made_harmless(tmp_path: Path) -> None:
-    (tmp_path / "class" / "=1+1").mkdir(parents=True)
+def test_names_that_a_spreadsheet_takes_for_formulas_are_made_harmless(tmp_path: Path) -> None:
+    names = ["+1", "-1", "=1+1", "@SUM", "ann"]
+    for name in names:
+        (tmp_path / "class" / name).mkdir(parents=True)
     grade(tmp_path / "class", tmp_path / "out")
     rows = (tmp_path / "out/gradebook.csv").read_text(encoding="utf-8").splitlines()
-    assert rows[2].startswith("'=1+1,")
+    assert [row.split(",")[0] for row in rows[2:]] == ["'+1", "'-1", "'=1+1", "'@SUM", "ann"]
+
+
+def test_what_is_no_character_and_what_fails_unforeseen_stops_no_class(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "class/sue/ch02_vectors"
+    folder.mkdir(parents=True)
+    (folder / "vector.py").write_text("raise ValueError('\\ud800 odd')\n", encoding="utf-8")
+    (tmp_path / "class/tom").mkdir()
+    staged = cohort.stage
+
+    def stage(submission: Path, *arguments: Any) -> None:
+        if submission.name == "tom":
+            raise PermissionError("tom's folder is locked")
+        staged(submission, *arguments)
+
+    monkeypatch.setattr(cohort, "stage", stage)
+    assert grade(tmp_path / "class", tmp_path / "out") == 1
+    assert "\\ud800 odd" in messages(result(tmp_path / "out", "sue"))
+    assert "tom's folder is locked" in messages(result(tmp_path / "out", "tom"))
+    assert (tmp_path / "out/gradebook.csv").exists()
 
 
 def test_names_are_shown_as_they_are_and_hidden_folders_are_no_students(

@@ -9,7 +9,14 @@ import pytest
 
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
 from draw import Components, components
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import (
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    expect_vector,
+    xyz,
+)
 
 X_AXIS, Y_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 
@@ -20,8 +27,11 @@ def dot(a: Components, b: Components) -> float:
 
 def basis_of(a: Components, b: Components) -> list[Components]:
     """Return the three vectors as plain numbers."""
+    call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
+    cause = "three vectors are wanted"
+    read = "the docstring of make_orthonormal_basis"
     first, second, third = make_orthonormal_basis(Vector3(*a), Vector3(*b))
-    return [xyz(first), xyz(second), xyz(third)]
+    return [expect_vector(call, v, cause=cause, read=read) for v in (first, second, third)]
 
 
 @pytest.mark.exercise("B2.10")

@@ -10,7 +10,7 @@ import pytest
 from ch02_vectors import exercises
 from ch02_vectors.vector import Vector3
 from draw import Components, components, direction, number
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import expect_close, expect_error, expect_exactly, expect_nan, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 
@@ -107,6 +107,22 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     product, got = exercises.scalar_product_and_angle(a, b)
     expect_close(f"{call}, the first", product, 0.0, cause=cause, read=read)
     expect_exactly(f"{call}, the second", got, "right", cause=cause, read=read)
+
+
+@pytest.mark.exercise("2.2a", weight=0.5)
+def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
+    call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
+    cause = "NaN is neither positive nor negative nor zero: raise ValueError, do not say a word"
+    read = "the docstring of scalar_product_and_angle"
+    good = Vector3(1.0, 2.0, 3.0)
+    expect_error(
+        call,
+        lambda: exercises.scalar_product_and_angle(Vector3(math.nan, 0.0, 0.0), good),
+        ValueError,
+        allowed=lambda: exercises.scalar_product_and_angle(good, good),
+        cause=cause,
+        read=read,
+    )
 
 
 # 2.4 The component that makes two vectors perpendicular
@@ -240,6 +256,20 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
         (f"{name}(Vector3(0, 0, 0), Vector3{a})", lambda: function(zero, Vector3(*a))),
     ):
         expect_error(call, attempt, ValueError, allowed=right_angle, cause=cause, read=read)
+
+
+@pytest.mark.exercise("2.5", weight=0.5)
+def test_nan_has_no_angle() -> None:
+    lost, good = Vector3(math.nan, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)
+    call = "angle_by_scalar_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
+    cause = "min and max give their first argument where the other is NaN: clamp with NaN in mind"
+    read = "the docstring of angle_by_scalar_product"
+    got = exercises.angle_by_scalar_product(lost, good)
+    expect_nan(call, got, cause=cause, read=read)
+    call = "angles_by_vector_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
+    read = "the docstring of angles_by_vector_product"
+    for angle in exercises.angles_by_vector_product(lost, good):
+        expect_nan(call, angle, cause=cause, read=read)
 
 
 # 2.6 What is left without the projection

@@ -71,12 +71,21 @@ def test_a_student_can_check_the_stubs_and_then_an_answer(tmp_path: Path) -> Non
 
 
 def test_the_stubs_are_made_anew_and_no_solution_goes_along(tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    make_handout([CH02], [], out)
+    root, out = tmp_path / "root", tmp_path / "out"
+    shutil.copytree(ROOT, root, ignore=shutil.ignore_patterns(".venv", ".git", "build"))
+    solved = root / "chapters/ch02_vectors"
+    shutil.copytree(ROOT / "solutions/ch02_vectors", solved, dirs_exist_ok=True)
+    shutil.copyfile(solved / "vector.py", solved / "vector_old.py")
+    make_handout([CH02], [], out, root)
     names = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
-    assert not [name for name in names if "solution" in name or "wrong" in name or "second" in name]
+    assert not [
+        name
+        for name in names
+        if "_old" in name or "solution" in name or "wrong" in name or "second" in name
+    ]
     for path, text in make_stubs().items():
         assert (out / path).read_text(encoding="utf-8") == text
+    assert "](tests/" not in (out / "errata.md").read_text(encoding="utf-8")
     assert {"Makefile", "README.md", "glossary.md", "tests/ch02_vectors/probes.py"} <= names
     assert "sample_class" not in {name.split("/")[0] for name in names}
 

@@ -31,10 +31,14 @@ def test_a_missing_venv_module_is_named_with_the_package_to_install(
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        ("Failed to establish a new connection: [Errno 101]", "PyPI. cannot be reached; check the"),
-        ("Temporary failure in name resolution", "cannot be reached"),
+        (
+            "WARNING: Retrying (Retry(total=0)) after connection broken by 'NewConnectionError'",
+            r"\(PyPI\) cannot be reached; check the network",
+        ),
+        ("[Errno -3] Temporary failure in name resolution", "cannot be reached"),
         ("ERROR: No matching distribution found for numpy==9", "its last words:\n.*numpy==9"),
         ("ResolutionImpossible", "its last words"),
+        ("Looking in indexes: http://proxy.here\nERROR: hashes do not match", "its last words"),
     ],
 )
 def test_what_pip_could_not_do_is_said_and_nothing_counts_as_ready(

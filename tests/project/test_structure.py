@@ -114,12 +114,11 @@ def test_every_command_of_the_readmes_is_there() -> None:
         assert set(commands) <= targets, readme
 
 
-@pytest.mark.parametrize(
-    "path", sorted(ROOT.glob("*.md")) + sorted(ROOT.glob("*/**/*.md")), ids=str
-)
+PAGES = [*ROOT.glob("*.md"), *ROOT.glob("chapters/**/*.md"), ROOT / "sample_class/README.md"]
+
+
+@pytest.mark.parametrize("path", sorted(PAGES), ids=str)
 def test_links_between_pages_lead_somewhere(path: Path) -> None:
-    if {".venv", "build"} & set(path.relative_to(ROOT).parts):
-        return
     for target in re.findall(r"\]\(([^)#:]+)\)", path.read_text(encoding="utf-8")):
         assert (path.parent / target).exists(), target
 

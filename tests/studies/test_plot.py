@@ -65,7 +65,18 @@ def test_a_wrong_engine_gives_a_wrong_picture(reference: Path, tmp_path: Path) -
     assert done.returncode == 0, done.stdout
     assert table(tmp_path, "addition") == table(reference, "addition")
     assert table(tmp_path, "basis") != table(reference, "basis")
+    assert table(tmp_path, "projection") == table(reference, "projection")
     wrong, right = (out / "ch02_vectors/basis.png" for out in (tmp_path, reference))
+    assert wrong.read_bytes() != right.read_bytes()
+
+
+def test_a_wrong_difference_is_seen_in_the_projection(reference: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "engine/ch02_vectors"
+    shutil.copytree(ROOT / "solutions/ch02_vectors", folder)
+    with (folder / "vector.py").open("a", encoding="utf-8") as file:
+        file.write("\n\nVector3.__sub__ = lambda self, v: v + -self\n")
+    assert plot(tmp_path / "engine", tmp_path).returncode == 0
+    wrong, right = (out / "ch02_vectors/projection.png" for out in (tmp_path, reference))
     assert wrong.read_bytes() != right.read_bytes()
 
 

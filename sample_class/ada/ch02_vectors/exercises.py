@@ -11,6 +11,8 @@ def split(v):
 
 def scalar_product_and_angle(a, b):
     product = a @ b
+    if product != product:
+        raise ValueError("the product is NaN")
     word = "right" if product == 0 else "acute" if product > 0 else "obtuse"
     return product, word
 
@@ -28,11 +30,11 @@ def unit(v):
 
 
 def angle_by_scalar_product(a, b):
-    return math.acos(min(1.0, max(-1.0, unit(a) @ unit(b))))
+    return math.acos(max(min(unit(a) @ unit(b), 1.0), -1.0))
 
 
 def angles_by_vector_product(a, b):
-    angle = math.asin(min(1.0, unit(a).cross(unit(b)).magnitude()))
+    angle = math.asin(min(unit(a).cross(unit(b)).magnitude(), 1.0))
     return angle, math.pi - angle
 
 

@@ -23,6 +23,8 @@ def split(v: Vector3) -> tuple[float, Vector3]:
 def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
     """Return a . b and the kind of angle that belongs to its sign."""
     product = a @ b
+    if math.isnan(product):
+        raise ValueError("the scalar product of a and b is NaN, and says nothing of their angle")
     sign = (product > 0) - (product < 0)
     return product, _ANGLE_WORDS[sign]
 

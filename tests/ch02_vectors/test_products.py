@@ -1,0 +1,270 @@
+"""Vector3: scaled sums and the three products, build tasks B2.6 to B2.9."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.probes import walk
+from ch02_vectors.vector import Vector3
+from draw import Components, components, number
+from expect import expect_close, expect_error, expect_exactly, expect_nan, expect_unchanged, xyz
+
+
+def expect_vectors_only(
+    rng: Random, expression: str, attempt: Callable[[Any, Any], object]
+) -> None:
+    """Expect a method, or an operator, to take a vector and to refuse a number."""
+    a, b = components(rng), components(rng)
+    call = f"v = Vector3{a}; {expression}"
+    cause = "ask isinstance(v, Vector3) first, and raise TypeError where it is not"
+    read = "the docstring of the method"
+    expect_error(
+        call,
+        lambda: attempt(Vector3(*a), 3.0),
+        TypeError,
+        allowed=lambda: attempt(Vector3(*a), Vector3(*b)),
+        cause=cause,
+        read=read,
+    )
+
+
+# B2.6 Add a scaled vector
+
+
+@pytest.mark.exercise("B2.6")
+def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
+    a, b, scale = components(rng), components(rng), number(rng)
+    v, w = Vector3(*a), Vector3(*b)
+    wanted = (a[0] + b[0] * scale, a[1] + b[1] * scale, a[2] + b[2] * scale)
+    call = f"v, w = Vector3{a}, Vector3{b}; v.add_scaled(w, {scale})"
+    cause = "v itself grows by w times the number; w stays as it is"
+    read = "book 2.1.4"
+    v.add_scaled(w, scale)
+    # Rounding of numbers up to 100.
+    expect_close(call, xyz(v), wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_unchanged(call, "w", xyz(w), b, read=read)
+
+
+@pytest.mark.exercise("B2.6")
+def test_add_scaled_with_itself(rng: Random) -> None:
+    a = components(rng)
+    v = Vector3(*a)
+    call = f"v = Vector3{a}; v.add_scaled(v, 2)"
+    cause = "the argument is v itself: do not change it before you have read it"
+    read = "the docstring of Vector3.add_scaled"
+    v.add_scaled(v, 2.0)
+    expect_close(call, xyz(v), (3.0 * a[0], 3.0 * a[1], 3.0 * a[2]), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B2.6")
+def test_add_scaled_frame_after_frame(rng: Random) -> None:
+    start, velocity = components(rng), components(rng)
+    wanted = tuple(p + 10.0 * v for p, v in zip(start, velocity, strict=True))
+    call = f"p, v = Vector3{start}, Vector3{velocity}; 600 times p.add_scaled(v, 1 / 60)"
+    cause = "600 frames of 1/60 s are 10 s: p' = p + v h in each"
+    read = "book 2.2, Eq. 2.7"
+    got = walk(start, velocity, 1.0 / 60.0, 600)
+    # 600 roundings of numbers up to 100.
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
+
+
+@pytest.mark.exercise("B2.6", weight=0.5)
+def test_add_scaled_refuses_what_is_no_vector(rng: Random) -> None:
+    expect_vectors_only(rng, "v.add_scaled(3.0, 2.0)", lambda v, other: v.add_scaled(other, 2.0))
+
+
+# B2.7 The component product
+
+
+@pytest.mark.exercise("B2.7")
+def test_the_component_product_is_a_new_vector(rng: Random) -> None:
+    a, b = components(rng), components(rng)
+    v, w = Vector3(*a), Vector3(*b)
+    wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
+    call = f"v, w = Vector3{a}, Vector3{b}; v.component_product(w)"
+    cause = "a new vector: x times x, y times y, z times z, and nothing added up"
+    read = "book 2.1.6"
+    expect_close(call, xyz(v.component_product(w)), wanted, cause=cause, read=read)
+    expect_unchanged(call, "v", xyz(v), a, read=read)
+    expect_unchanged(call, "w", xyz(w), b, read=read)
+
+
+@pytest.mark.exercise("B2.7")
+def test_the_component_product_in_place(rng: Random) -> None:
+    a, b = components(rng), components(rng)
+    v, w = Vector3(*a), Vector3(*b)
+    wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
+    call = f"v, w = Vector3{a}, Vector3{b}; v.component_product_update(w)"
+    cause = "the three products are stored in v itself"
+    read = "book 2.1.6"
+    v.component_product_update(w)
+    expect_close(call, xyz(v), wanted, cause=cause, read=read)
+    expect_unchanged(call, "w", xyz(w), b, read=read)
+
+
+@pytest.mark.exercise("B2.7")
+def test_the_component_product_with_itself(rng: Random) -> None:
+    a = components(rng)
+    v = Vector3(*a)
+    wanted = (a[0] * a[0], a[1] * a[1], a[2] * a[2])
+    call = f"v = Vector3{a}; v.component_product_update(v)"
+    cause = "the argument is v itself: do not change it before you have read it"
+    read = "book 2.1.6"
+    v.component_product_update(v)
+    expect_close(call, xyz(v), wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B2.7", weight=0.5)
+def test_the_component_products_refuse_what_is_no_vector(rng: Random) -> None:
+    expect_vectors_only(
+        rng, "v.component_product(3.0)", lambda v, other: v.component_product(other)
+    )
+    expect_vectors_only(
+        rng, "v.component_product_update(3.0)", lambda v, other: v.component_product_update(other)
+    )
+
+
+# B2.8 The scalar product
+
+
+@pytest.mark.exercise("B2.8")
+def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
+    a, b = components(rng), components(rng)
+    v, w = Vector3(*a), Vector3(*b)
+    wanted = math.fsum(p * q for p, q in zip(a, b, strict=True))
+    call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
+    cause = "a number: the three products of components, added up"
+    read = "book 2.1.7, Eq. 2.4"
+    # The terms may cancel, so rounding is measured by the terms: at most 100 each.
+    expect_close(call, v.dot(w), wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_unchanged(call, "v", xyz(v), a, read=read)
+    expect_unchanged(call, "w", xyz(w), b, read=read)
+
+
+@pytest.mark.exercise("B2.8")
+def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
+    a, b = components(rng), components(rng)
+    wanted = math.fsum(p * q for p, q in zip(a, b, strict=True))
+    call = f"v, w = Vector3{a}, Vector3{b}; v @ w"
+    cause = "__matmul__ gives what dot gives"
+    read = "book 2.1.7, Eq. 2.4"
+    got = Vector3(*a) @ Vector3(*b)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B2.8")
+def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None:
+    angle, first, second = rng.uniform(1.8, 3.0), rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
+    a = (0.0, first, 0.0)
+    b = (second * math.sin(angle), second * math.cos(angle), 0.0)
+    wanted = first * second * math.cos(angle)
+    call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
+    cause = "these enclose an obtuse angle, so the product is negative; all digits are wanted"
+    read = "book 2.1.7, Eq. 2.4"
+    got = Vector3(*a).dot(Vector3(*b))
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B2.8")
+def test_nan_and_infinity_stay_visible_in_the_scalar_product() -> None:
+    w = Vector3(1.0, 1.0, 1.0)
+    call = "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))"
+    cause = "a NaN must come out as NaN"
+    read = "the docstring of Vector3"
+    expect_nan(call, Vector3(math.nan, 1.0, 1.0).dot(w), cause=cause, read=read)
+    call = "Vector3(inf, 1, 1).dot(Vector3(1, 1, 1))"
+    cause = "an infinity must come out as one"
+    got = Vector3(math.inf, 1.0, 1.0).dot(w)
+    expect_exactly(call, got, math.inf, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B2.8", weight=0.5)
+def test_the_scalar_product_refuses_what_is_no_vector(rng: Random) -> None:
+    expect_vectors_only(rng, "v.dot(3.0)", lambda v, other: v.dot(other))
+    expect_vectors_only(rng, "v @ 3.0", lambda v, other: v @ other)
+
+
+# B2.9 The vector product
+
+
+def vector_product(a: Components, b: Components) -> Components:
+    """Return a x b, by its definition."""
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
+
+
+@pytest.mark.exercise("B2.9")
+def test_x_cross_y_is_z_and_so_on_round() -> None:
+    axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    cause = "X x Y = Z, Y x Z = X, Z x X = Y in right-handed axes: look for a sign, or a b x a"
+    read = "book 2.1.8, Eq. 2.6"
+    for i in range(3):
+        a, b, c = axes[i], axes[(i + 1) % 3], axes[(i + 2) % 3]
+        call = f"Vector3{a}.cross(Vector3{b})"
+        got = Vector3(*a).cross(Vector3(*b))
+        expect_close(call, xyz(got), c, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B2.9")
+def test_the_vector_product_is_a_new_vector(rng: Random) -> None:
+    a, b = components(rng), components(rng)
+    v, w = Vector3(*a), Vector3(*b)
+    call = f"v, w = Vector3{a}, Vector3{b}; v.cross(w)"
+    cause = "a new vector: x is made of y and z, y of z and x, z of x and y"
+    read = "book 2.1.8, Eq. 2.6"
+    wanted = vector_product(a, b)
+    # The two terms of a component may cancel, so rounding is measured by the terms.
+    expect_close(call, xyz(v.cross(w)), wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_unchanged(call, "v", xyz(v), a, read=read)
+    expect_unchanged(call, "w", xyz(w), b, read=read)
+
+
+@pytest.mark.exercise("B2.9")
+def test_the_vector_product_is_the_lengths_times_the_sine(rng: Random) -> None:
+    angle, first, second = rng.uniform(0.2, 3.0), rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
+    a = (0.0, 0.0, first)
+    b = (second * math.sin(angle), 0.0, second * math.cos(angle))
+    wanted = (0.0, first * second * math.sin(angle), 0.0)
+    call = f"v, w = Vector3{a}, Vector3{b}; v.cross(w)"
+    cause = "y is z of v times x of w minus x of v times z of w: z comes before x"
+    read = "book 2.1.8, Eq. 2.6"
+    got = Vector3(*a).cross(Vector3(*b))
+    expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B2.9")
+def test_the_vector_product_in_place(rng: Random) -> None:
+    a, b = components(rng), components(rng)
+    v, w = Vector3(*a), Vector3(*b)
+    call = f"v, w = Vector3{a}, Vector3{b}; v.cross_update(w)"
+    cause = "v becomes v x w: work all three components out before you store the first"
+    read = "the docstring of Vector3.cross_update"
+    v.cross_update(w)
+    wanted = vector_product(a, b)
+    expect_close(call, xyz(v), wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_unchanged(call, "w", xyz(w), b, read=read)
+
+
+@pytest.mark.exercise("B2.9")
+def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
+    a = components(rng)
+    v = Vector3(*a)
+    call = f"v = Vector3{a}; v.cross_update(v)"
+    cause = "parallel vectors have the product zero, and v is both of them here"
+    read = "book 2.1.8"
+    v.cross_update(v)
+    expect_close(call, xyz(v), (0.0, 0.0, 0.0), cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B2.9", weight=0.5)
+def test_the_vector_product_refuses_what_is_no_vector(rng: Random) -> None:
+    expect_vectors_only(rng, "v.cross(3.0)", lambda v, other: v.cross(other))
+    expect_vectors_only(rng, "v.cross_update(3.0)", lambda v, other: v.cross_update(other))

@@ -1,4 +1,4 @@
-"""Exercises 2.1 to 2.7."""
+"""Exercises 2.1, 2.4, 2.6 and 2.7; those on angles are in test_angles.py."""
 
 from __future__ import annotations
 
@@ -10,33 +10,13 @@ import pytest
 from ch02_vectors import exercises
 from ch02_vectors.vector import Vector3
 from draw import Components, components, direction, number
-from expect import expect_close, expect_error, expect_exactly, expect_nan, expect_unchanged, xyz
+from expect import expect_close, expect_error, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 
 
 def dot(a: Components, b: Components) -> float:
     return math.fsum(p * q for p, q in zip(a, b, strict=True))
-
-
-def two_at_an_angle(rng: Random, angle: float) -> tuple[Components, Components]:
-    """Draw two vectors that enclose this angle: one along u, one at the angle from u towards w."""
-    u, v = direction(rng), direction(rng)
-    along = dot(u, v)
-    rest = [q - along * p for p, q in zip(u, v, strict=True)]
-    length = math.hypot(*rest)
-    if length < 0.1:  # nearly parallel: rounding would turn the angle
-        return two_at_an_angle(rng, angle)
-    w = [number / length for number in rest]
-    first, second = rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
-    cosine, sine = second * math.cos(angle), second * math.sin(angle)
-    a = (first * u[0], first * u[1], first * u[2])
-    b = (
-        cosine * u[0] + sine * w[0],
-        cosine * u[1] + sine * w[1],
-        cosine * u[2] + sine * w[2],
-    )
-    return a, b
 
 
 # 2.1 Magnitude and direction
@@ -79,52 +59,6 @@ def test_split_the_zero_vector() -> None:
     expect_close(f"{call}, the second", xyz(unit), ZERO, cause=cause, read=read)
 
 
-# 2.2a A scalar product and what its sign says
-
-
-@pytest.mark.exercise("2.2a")
-@pytest.mark.parametrize("word", ["acute", "obtuse"])
-def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) -> None:
-    low, high = (0.1, 1.5) if word == "acute" else (1.6, 3.0)
-    a, b = two_at_an_angle(rng, rng.uniform(low, high))
-    call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
-    cause = "a pair is wanted: a . b as it is, not divided by the lengths, and a word"
-    read = "book 2.1.7, Eq. 2.4"
-    product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
-    name = f"{call}, the first"
-    expect_close(name, product, dot(a, b), cause=cause, read=read, tolerance=1e-12)
-    cause = "a positive product means an acute angle, a negative one an obtuse angle"
-    expect_exactly(f"{call}, the second", got, word, cause=cause, read=read)
-
-
-@pytest.mark.exercise("2.2a")
-def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
-    x, y = float(rng.randint(1, 9)), float(rng.randint(1, 9))  # whole, so that nothing is rounded
-    call = f"scalar_product_and_angle(Vector3({x}, {y}, 0), Vector3({-y}, {x}, 3))"
-    cause = "the products cancel: a . b = 0, and cos t = 0 at a right angle"
-    read = "book 2.1.7, Eq. 2.4"
-    a, b = Vector3(x, y, 0.0), Vector3(-y, x, 3.0)
-    product, got = exercises.scalar_product_and_angle(a, b)
-    expect_close(f"{call}, the first", product, 0.0, cause=cause, read=read)
-    expect_exactly(f"{call}, the second", got, "right", cause=cause, read=read)
-
-
-@pytest.mark.exercise("2.2a", weight=0.5)
-def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
-    call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
-    cause = "NaN is neither positive nor negative nor zero: raise ValueError, do not say a word"
-    read = "the docstring of scalar_product_and_angle"
-    good = Vector3(1.0, 2.0, 3.0)
-    expect_error(
-        call,
-        lambda: exercises.scalar_product_and_angle(Vector3(math.nan, 0.0, 0.0), good),
-        ValueError,
-        allowed=lambda: exercises.scalar_product_and_angle(good, good),
-        cause=cause,
-        read=read,
-    )
-
-
 # 2.4 The component that makes two vectors perpendicular
 
 
@@ -165,111 +99,6 @@ def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
         cause=cause,
         read=read,
     )
-
-
-# 2.5 The angle between two vectors, in two ways
-
-
-@pytest.mark.exercise("2.5")
-def test_the_angles_of_the_book() -> None:
-    a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
-    call = "angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
-    cause = "135 degrees, in radians: divide by both lengths, and keep the sign of the product"
-    read = "book 2.1.7 and 2.1.8"
-    got = exercises.angle_by_scalar_product(a, b)
-    expect_close(call, got, 0.75 * math.pi, cause=cause, read=read)
-    call = "angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
-    cause = "45 and 135 degrees have the same sine: a pair of both, in radians, the smaller first"
-    angles = exercises.angles_by_vector_product(a, b)
-    wanted = (0.25 * math.pi, 0.75 * math.pi)
-    expect_close(call, angles, wanted, cause=cause, read=read)
-
-
-@pytest.mark.exercise("2.5")
-@pytest.mark.parametrize("kind", ["acute", "obtuse"])
-def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
-    angle = rng.uniform(0.3, 1.4) if kind == "acute" else rng.uniform(1.7, 2.8)
-    a, b = two_at_an_angle(rng, angle)
-    v, w = Vector3(*a), Vector3(*b)
-    call = f"v, w = Vector3{a}, Vector3{b}; angle_by_scalar_product(v, w)"
-    cause = "cos t is the product divided by both lengths; the angle is in radians"
-    read = "book 2.1.7, Eq. 2.4"
-    got = exercises.angle_by_scalar_product(v, w)
-    # Rounding is divided by sin t, 0.3 at the least, and drawing the vectors adds its own.
-    expect_close(call, got, angle, cause=cause, read=read, tolerance=1e-12)
-    expect_unchanged(call, "v", xyz(v), a, read=read)
-    expect_unchanged(call, "w", xyz(w), b, read=read)
-
-
-@pytest.mark.exercise("2.5")
-@pytest.mark.parametrize("kind", ["acute", "obtuse"])
-def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
-    angle = rng.uniform(0.3, 1.4) if kind == "acute" else rng.uniform(1.7, 2.8)
-    a, b = two_at_an_angle(rng, angle)
-    v, w = Vector3(*a), Vector3(*b)
-    call = f"v, w = Vector3{a}, Vector3{b}; angles_by_vector_product(v, w)"
-    cause = "sin t is |v x w| divided by both lengths, t and pi - t share it, and both are wanted "
-    cause += "in radians; the root of 1 - (v . w)^2 is right for unit vectors only (E-15)"
-    read = "book 2.1.8, Eq. 2.6, and errata.md"
-    got = exercises.angles_by_vector_product(v, w)
-    wanted = (min(angle, math.pi - angle), max(angle, math.pi - angle))
-    # Rounding is divided by |cos t|, 0.12 at the least, and drawing the vectors adds its own.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
-    expect_unchanged(call, "v", xyz(v), a, read=read)
-    expect_unchanged(call, "w", xyz(w), b, read=read)
-
-
-@pytest.mark.exercise("2.5")
-def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None:
-    # 40 pairs: for many of them rounding leaves a cosine, or a sine, of just more than 1.
-    cause = "rounding can leave just more than 1, which math.acos and math.asin refuse: clamp it"
-    read = "the hints of exercise 2.5"
-    for _ in range(40):
-        a, scale = components(rng), rng.uniform(0.1, 9.0)
-        for size, angle in ((scale, 0.0), (-scale, math.pi)):
-            b = (a[0] * size, a[1] * size, a[2] * size)
-            call = f"angle_by_scalar_product(Vector3{a}, Vector3{b})"
-            got = exercises.angle_by_scalar_product(Vector3(*a), Vector3(*b))
-            # Near 0 and pi acos turns a rounding of 1e-16 into its root, 1e-8.
-            expect_close(call, got, angle, cause=cause, read=read, tolerance=1e-7)
-        c = (a[1], -a[0], 0.0)
-        call = f"angles_by_vector_product(Vector3{a}, Vector3{c})"
-        both = exercises.angles_by_vector_product(Vector3(*a), Vector3(*c))
-        right = math.pi / 2.0
-        expect_close(call, both, (right, right), cause=cause, read=read, tolerance=1e-7)
-
-
-@pytest.mark.exercise("2.5")
-@pytest.mark.parametrize("name", ["angle_by_scalar_product", "angles_by_vector_product"])
-def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
-    a = components(rng)
-    function = getattr(exercises, name)
-    zero = Vector3(0.0, 0.0, 0.0)
-
-    def right_angle() -> object:
-        return function(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0))
-
-    cause = "a zero vector points nowhere: raise ValueError, do not return some angle"
-    read = f"the docstring of {name}"
-    for call, attempt in (
-        (f"{name}(Vector3{a}, Vector3(0, 0, 0))", lambda: function(Vector3(*a), zero)),
-        (f"{name}(Vector3(0, 0, 0), Vector3{a})", lambda: function(zero, Vector3(*a))),
-    ):
-        expect_error(call, attempt, ValueError, allowed=right_angle, cause=cause, read=read)
-
-
-@pytest.mark.exercise("2.5", weight=0.5)
-def test_nan_has_no_angle() -> None:
-    lost, good = Vector3(math.nan, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)
-    call = "angle_by_scalar_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
-    cause = "min and max give their first argument where the other is NaN: clamp with NaN in mind"
-    read = "the docstring of angle_by_scalar_product"
-    got = exercises.angle_by_scalar_product(lost, good)
-    expect_nan(call, got, cause=cause, read=read)
-    call = "angles_by_vector_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
-    read = "the docstring of angles_by_vector_product"
-    for angle in exercises.angles_by_vector_product(lost, good):
-        expect_nan(call, angle, cause=cause, read=read)
 
 
 # 2.6 What is left without the projection

@@ -12,7 +12,7 @@ from autograder.manifest import ROOT, Chapter
 from autograder.stubs import make_stubs
 
 STUDENT_TOOLS = {
-    ".": ("Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md"),
+    ".": "Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md",
     "autograder": (
         "__init__.py __main__.py answers.py check.py explain.py make_venv.py manifest.py "
         "runner.py scores.py verdicts.py"
@@ -21,7 +21,7 @@ STUDENT_TOOLS = {
     "tests": "conftest.py draw.py expect.py",
 }
 
-COMPLETE = ("README.md", "chapter.toml", "plots.py")  # all else in a chapter may be somebody's work
+COMPLETE = ("README.md", "plots.py")  # what students do not edit; all else may be somebody's work
 
 README = """\
 # Game physics: {titles}
@@ -59,20 +59,21 @@ def make_handout(
     without_links = re.sub(r"\[(\w+)\]\(tests/[^)]*\)", r"\1", errata)  # those tests stay here
     (out / "errata.md").write_text(without_links, encoding="utf-8", newline="\n")
     stubs = make_stubs(root)
+    for chapter in [*chapters, *given]:
+        source = root / "chapters" / chapter.name
+        complete = [*(source / name for name in COMPLETE), *source.glob("*.png")]
+        _copy(complete, out / "chapters" / chapter.name)
     for chapter in chapters:
         folder = f"chapters/{chapter.name}"
-        complete = (root / folder / name for name in COMPLETE)
-        _copy([*complete, *(root / folder).glob("*.png")], out / folder)
+        _copy([root / folder / "chapter.toml"], out / folder)
         for path, text in stubs.items():
             if path.startswith(folder + "/"):  # made anew: the files here may be somebody's work
                 (out / path).write_text(text, encoding="utf-8", newline="\n")
         tests = root / "tests" / chapter.name
         _copy([*tests.glob("test_*.py"), *tests.glob("probes.py")], out / "tests" / chapter.name)
     for chapter in given:
-        target = out / "chapters" / chapter.name
-        for engine in ("chapters", "solutions"):
-            files = (root / engine / chapter.name).iterdir()
-            _copy((f for f in files if f.name not in ("chapter.toml", "answers.md")), target)
+        modules = (root / "solutions" / chapter.name).glob("*.py")
+        _copy(modules, out / "chapters" / chapter.name)
     titles = ", ".join(chapter.title.lower() for chapter in chapters)
     example = chapters[0].exercises[0].id
     text = README.format(titles=titles, example=example)

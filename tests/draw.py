@@ -1,4 +1,4 @@
-"""Numbers that checks draw from their seed, as plain tuples."""
+"""Numbers that checks draw from their seed, as plain tuples, and their scalar product."""
 
 from __future__ import annotations
 
@@ -26,3 +26,8 @@ def direction(rng: Random) -> Components:
     x, y, z = components(rng)
     length = math.hypot(x, y, z)
     return x / length, y / length, z / length
+
+
+def dot(a: Components, b: Components) -> float:
+    """Return the scalar product of plain numbers, its sum rounded once."""
+    return math.fsum(p * q for p, q in zip(a, b, strict=True))

@@ -9,12 +9,8 @@ import pytest
 
 from ch02_vectors import exercises
 from ch02_vectors.vector import Vector3
-from draw import Components, components, direction
+from draw import Components, components, direction, dot
 from expect import expect_close, expect_error, expect_exactly, expect_nan, expect_unchanged, xyz
-
-
-def dot(a: Components, b: Components) -> float:
-    return math.fsum(p * q for p, q in zip(a, b, strict=True))
 
 
 def two_at_an_angle(rng: Random, angle: float) -> tuple[Components, Components]:

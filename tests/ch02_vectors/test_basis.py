@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
-from draw import Components, components
+from draw import Components, components, dot
 from expect import (
     expect_close,
     expect_error,
@@ -19,10 +19,6 @@ from expect import (
 )
 
 X_AXIS, Y_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
-
-
-def dot(a: Components, b: Components) -> float:
-    return math.fsum(p * q for p, q in zip(a, b, strict=True))
 
 
 def basis_of(a: Components, b: Components) -> list[Components]:

@@ -9,14 +9,10 @@ import pytest
 
 from ch02_vectors import exercises
 from ch02_vectors.vector import Vector3
-from draw import Components, components, direction, number
+from draw import components, direction, dot, number
 from expect import expect_close, expect_error, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
-
-
-def dot(a: Components, b: Components) -> float:
-    return math.fsum(p * q for p, q in zip(a, b, strict=True))
 
 
 # 2.1 Magnitude and direction

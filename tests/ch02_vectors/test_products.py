@@ -11,7 +11,7 @@ import pytest
 
 from ch02_vectors.probes import walk
 from ch02_vectors.vector import Vector3
-from draw import Components, components, number
+from draw import Components, components, dot, number
 from expect import expect_close, expect_error, expect_exactly, expect_nan, expect_unchanged, xyz
 
 
@@ -136,7 +136,7 @@ def test_the_component_products_refuse_what_is_no_vector(rng: Random) -> None:
 def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
-    wanted = math.fsum(p * q for p, q in zip(a, b, strict=True))
+    wanted = dot(a, b)
     call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
     cause = "a number: the three products of components, added up"
     read = "book 2.1.7, Eq. 2.4"
@@ -149,7 +149,7 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
 @pytest.mark.exercise("B2.8")
 def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     a, b = components(rng), components(rng)
-    wanted = math.fsum(p * q for p, q in zip(a, b, strict=True))
+    wanted = dot(a, b)
     call = f"v, w = Vector3{a}, Vector3{b}; v @ w"
     cause = "__matmul__ gives what dot gives"
     read = "book 2.1.7, Eq. 2.4"

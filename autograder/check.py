@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.answers import answered
+from autograder.definitions import functions, own_name
 from autograder.manifest import Chapter, Exercise
 from autograder.runner import Verdict, run_checks, with_needs
 from autograder.scores import Result, results_of, shown, total
@@ -66,19 +67,15 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     Paths below the working folder are given from there; a file that is missing or cannot be read
     is given without a line.
     """
-    module, *path = name.split(".")
+    module, _, path = name.partition(".")
     file = _file(engine, chapter, f"{module}.py")
     try:
-        nodes = ast.parse(file.read_text(encoding="utf-8")).body
+        tree = ast.parse(file.read_text(encoding="utf-8"))
     except (OSError, SyntaxError, ValueError):
         return str(file)
-    line = 1
-    for part in path:
-        for node in nodes:
-            if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and node.name == part:
-                line, nodes = node.lineno, node.body
-                break
-    return f"{file}:{line}"
+    places = {node.name: node.lineno for node in tree.body if isinstance(node, ast.ClassDef)}
+    places |= {name: node.lineno for name, node in functions(tree).items()}
+    return f"{file}:{places.get(path) or places.get(path.partition('.')[0], 1)}"
 
 
 class _Progress:
@@ -190,9 +187,13 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
 def _calls(expression: str, name: str) -> bool:
     """Say whether the expression of a check calls the body of this name."""
-    short = name.rpartition(".")[2]
-    symbol = OPERATORS.get(short)
-    pattern = re.escape(symbol) if symbol else rf"\b{short}\("
+    short = own_name(name)
+    pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
+    if short in OPERATORS:
+        pattern = re.escape(OPERATORS[short])
+    elif short.endswith(".setter"):
+        attribute = short.removesuffix(".setter")
+        pattern = rf"\.{attribute} = |\b{attribute}="
     return re.search(pattern, expression) is not None
 
 

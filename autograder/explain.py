@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import traceback
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
@@ -33,14 +34,19 @@ ESCAPED = re.compile(r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U([0-9a-f]{8}))")  # a
 STACK_LINE = re.compile(r'File "(.+)", line (\d+) in (\S+)')
 
 
-def explain_exception(error: BaseException, engine_folders: list[Path]) -> str:
+def explain_exception(
+    error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
+) -> str:
     """Return what a check that ended with this exception tells the student.
 
     A failed expectation has its own words. For other exceptions: what the check was calling, the
-    exception, the student's line, and the cause that Python or the check suggests.
+    exception, the student's line, and the cause that Python or the check suggests. ``complete``
+    are modules such as ch03_laws_of_motion/arguments.py that the student only calls.
     """
     frames = [*traceback.walk_tb(error.__traceback__)]
     own = [pair for pair in frames if _is_inside(pair[0].f_code.co_filename, engine_folders)]
+    written = [pair for pair in own if not pair[0].f_code.co_filename.endswith(tuple(complete))]
+    own = written or own
     where = ""
     if own:
         code = own[-1][0].f_code

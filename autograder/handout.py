@@ -14,14 +14,12 @@ from autograder.stubs import make_stubs
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py check.py explain.py make_venv.py manifest.py "
-        "runner.py scores.py verdicts.py"
+        "__init__.py __main__.py answers.py check.py definitions.py explain.py make_venv.py "
+        "manifest.py runner.py scores.py verdicts.py"
     ),
     "studies": "__init__.py __main__.py drawing.py plot.py",
     "tests": "conftest.py draw.py expect.py",
 }
-
-COMPLETE = ("README.md", "plots.py")  # what students do not edit; all else may be somebody's work
 
 README = """\
 # Game physics: {titles}
@@ -61,8 +59,8 @@ def make_handout(
     stubs = make_stubs(root)
     for chapter in [*chapters, *given]:
         source = root / "chapters" / chapter.name
-        complete = [*(source / name for name in COMPLETE), *source.glob("*.png")]
-        _copy(complete, out / "chapters" / chapter.name)
+        complete = [source / name for name in ("README.md", *chapter.complete)]
+        _copy([*complete, *source.glob("*.png")], out / "chapters" / chapter.name)
     for chapter in chapters:
         folder = f"chapters/{chapter.name}"
         _copy([root / folder / "chapter.toml"], out / folder)

@@ -30,11 +30,15 @@ class Exercise:
 
 @dataclass(frozen=True)
 class Chapter:
-    """A chapter: its folder name (which is its package), number, title and exercises."""
+    """A chapter: its folder name (which is its package), number, title and exercises.
+
+    ``complete`` are the modules that students use as they are, such as plots.py.
+    """
 
     name: str
     number: int
     title: str
+    complete: list[str]
     exercises: list[Exercise]
 
     @property
@@ -64,7 +68,9 @@ def load_chapter(folder: Path) -> Chapter:
         except tomllib.TOMLDecodeError as error:
             raise ValueError(f"{path}: {error}") from error
     exercises = [_exercise(path, entry) for entry in data.get("exercise", [])]
-    chapter = Chapter(folder.name, int(match[1]), data["title"], exercises)
+    chapter = Chapter(
+        folder.name, int(match[1]), data["title"], data.get("complete", []), exercises
+    )
     _check_needs(path, chapter)
     return chapter
 

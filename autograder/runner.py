@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from autograder.explain import explain_hang
-from autograder.manifest import ROOT, Chapter
+from autograder.manifest import ROOT, Chapter, load_chapters
 
 TIME_LIMIT = 3.0  # seconds for one check, which takes a few milliseconds
 RUN_LIMIT = 90.0  # seconds for all the checks of a chapter
@@ -142,6 +142,7 @@ class _Run:
 
     def _config(self, stack_file: Path) -> str:
         package = self.chapter.name
+        complete = [f"{c.name}/{file}" for c in load_chapters(self.root) for file in c.complete]
         return json.dumps(
             {
                 "root": str(self.root),
@@ -150,6 +151,7 @@ class _Run:
                 "modules": [
                     f"{package}.{file.removesuffix('.py')}" for file in self.chapter.edited_files
                 ],
+                "complete": complete,
                 "exercises": self.wanted,
                 "seed": self.seed,
                 "time_limit": self.time_limit,

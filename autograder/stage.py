@@ -19,9 +19,8 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     for chapter in chapters:
         target = box / chapter.name
         target.mkdir(parents=True)
-        for file in (root / "chapters" / chapter.name).glob("*.py"):
-            if file.name not in chapter.edited_files:
-                shutil.copyfile(file, target / file.name)
+        for name in chapter.complete:
+            shutil.copyfile(root / "chapters" / chapter.name / name, target / name)
         for name in chapter.edited_files:
             file = submission / chapter.name / name
             linked = file.is_symlink() or file.parent.is_symlink()

@@ -18,6 +18,7 @@ from typing import Any
 import libcst as cst
 
 from autograder.answers import blank_answers
+from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 LOCK_NAME = "stubs.lock"
@@ -92,7 +93,7 @@ def stub_module(source: str, messages: dict[str, str]) -> str:
     only those bodies use lose their bodies too; imports and constants that only they use go.
     Raises ValueError where the module does not define a name.
     """
-    defined = _functions(ast.parse(source))
+    defined = functions(ast.parse(source))
     if missing := messages.keys() - defined.keys():
         raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")
     module = cst.parse_module(source)
@@ -114,18 +115,6 @@ def _messages(chapter: Chapter, file: str) -> dict[str, str]:
         for name in exercise.edit
         if name.startswith(prefix)
     }
-
-
-def _functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
-    """Return every top-level function and every method, by its dotted name."""
-    found = {}
-    for node in tree.body:
-        if isinstance(node, ast.FunctionDef):
-            found[node.name] = node
-        elif isinstance(node, ast.ClassDef):
-            members = (member for member in node.body if isinstance(member, ast.FunctionDef))
-            found |= {f"{node.name}.{member.name}": member for member in members}
-    return found
 
 
 def _helpers_of(
@@ -174,9 +163,12 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
         if isinstance(node, cst.ClassDef):
             members = [changed(member, f"{node.name.value}.") for member in node.body.body]
             return node.with_changes(body=node.body.with_changes(body=members))
-        if not isinstance(node, cst.FunctionDef) or prefix + node.name.value not in bodies:
+        if not isinstance(node, cst.FunctionDef):
             return node
-        body: list[Any] = [*cst.parse_module(bodies[prefix + node.name.value]).body]
+        (name,) = functions(ast.parse(cst.Module([node]).code))
+        if prefix + name not in bodies:
+            return node
+        body: list[Any] = [*cst.parse_module(bodies[prefix + name]).body]
         if node.get_docstring() is not None:
             body.insert(0, node.body.body[0])
         return node.with_changes(body=cst.IndentedBlock(body))
@@ -186,7 +178,9 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
 
 def _tidied(source: str) -> str:
     """Let ruff take out the imports that are no longer used, and the holes."""
-    for arguments in (["check", "--fix", "--select", "F401,I", "--quiet", "-"], ["format", "-"]):
+    one_line = "lint.isort.split-on-trailing-comma=false"  # where the imports that are left fit
+    unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
+    for arguments in (unused, ["format", "-"]):
         command = [sys.executable, "-m", "ruff", *arguments]
         source = subprocess.run(
             command, input=source, capture_output=True, encoding="utf-8", check=True, cwd=ROOT

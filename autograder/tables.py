@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from autograder.definitions import own_name
 from autograder.manifest import Chapter
 
 BEGIN = "<!-- exercises: `make stubs` writes this table from chapter.toml -->"
@@ -15,8 +16,7 @@ def exercise_table(chapter: Chapter) -> str:
     rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
     rows.append("|---|---|---|---|---|---|---|")
     for exercise in chapter.exercises:
-        names = [name.rpartition(".")[2] for name in exercise.edit]
-        places = ", ".join(f"`{name}`" for name in names) or "`answers.md`"
+        places = ", ".join(f"`{own_name(name)}`" for name in exercise.edit) or "`answers.md`"
         stars, needs = "\\*" * exercise.stars, ", ".join(exercise.needs)
         rows.append(
             f"| {exercise.id} | {exercise.title} | {exercise.kind} | {stars} | {exercise.points} "

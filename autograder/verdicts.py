@@ -112,7 +112,7 @@ class Recorder:
             if isinstance(error, pytest.fail.Exception):
                 message = str(error)
             else:
-                message = explain_exception(error, self.engine_folders)
+                message = explain_exception(error, self.engine_folders, self.config["complete"])
             if printed := report.capstdout.strip():
                 message += f"\nprinted   {printed[:2000]}"
             self.report(event="verdict", name=item.name, status=status, message=message)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -106,3 +107,10 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
     axes.set_box_aspect((1, 1, 1))
     axes.view_init(elev=22, azim=35)
     return axes
+
+
+def slope(x: Sequence[float], y: Sequence[float]) -> float:
+    """Return the slope of y over x on logarithmic axes, by least squares; NaN where one is zero."""
+    if not all(value > 0.0 for value in (*x, *y)):
+        return math.nan
+    return statistics.linear_regression([*map(math.log, x)], [*map(math.log, y)]).slope

@@ -20,6 +20,7 @@ class Wrong:
     edit: str
     body: str
     loses: list[str] = field(default_factory=list)
+    opens: str = ""  # the body that the screen sends the student to, where it is another one
 
 
 def read_wrong(chapter: Chapter) -> list[Wrong]:

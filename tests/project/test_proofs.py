@@ -87,7 +87,7 @@ def test_a_wrong_submission_loses_exactly_its_checks(
     first = next(verdict for verdict in failed if verdict.exercise == exercise.id)
     assert "likely    " in first.message
     assert "read      " in first.message
-    place = find_definition(engine_with(tmp_path), chapter, wrong.edit)
+    place = find_definition(engine_with(tmp_path), chapter, wrong.opens or wrong.edit)
     assert next_place(engine_with(tmp_path), chapter, exercise, first) == place
 
 

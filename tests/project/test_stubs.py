@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from autograder.definitions import functions
 from autograder.manifest import ROOT, load_chapters
 from autograder.stubs import make_stubs, read_lock, stale_stubs, stub_hash, stub_module, write_stubs
 from autograder.tables import with_table
@@ -63,15 +64,11 @@ def test_a_stub_can_be_imported_and_holds_no_answer(path: str, tmp_path: Path) -
     code = f"import sys, runpy; sys.path.insert(0, {solutions!r}); runpy.run_path({str(file)!r})"
     subprocess.run([sys.executable, "-c", code], check=True)
     chapter = next(chapter for chapter in load_chapters() if chapter.name == Path(path).parent.name)
-    bodies = {
-        node.name: node.body
-        for node in ast.walk(ast.parse(STUBS[path]))
-        if isinstance(node, ast.FunctionDef)
-    }
+    defined = functions(ast.parse(STUBS[path]))
     for exercise in chapter.exercises:
         for name in exercise.edit:
             if name.startswith(file.stem + "."):
-                docstring, *rest = bodies[name.rpartition(".")[2]]
+                docstring, *rest = defined[name.removeprefix(file.stem + ".")].body
                 assert ast.unparse(docstring).startswith(("'", '"')), f"{name} has no docstring"
                 wanted = f"raise NotImplementedError('Exercise {exercise.id}: {exercise.title}')"
                 assert [ast.unparse(node) for node in rest] == [wanted]

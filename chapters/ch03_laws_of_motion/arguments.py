@@ -1,0 +1,55 @@
+"""Look at what comes in from outside: a value that means nothing is refused by name.
+
+Each function returns what it was given, as a float or a copy, where it may be used. Otherwise it
+raises ValueError, or TypeError for another kind of thing, with the argument's name and value. A NaN
+compares false with everything, so each asks for what is wanted and refuses the rest.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+
+
+def finite(name: str, value: float) -> float:
+    """Return a number that is neither infinite nor NaN."""
+    if not (isinstance(value, (int, float)) and -math.inf < value < math.inf):
+        raise _refusal(name, value, "finite")
+    return float(value)
+
+
+def not_negative(name: str, value: float) -> float:
+    """Return a finite number that is zero or more."""
+    if not (isinstance(value, (int, float)) and 0.0 <= value < math.inf):
+        raise _refusal(name, value, "finite and not negative")
+    return float(value)
+
+
+def positive(name: str, value: float) -> float:
+    """Return a finite number above zero."""
+    if not (isinstance(value, (int, float)) and 0.0 < value < math.inf):
+        raise _refusal(name, value, "positive and finite")
+    return float(value)
+
+
+def positive_or_infinite(name: str, value: float) -> float:
+    """Return a number above zero, which math.inf is too."""
+    if not (isinstance(value, (int, float)) and 0.0 < value):
+        raise _refusal(name, value, "positive")
+    return float(value)
+
+
+def finite_vector(name: str, v: Vector3) -> Vector3:
+    """Return a copy of a vector whose components are all finite."""
+    if not isinstance(v, Vector3):
+        raise TypeError(f"{name} must be a Vector3, got {v!r}")
+    if not (math.isfinite(v.x) and math.isfinite(v.y) and math.isfinite(v.z)):
+        raise ValueError(f"{name} must have finite components, got {v!r}")
+    return v.copy()
+
+
+def _refusal(name: str, value: object, wanted: str) -> Exception:
+    if not isinstance(value, (int, float)):
+        return TypeError(f"{name} must be a number, got {value!r}")
+    return ValueError(f"{name} must be {wanted}, got {value!r}")

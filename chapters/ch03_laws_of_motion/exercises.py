@@ -1,0 +1,122 @@
+"""The exercises of the book's chapter 3, as functions of their data; 3.3 is in particle.py.
+
+None of them changes the vectors it is given. Numbers that mean nothing are a ValueError, other
+kinds of things a TypeError.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ch02_vectors.vector import Vector3
+
+
+def speed_ratio(first_mass: float, second_mass: float) -> float:
+    """Exercise 3.1: return how many times the speed of the second particle the first one has.
+
+    Both start at rest, and the same force acts on both for the same time. Masses in kg.
+
+    Raises ValueError where a mass is not positive and finite.
+
+    >>> speed_ratio(2.0, 1.0)  # 2 m and m
+    0.5
+    """
+    raise NotImplementedError("Exercise 3.1: The same force on two masses")
+
+
+def gravity_between(first_mass: float, second_mass: float, distance: float) -> float:
+    """Exercise 3.2: return the force in N by which two masses attract each other (Eq. 3.3).
+
+    With the book's G = 6.67428e-11 N m^2/kg^2; masses in kg, distance in m.
+
+    Raises ValueError where one of the three is not positive and finite.
+
+    >>> force = gravity_between(100.0, 100.0, 1.0)
+    >>> f"{force:.6g}"
+    '6.67428e-07'
+    """
+    raise NotImplementedError("Exercise 3.2: Gravity between two people")
+
+
+def position_by_equation(
+    position: Vector3, velocity: Vector3, acceleration: Vector3, time: float
+) -> Vector3:
+    """Exercise 3.4a: return the position under a constant acceleration, as new (Eq. 2.9).
+
+    p' = p + v t + a t^2 / 2, in m, m/s, m/s^2 and s.
+
+    Raises ValueError where the time in s is not positive and finite. The start and two of the three
+    components of the acceleration are ours, in these examples and those below.
+
+    >>> position_by_equation(Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5), 5)
+    Vector3(-18.0, 12.5, 15.25)
+    """
+    raise NotImplementedError("Exercise 3.4a: A position by equation")
+
+
+def state_by_steps(
+    position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
+) -> tuple[Vector3, Vector3]:
+    """Exercise 3.4b, with (c): return position and velocity after steps of one duration each.
+
+    A step is Eq. 2.7 and then Eq. 2.8, without damping: what Particle.integrate does.
+
+    Raises ValueError where the duration in s is not positive and finite, or the steps are below 1.
+
+    >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
+    >>> state_by_steps(p, v, a, 1, steps=1)
+    (Vector3(3.0, 4.0, 1.0), Vector3(-1.0, 0.0, 2.5))
+    >>> state_by_steps(p, v, a, 1, steps=5)
+    (Vector3(-13.0, 10.0, 14.0), Vector3(-9.0, 4.0, 4.5))
+    """
+    raise NotImplementedError("Exercise 3.4b: The same in steps")
+
+
+def stepping_error(
+    position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
+) -> Vector3:
+    """Exercise 3.4d: return by how much the stepped position is off: stepped minus exact.
+
+    Arguments and errors as in state_by_steps. It is -a t h / 2, for steps of h seconds that last
+    t seconds in all.
+
+    >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
+    >>> stepping_error(p, v, a, 1, steps=5)
+    Vector3(5.0, -2.5, -1.25)
+    """
+    raise NotImplementedError("Exercise 3.4d: The error of the steps")
+
+
+def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[float]:
+    """Exercise 3.5a: return durations of frames in s, random about a mean, that fill a total time.
+
+    Each is drawn evenly from mean (1 - jitter) to mean (1 + jitter), all but the last, which is cut
+    so that the sum is the total, to rounding. The same seed gives the same frames.
+
+    Raises ValueError where the mean or the total is not positive and finite, or the jitter is not
+    from 0 up to but not including 1.
+
+    >>> random_frames(0.25, 0.0, 1.0, seed=7)
+    [0.25, 0.25, 0.25, 0.25]
+    """
+    raise NotImplementedError("Exercise 3.5a: Frames of random length")
+
+
+def damping_difference(
+    velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
+) -> float:
+    """Exercise 3.5b: return how far apart the two equations for damping end, as a mean over runs.
+
+    A run is a list of durations in s. In each run two particles start with the same velocity in
+    m/s; in every frame one follows Eq. 3.5 and the other Eq. 3.6, with the same damping. The
+    distance between their velocities at the end, in m/s, is averaged over the runs.
+
+    Raises ValueError where there is no run, where the damping is negative or not finite, or where a
+    duration is not positive and finite.
+
+    >>> gravity = Vector3(0, -10, 0)
+    >>> difference = damping_difference(Vector3(), gravity, 0.99, [[0.5, 0.5], [0.25] * 4])
+    >>> round(difference, 6)
+    0.068181
+    """
+    raise NotImplementedError("Exercise 3.5b: How far apart the two equations end")

@@ -1,0 +1,154 @@
+"""Pictures of chapter 3, drawn with the particle of the engine at hand: make plot CH=3.
+
+Titles give what is measured on the picture: a wrong engine cannot hide.
+"""
+
+from __future__ import annotations
+
+import math
+
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
+from ch03_laws_of_motion.exercises import random_frames
+from ch03_laws_of_motion.particle import Particle
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, Picture, numbers, slope
+from studies.scenes import AT_REST, FREE_FALL, GRAVITY, PROJECTILE, Scene, with_particle
+
+KEPT = 0.5  # the damping per second of the comparison
+TUNED_AT = 60.0  # frames a second, at which the damping per frame is made to take as much
+RATES = (15, 20, 30, 45, 60, 90, 120, 180, 240)
+JITTER = 0.3
+RUNS = 20
+FORMS = (
+    ("Eq. 3.5, v d + a h, set at 60 Hz", ORANGE, "s-"),
+    ("Eq. 3.6, v d^h + a h", BLUE, "^-"),
+    ("the engine, (v + a h) d^h", BLACK, "o-"),
+)
+
+
+def damping_comparison() -> Picture:
+    """What each equation takes from a fall of a second, over the frame rate (exercise 3.5)."""
+    fall = Scene("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
+    undamped = -GRAVITY[1] * fall.duration
+    exact = 1.0 + fall.exact(fall.duration).velocity[1] / undamped
+    rows = [(rate, *_losses(rate, undamped), exact) for rate in RATES]
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
+    for column, (label, color, style) in enumerate(FORMS, 1):
+        lost = [100.0 * row[column] for row in rows]
+        left.plot(RATES, lost, style, color=color, ms=5, label=label)
+        if column > 1:
+            off = [100.0 * (row[column] - exact) for row in rows]
+            right.plot(RATES, off, style, color=color, ms=5, label=label)
+    left.axhline(100.0 * exact, color=GREY, lw=5, alpha=0.5, label="exact, dv/dt = a + v ln d")
+    _frame_rates(left)
+    left.set(ylabel="velocity lost in a second of fall, %", ylim=(0, 100))
+    left.legend(fontsize=9)
+    left.set_title(
+        "What Eq. 3.5 takes depends on the frame rate:\n"
+        f"{100.0 * rows[0][1]:.0f} % at 15 Hz, {100.0 * rows[-1][1]:.0f} % at 240 Hz"
+    )
+    for sign in (1.0, -1.0):
+        # To first order in h the two forms are off by k h / 2 of the velocity that is left.
+        theory = [sign * 50.0 * (1.0 - exact) * -math.log(KEPT) / rate for rate in RATES]
+        label = "" if sign < 0.0 else "theory, (1 - loss) h ln d / 2, both signs"
+        right.plot(RATES, theory, color=GREY, lw=5, alpha=0.5, label=label)
+    _frame_rates(right)
+    right.set(ylabel="loss minus exact loss, %", ylim=(-3.5, 3.5))
+    right.legend(fontsize=9)
+    orders = [-slope(RATES, [abs(row[column] - exact) for row in rows]) for column in (2, 3)]
+    right.set_title(
+        "Eq. 3.6 and the engine miss the exact loss to two sides,\n"
+        "by h to the power {:.2f} and {:.2f}".format(*orders)
+    )
+    return Picture(figure, ("frame rate, Hz", *(form[0] for form in FORMS), "exact"), rows)
+
+
+def integration_error() -> Picture:
+    """The error of the step over the length of a frame, in a free fall (exercise 3.4)."""
+    counts = (10, 20, 50, 100, 200, 500, 1000, 3000)
+    time, g = FREE_FALL.duration, -GRAVITY[1]
+    rows = []
+    for frames in counts:
+        h = time / frames
+        end = with_particle(FREE_FALL, h, frames)[-1]
+        error = math.dist(end.position, FREE_FALL.exact(time).position)
+        rows.append((h, error, g * time * h / 2.0))
+    lengths, errors, theory = zip(*rows, strict=True)
+    figure, axes = pyplot.subplots(figsize=(6.4, 5), layout="constrained")
+    axes.loglog(lengths, theory, color=GREY, lw=5, alpha=0.5, label="theory, g t h / 2")
+    axes.loglog(lengths, errors, "o-", color=BLACK, ms=5, label="Particle.integrate")
+    axes.set(xlabel="length of a frame h, s", ylabel=f"error of the position after {time:g} s, m")
+    axes.grid(alpha=0.3, which="both")
+    axes.legend()
+    at_60 = math.dist(
+        with_particle(FREE_FALL, 1 / 60, 300)[-1].position, FREE_FALL.exact(time).position
+    )
+    axes.set_title(
+        f"The error goes as h to the power {slope(lengths, errors):.3f}:\n"
+        f"{at_60:.3f} m at 60 frames a second"
+    )
+    return Picture(figure, ("h, s", "error, m", "g t h / 2, m"), rows)
+
+
+def trajectories() -> Picture:
+    """A throw with and without damping, in long frames, beside the exact paths."""
+    frame = 0.1
+    frames = round(PROJECTILE.duration / frame)
+    undamped = Scene("projectile", PROJECTILE.start, GRAVITY, 1.0, PROJECTILE.duration)
+    figure, axes = pyplot.subplots(figsize=(8, 4), layout="constrained")
+    rows, gaps = [], []
+    for scene, color, mark in ((undamped, BLUE, "o"), (PROJECTILE, ORANGE, "s")):
+        stepped = [state.position for state in with_particle(scene, frame, frames)]
+        exact = [scene.exact(i * frame).position for i in range(frames + 1)]
+        label = f"d = {scene.damping:g}"
+        axes.plot([x for x, _, _ in exact], [y for _, y, _ in exact], color=color, label=label)
+        points = ([x for x, _, _ in stepped], [y for _, y, _ in stepped])
+        axes.plot(*points, mark, color=color, ms=4, label=f"{label}, in steps of {frame} s")
+        gaps.append(max(math.dist(p, q) for p, q in zip(stepped, exact, strict=True)))
+        rows += [
+            (scene.damping, i * frame, *p[:2], *q[:2])
+            for i, (p, q) in enumerate(zip(stepped, exact, strict=True))
+        ]
+    axes.axhline(0.0, color=GREEN, lw=1)
+    axes.set(xlabel="x, m", ylabel="y, m", aspect="equal")
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=9)
+    axes.set_title(
+        f"In steps of {frame} s a throw strays from its exact path:\n"
+        f"by {gaps[0]:.2f} m without damping, by {gaps[1]:.2f} m with it"
+    )
+    columns = ("damping", "time, s", "x, m", "y, m", "exact x, m", "exact y, m")
+    return Picture(figure, columns, rows)
+
+
+PLOTS = (damping_comparison, integration_error, trajectories)
+
+
+def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
+    """Return the share of the velocity that three forms of damping take from a second's fall.
+
+    The frames are random about 1 / rate; the shares are averaged over runs.
+    """
+    gravity = Vector3(*GRAVITY)
+    per_frame = KEPT ** (1.0 / TUNED_AT)
+    sums = [0.0, 0.0, 0.0]
+    for seed in range(RUNS):
+        by_frame = by_second = Vector3()
+        particle = Particle(acceleration=gravity, damping=KEPT)
+        for h in random_frames(1.0 / rate, JITTER, 1.0, seed):
+            by_frame = damp_per_frame(by_frame, gravity, per_frame, h)
+            by_second = damp_per_second(by_second, gravity, KEPT, h)
+            particle.integrate(h)
+        for i, v in enumerate((by_frame, by_second, particle.velocity)):
+            sums[i] += 1.0 + numbers(v)[1] / undamped
+    return sums[0] / RUNS, sums[1] / RUNS, sums[2] / RUNS
+
+
+def _frame_rates(axes: Axes) -> None:
+    axes.set(xscale="log", xlabel="frames a second, each up to 30 % shorter or longer")
+    axes.set_xticks(RATES, [str(rate) for rate in RATES])
+    axes.minorticks_off()
+    axes.grid(alpha=0.3)

@@ -1,0 +1,154 @@
+"""A particle: a point with a mass that moves by Newton's laws (book chapter 3).
+
+Units are SI: m, m/s, m/s^2, kg, s, J, kg m/s.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.arguments import (
+    finite_vector,
+    not_negative,
+    positive,
+    positive_or_infinite,
+)
+
+
+class Particle:
+    """A point mass with a position, a velocity and a constant acceleration, such as gravity.
+
+    ``position``, ``velocity`` and ``acceleration`` are vectors, zero where none is given. What is
+    assigned to them is copied, so two particles never share one, and must be finite: ValueError
+    names the one that is not, TypeError what is no Vector3. Their components may be changed one by
+    one, as in ``particle.velocity.y = 3.0``, and are then yours to keep finite.
+
+    ``damping`` is the share of the velocity that is kept per second: 1 keeps all of it.
+    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves.
+    """
+
+    __slots__ = ("_damping", "_frame", "_inverse_mass", "acceleration", "position", "velocity")
+
+    position: Vector3
+    velocity: Vector3
+    acceleration: Vector3
+
+    def __init__(
+        self,
+        position: Vector3 | None = None,
+        velocity: Vector3 | None = None,
+        acceleration: Vector3 | None = None,
+        *,
+        mass: float = 1.0,
+        damping: float = 1.0,
+    ) -> None:
+        self.position = Vector3() if position is None else position
+        self.velocity = Vector3() if velocity is None else velocity
+        self.acceleration = Vector3() if acceleration is None else acceleration
+        self._frame = [math.nan, 1.0]  # the last duration, and what damping keeps of v in it
+        self.mass = mass
+        self.damping = damping
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Set an attribute; of the three vectors keep a copy, after a look at it."""
+        if name in ("position", "velocity", "acceleration"):
+            value = finite_vector(name, value)
+        object.__setattr__(self, name, value)
+
+    @property
+    def mass(self) -> float:
+        """The mass in kg, above 0; math.inf for an immovable particle (3.2)."""
+        return 1.0 / self._inverse_mass if self._inverse_mass else math.inf
+
+    @mass.setter
+    def mass(self, mass: float) -> None:
+        """Set the mass. Raises ValueError where it is not positive; math.inf is.
+
+        Raises TypeError for what is no number, as every setter here does.
+        """
+        self.inverse_mass = 1.0 / positive_or_infinite("mass", mass)
+
+    @property
+    def inverse_mass(self) -> float:
+        """1 / mass in 1/kg, which the engine keeps: 0 for an immovable particle (3.2)."""
+        return self._inverse_mass
+
+    @inverse_mass.setter
+    def inverse_mass(self, inverse_mass: float) -> None:
+        """Set the inverse mass. Raises ValueError where it is negative or not finite."""
+        self._inverse_mass = not_negative("inverse_mass", inverse_mass)
+
+    @property
+    def has_finite_mass(self) -> bool:
+        """Whether the particle can be moved at all: True unless its mass is infinite."""
+        return self._inverse_mass > 0.0
+
+    @property
+    def damping(self) -> float:
+        """The share d of the velocity that is kept per second (Eq. 3.6)."""
+        return self._damping
+
+    @damping.setter
+    def damping(self, damping: float) -> None:
+        """Set the damping. Raises ValueError where it is negative or not finite."""
+        self._damping = not_negative("damping", damping)
+        self._frame[0] = math.nan  # equal to no duration: the next step works the share out anew
+
+    def kinetic_energy(self) -> float:
+        """Exercise 3.3: return m |v|^2 / 2 in J.
+
+        An immovable particle has none, since it does not move.
+        """
+        if not self.has_finite_mass:
+            return 0.0
+        return 0.5 * self.mass * self.velocity.squared_magnitude()
+
+    def momentum(self) -> Vector3:
+        """Return m v in kg m/s, as new: what stays constant without a force (3.2).
+
+        An immovable particle has none, since it does not move.
+        """
+        if not self.has_finite_mass:
+            return Vector3()
+        return self.velocity * self.mass
+
+    @property
+    def last_acceleration(self) -> Vector3:
+        """All of the acceleration of the last step, as new; so far that is the constant one."""
+        return self.acceleration.copy()
+
+    def integrate(self, duration: float) -> None:
+        """Move the particle on by a duration in s, the length of a frame: explicit Euler (3.3.2).
+
+        First the position, with the velocity from before the step: p' = p + v h (Eq. 2.7; the
+        term a h^2 / 2 is left out on purpose). Then the velocity, damped after the acceleration is
+        added: v' = (v + a h) d^h, the form of the book's listing. Its Eq. 3.6 has v d^h + a h
+        (E-16). The book calls this order of steps by another name (E-17).
+
+        An immovable particle stays as it is. Raises ValueError where the duration is not positive
+        and finite; the particle is then as it was.
+        """
+        frame = self._frame
+        last, keep = frame
+        if duration != last:  # mostly it is the last one again, which saves question and power
+            if not (type(duration) is float and 0.0 < duration < math.inf):
+                positive("duration", duration)  # takes an int too, and refuses the rest by name
+            keep = self._damping**duration
+            frame[0], frame[1] = duration, keep
+        if not self._inverse_mass:
+            return
+        # Plain floats: the same step with the operators of Vector3 takes eight times as long.
+        position = self.position
+        velocity = self.velocity
+        acceleration = self.acceleration
+        vx = velocity.x
+        vy = velocity.y
+        vz = velocity.z
+        position.x += vx * duration
+        position.y += vy * duration
+        position.z += vz * duration
+        velocity.x = (vx + acceleration.x * duration) * keep
+        velocity.y = (vy + acceleration.y * duration) * keep
+        velocity.z = (vz + acceleration.z * duration) * keep

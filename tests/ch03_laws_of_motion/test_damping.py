@@ -1,0 +1,321 @@
+"""The two equations for damping (B3.3) and the exercise that compares them (3.5)."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion import damping as forms
+from ch03_laws_of_motion import exercises
+from draw import components
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+
+NAN = "NaN compares false with everything: ask for what is wanted, and refuse the rest"
+
+
+def draw_damping(rng: Random) -> float:
+    """Draw a damping that takes enough for each mistake to show."""
+    return round(rng.uniform(0.3, 0.9), 3)
+
+
+# B3.3 Two equations for damping
+
+
+@pytest.mark.exercise("B3.3")
+def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) -> None:
+    v, a, d = components(rng), components(rng), draw_damping(rng)
+    cause = "v' = v d + a h: the share d, however long the frame; the acceleration is not damped"
+    read = "book 3.3, Eq. 3.5"
+    for h in (0.1, 0.7):
+        call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
+        got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
+        wanted = tuple(v[i] * d + a[i] * h for i in range(3))
+        expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.3")
+def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None:
+    v, d = components(rng), draw_damping(rng)
+    cause = "without an acceleration v' = v d^h: a frame of h seconds keeps d^h"
+    read = "book 3.3, Eq. 3.6"
+    for h in (0.25, 1.0, 2.0):
+        call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
+        got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
+        wanted = tuple(v[i] * d**h for i in range(3))
+        expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.3")
+def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> None:
+    v, a, d = components(rng), components(rng), draw_damping(rng)
+    call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
+    cause = "v' = v d^h + a h: that is Eq. 3.6; the listing's form belongs into integrate (E-16)"
+    read = "book 3.3, Eq. 3.6"
+    got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
+    wanted = tuple(v[i] * math.sqrt(d) + a[i] * 0.5 for i in range(3))
+    expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.3")
+def test_both_equations_give_a_new_vector(rng: Random) -> None:
+    first, second = components(rng), components(rng)
+    cause = "a new vector is wanted: v *= d would change the caller's velocity"
+    read = "the head of damping.py"
+    for name in ("damp_per_frame", "damp_per_second"):
+        call = f"v, a = Vector3{first}, Vector3{second}; {name}(v, a, 0.5, 2.0)"
+        v, a = Vector3(*first), Vector3(*second)
+        result = getattr(forms, name)(v, a, 0.5, 2.0)
+        expect_unchanged(call, "v", xyz(v), first, cause=cause, read=read)
+        expect_unchanged(call, "a", xyz(a), second, cause=cause, read=read)
+        kept = {"damp_per_frame": 0.5, "damp_per_second": 0.25}[name]
+        wanted = tuple(first[i] * kept + second[i] * 2.0 for i in range(3))
+        expect_close(call, xyz(result), wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.3", weight=0.5)
+@pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
+@pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
+def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
+    call = f"{name}(Vector3(1, 2, 3), Vector3(), 0.5, {bad})"
+    cause = NAN if math.isnan(bad) else "positive of arguments.py refuses it in one line"
+    read = f"the docstring of {name}"
+    function = getattr(forms, name)
+    expect_error(
+        call,
+        lambda: function(Vector3(1, 2, 3), Vector3(), 0.5, bad),
+        ValueError,
+        allowed=lambda: function(Vector3(1, 2, 3), Vector3(), 0.5, 1.0),
+        cause=cause,
+        read=read,
+    )
+
+
+@pytest.mark.exercise("B3.3", weight=0.5)
+@pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
+@pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
+def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
+    call = f"{name}(Vector3(1, 2, 3), Vector3(), {bad}, 0.5)"
+    cause = NAN if math.isnan(bad) else "not_negative of arguments.py refuses it in one line"
+    read = f"the docstring of {name}"
+    function = getattr(forms, name)
+    expect_error(
+        call,
+        lambda: function(Vector3(1, 2, 3), Vector3(), bad, 0.5),
+        ValueError,
+        allowed=lambda: function(Vector3(1, 2, 3), Vector3(), 0.0, 0.5),
+        cause=cause,
+        read=read,
+    )
+
+
+# 3.5a Frames of random length
+
+
+def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float]:
+    """Return the frames as plain floats."""
+    call = f"random_frames({mean}, {jitter}, {total}, {seed})"
+    cause = "a list of durations, each a float"
+    read = "the docstring of random_frames"
+    frames: Any = exercises.random_frames(mean, jitter, total, seed)
+    plain = isinstance(frames, (list, tuple)) and all(type(frame) is float for frame in frames)
+    expect_exactly(f"are all of {call} floats?", plain, True, cause=cause, read=read)
+    return list(frames)
+
+
+@pytest.mark.exercise("3.5a")
+def test_the_frames_fill_the_total_time(rng: Random) -> None:
+    cause = "the last frame is cut to what is left of the total"
+    read = "the docstring of random_frames"
+    for mean, total in ((round(rng.uniform(0.01, 0.03), 4), 2.0), (0.1, 1.0), (0.3, 0.2)):
+        seed = rng.randrange(1000)
+        call = f"sum(random_frames({mean}, 0.4, {total}, {seed}))"
+        frames = frames_of(mean, 0.4, total, seed)
+        # Some 200 additions, each rounded.
+        got = math.fsum(frames)
+        expect_close(call, got, total, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("3.5a")
+def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
+    seed = rng.randrange(1000)
+    read = "the docstring of random_frames"
+    mean, jitter = 0.02, round(rng.uniform(0.2, 0.8), 3)
+    *frames, last = frames_of(mean, jitter, 8.0, seed)
+    call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
+    cause = "from mean (1 - jitter) to mean (1 + jitter)"
+    within = all(abs(frame / mean - 1.0) <= jitter + 1e-9 for frame in frames)
+    name = f"is every frame but the last of {call} within the jitter?"
+    expect_exactly(name, within, True, cause=cause, read=read)
+    cause = "the last frame is what is left: not more than a frame can be, and not zero"
+    short = 1e-9 < last <= mean * (1.0 + jitter) + 1e-9
+    expect_exactly(f"is the last frame of {call} one?", short, True, cause=cause, read=read)
+
+
+@pytest.mark.exercise("3.5a")
+def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
+    seed, mean, jitter = rng.randrange(1000), 0.02, 0.5
+    read = "the docstring of random_frames"
+    frames = frames_of(mean, jitter, 20.0, seed)[:-1]
+    call = f"random_frames({mean}, {jitter}, 20.0, {seed})"
+    cause = "an even draw from the whole range, both below and above the mean"
+    # About 1000 even draws: their mean is within 6 of its own deviations, and the chance that a
+    # tenth of the range stays empty is 0.9^1000.
+    average = math.fsum(frames) / len(frames)
+    six_sigma = 6.0 * mean * jitter / math.sqrt(3.0 * 900.0)
+    name = f"the mean of {call}"
+    expect_close(name, average, mean, cause=cause, read=read, tolerance=six_sigma)
+    reach = (min(frames), max(frames))
+    wanted = (mean * (1.0 - jitter), mean * (1.0 + jitter))
+    name = f"the shortest and longest of {call}"
+    expect_close(name, reach, wanted, cause=cause, read=read, tolerance=0.2 * mean * jitter)
+    # A quarter of the draws lies in each quarter of the range, give or take 6 deviations.
+    inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
+    six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
+    name = f"the share of {call} nearer to the mean than half the jitter"
+    expect_close(name, inner, 0.5, cause=cause, read=read, tolerance=six_sigma)
+
+
+@pytest.mark.exercise("3.5a")
+def test_without_jitter_all_frames_are_equal() -> None:
+    call = "random_frames(0.125, 0.0, 1.0, 3)"
+    cause = "a jitter of 0 leaves the mean; rounding leaves no ninth frame"
+    read = "the docstring of random_frames"
+    expect_close(call, frames_of(0.125, 0.0, 1.0, 3), [0.125] * 8, cause=cause, read=read)
+
+
+@pytest.mark.exercise("3.5a")
+def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None:
+    seed = rng.randrange(1000)
+    call = f"random_frames(0.02, 0.5, 1.0, {seed})"
+    cause = "random.Random(seed) inside the function: its numbers depend on the seed alone"
+    read = "the docstring of random_frames"
+    first = frames_of(0.02, 0.5, 1.0, seed)
+    other = frames_of(0.02, 0.5, 1.0, seed + 1)
+    again = frames_of(0.02, 0.5, 1.0, seed)
+    expect_exactly(f"{call}, twice: the same?", again == first, True, cause=cause, read=read)
+    name = f"{call}, and with seed {seed + 1}: the same?"
+    expect_exactly(name, other == first, False, cause=cause, read=read)
+
+
+@pytest.mark.exercise("3.5a", weight=0.5)
+@pytest.mark.parametrize(
+    ("name", "bad"),
+    [
+        ("mean", 0.0),
+        ("mean", -0.1),
+        ("mean", math.nan),
+        ("total", 0.0),
+        ("total", math.inf),
+        ("total", math.nan),
+        ("jitter", 1.0),
+        ("jitter", -0.1),
+        ("jitter", math.nan),
+    ],
+)
+def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
+    arguments = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
+    bad_ones: dict[str, Any] = arguments | {name: bad}
+    call = "random_frames({mean}, {jitter}, {total}, {seed})".format(**bad_ones)
+    cause = "time would not get on: refuse it before the first frame is drawn"
+    if math.isnan(bad):
+        cause = NAN
+    read = "the docstring of random_frames"
+    good: dict[str, Any] = arguments
+    expect_error(
+        call,
+        lambda: exercises.random_frames(**bad_ones),
+        ValueError,
+        allowed=lambda: exercises.random_frames(**good),
+        cause=cause,
+        read=read,
+    )
+
+
+# 3.5b How far apart the two equations end
+
+
+@pytest.mark.exercise("3.5b")
+def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
+    damping, frames = draw_damping(rng), rng.choice((20, 40, 80))
+    h = 1.0 / frames
+    call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, [[{h}] * {frames}])"
+    cause = "in every frame both velocities take one step of their own equation"
+    read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
+    got = exercises.damping_difference(Vector3(), Vector3(0.0, -10.0, 0.0), damping, [[h] * frames])
+    # From rest both velocities are sums of powers: a h (1 - q^n) / (1 - q), with q = d and d^h.
+    # Rounding of numbers up to 10 in 80 steps.
+    by_frame = 10.0 * h * (1.0 - damping**frames) / (1.0 - damping)
+    by_second = 10.0 * h * (1.0 - damping) / (1.0 - damping**h)
+    expect_close(call, got, abs(by_second - by_frame), cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("3.5b")
+def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
+    v, a, damping = components(rng), components(rng), draw_damping(rng)
+    runs = [[round(rng.uniform(0.05, 0.3), 3) for _ in range(n)] for n in (2, 3, 5)]
+    call = f"damping_difference(Vector3{v}, Vector3{a}, {damping}, {runs})"
+    cause = "every run starts with the velocity that is given; the mean is over the runs"
+    read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
+    got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
+    distances = []
+    for run in runs:
+        apart = []
+        for i in range(3):
+            by_frame = by_second = v[i]
+            for h in run:
+                by_frame = by_frame * damping + a[i] * h
+                by_second = by_second * damping**h + a[i] * h
+            apart.append(by_frame - by_second)
+        distances.append(math.hypot(*apart))
+    wanted = math.fsum(distances) / len(distances)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("3.5b")
+def test_the_difference_leaves_its_vectors_alone(rng: Random) -> None:
+    first, second = components(rng), components(rng)
+    v, a = Vector3(*first), Vector3(*second)
+    call = f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, 1.0, [[0.5, 0.5]])"
+    cause = "with a damping of 1 both equations are v + a h, and end alike"
+    read = "the docstring of damping_difference"
+    got = exercises.damping_difference(v, a, 1.0, [[0.5, 0.5]])
+    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-13)
+    expect_unchanged(call, "v", xyz(v), first, read=read)
+    expect_unchanged(call, "a", xyz(a), second, read=read)
+
+
+@pytest.mark.exercise("3.5b", weight=0.5)
+def test_no_run_has_no_mean() -> None:
+    call = "damping_difference(Vector3(), Vector3(0, -10, 0), 0.9, [])"
+    cause = "a mean over nothing is a division by zero: say so with a ValueError"
+    read = "the docstring of damping_difference"
+    gravity = Vector3(0.0, -10.0, 0.0)
+    expect_error(
+        call,
+        lambda: exercises.damping_difference(Vector3(), gravity, 0.9, []),
+        ValueError,
+        allowed=lambda: exercises.damping_difference(Vector3(), gravity, 0.9, [[0.5]]),
+        cause=cause,
+        read=read,
+    )
+
+
+@pytest.mark.exercise("3.5b", weight=0.5)
+@pytest.mark.parametrize("bad", [0.0, -0.5, math.nan])
+def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
+    call = f"damping_difference(Vector3(), Vector3(0, -10, 0), 0.9, [[0.5, {bad}]])"
+    cause = "the two equations refuse it, if you use them"
+    read = "the docstring of damping_difference"
+    gravity = Vector3(0.0, -10.0, 0.0)
+    expect_error(
+        call,
+        lambda: exercises.damping_difference(Vector3(), gravity, 0.9, [[0.5, bad]]),
+        ValueError,
+        allowed=lambda: exercises.damping_difference(Vector3(), gravity, 0.9, [[0.5, 0.5]]),
+        cause=cause,
+        read=read,
+    )

@@ -1,0 +1,215 @@
+"""The step, build task B3.4. Each check but one leaves out what another is about."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion import probes
+from ch03_laws_of_motion.particle import Particle
+from draw import Components, components
+from expect import expect_close, expect_error, expect_unchanged, xyz
+
+
+def draw_frame(rng: Random) -> float:
+    """Draw the duration of a frame, long enough for each mistake to show."""
+    return round(rng.uniform(0.2, 0.8), 3)
+
+
+def a_particle(
+    position: Components, velocity: Components, acceleration: Components, damping: float = 1.0
+) -> tuple[str, Particle]:
+    """Return a particle and the words that make it."""
+    words = f"p = Particle(Vector3{position}, Vector3{velocity}, Vector3{acceleration}"
+    vectors = (Vector3(*position), Vector3(*velocity), Vector3(*acceleration))
+    words += f", damping={damping})" if damping != 1.0 else ")"
+    return words, Particle(*vectors, damping=damping)
+
+
+@pytest.mark.exercise("B3.4")
+def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) -> None:
+    x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
+    words, p = a_particle(x, v, a)
+    call = f"{words}; p.integrate({h}); p.position"
+    cause = (
+        "p' = p + v h with the old velocity, without a h^2 / 2: the position comes first. With the "
+        "velocity first it is semi-implicit Euler, a better method, but not the book's (E-17)"
+    )
+    read = "book 3.3.2, Eq. 2.7"
+    p.integrate(h)
+    wanted = tuple(x[i] + v[i] * h for i in range(3))
+    # Rounding of numbers up to 20.
+    expect_close(call, xyz(p.position), wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.4")
+def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
+    x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
+    words, p = a_particle(x, v, a)
+    call = f"{words}; p.integrate({h}); p.velocity"
+    cause = "v' = v + a h, once a step; a damping of 1 changes nothing"
+    read = "book 3.3.2, Eq. 2.8"
+    p.integrate(h)
+    wanted = tuple(v[i] + a[i] * h for i in range(3))
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=1e-13)
+    expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, read=read)
+
+
+@pytest.mark.exercise("B3.4")
+def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
+    v, damping = components(rng), round(rng.uniform(0.2, 0.8), 3)
+    cause = "a frame of h seconds keeps d^h: the power takes the duration, not the frame rate"
+    read = "book 3.3, Eq. 3.6"
+    call = f"p = Particle(velocity=Vector3{v}, {damping=}); p.integrate(h) for each h in "
+    for frames in ([1.0], [0.25] * 4, [0.1, 0.2, 0.3, 0.4], [0.5], [2.0]):
+        kept = damping ** sum(frames)
+        got = probes.velocity_after(v, damping, frames)
+        wanted = (v[0] * kept, v[1] * kept, v[2] * kept)
+        # A few roundings of numbers up to 10.
+        name = f"{call}{frames}; p.velocity"
+        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.4")
+def test_damping_comes_after_the_acceleration(rng: Random) -> None:
+    x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
+    damping = round(rng.uniform(0.2, 0.8), 3)
+    words, p = a_particle(x, v, a, damping)
+    call = f"{words}; p.integrate({h}); p.velocity"
+    cause = (
+        "v' = (v + a h) d^h, as in the book's listing: what the acceleration adds is damped too. "
+        "Eq. 3.6 has v d^h + a h; the book says both, the engine keeps to the listing (E-16)"
+    )
+    read = "the docstring of integrate, errata.md"
+    p.integrate(h)
+    wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.4")
+def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
+    v, damping = components(rng), round(rng.uniform(0.2, 0.8), 3)
+    call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = {damping}; "
+    call += "p.integrate(0.5); p.velocity"
+    cause = "d^h belongs to the damping of now: what is kept from an earlier step is out of date"
+    read = "the docstring of integrate"
+    p = Particle(velocity=Vector3(*v))
+    p.integrate(0.5)
+    p.damping = damping
+    p.integrate(0.5)
+    kept = math.sqrt(damping)
+    wanted = (v[0] * kept, v[1] * kept, v[2] * kept)
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B3.4")
+def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
+    x, v, h = components(rng), components(rng), draw_frame(rng)
+    words, p = a_particle(x, v, (0.0, 0.0, 0.0), 0.0)
+    call = f"{words}; p.integrate({h})"
+    cause = "0^h is 0: a damping of 0 is no damping left out"
+    read = "the docstring of integrate"
+    p.integrate(h)
+    expect_close(f"{call}; p.velocity", xyz(p.velocity), (0.0, 0.0, 0.0), cause=cause, read=read)
+    wanted = tuple(x[i] + v[i] * h for i in range(3))
+    cause = "the position moves with the velocity from before the step, which was not yet damped"
+    name = f"{call}; p.position"
+    expect_close(name, xyz(p.position), wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.4")
+def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
+    v, a, mass = components(rng), components(rng), round(rng.uniform(2.0, 90.0), 3)
+    call = f"p = Particle(velocity=Vector3{v}, acceleration=Vector3{a}, mass={mass}); "
+    call += "p.integrate(0.5); p.velocity"
+    cause = "the acceleration is given as such: nothing is divided by the mass, as a force is"
+    read = "book 3.2"
+    p = Particle(velocity=Vector3(*v), acceleration=Vector3(*a), mass=mass)
+    p.integrate(0.5)
+    wanted = tuple(v[i] + a[i] * 0.5 for i in range(3))
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B3.4")
+def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
+    call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.integrate(1/60) 300 times; p.position"
+    cause = "the error of explicit Euler is a t h / 2, here 0.41667 m short of 125 m"
+    read = "book 3.3.2, Eq. 2.7 and 2.8"
+    got = probes.position_after_fall(10.0, 1.0 / 60.0, 300)
+    # -a t^2 / 2 + a t h / 2; 300 roundings of numbers up to 125.
+    wanted = (0.0, -125.0 + 10.0 * 5.0 / 60.0 / 2.0, 0.0)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B3.4")
+def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
+    x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
+    call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); p.integrate({h})"
+    cause = "ask for the inverse mass before anything is changed"
+    read = "the docstring of integrate"
+    p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf, damping=0.5)
+    p.integrate(h)
+    expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+    p.mass = 2.0
+    call = f"{call}; p.mass = 2.0; p.integrate({h}); p.position"
+    cause = "now it has a finite mass and moves"
+    p.integrate(h)
+    wanted = tuple(x[i] + v[i] * h for i in range(3))
+    expect_close(call, xyz(p.position), wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.4")
+def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: Random) -> None:
+    a = components(rng)
+    call = f"p = Particle(acceleration=Vector3{a}); p.integrate(0.5); p.last_acceleration"
+    cause = "a copy of the acceleration: a property is read without brackets"
+    read = "the docstring of last_acceleration"
+    p = Particle(acceleration=Vector3(*a))
+    p.integrate(0.5)
+    last = p.last_acceleration
+    expect_close(call, xyz(last), a, cause=cause, read=read)
+    last.x = 99.0
+    call = f"{call}.x = 99.0"
+    expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B3.4", weight=0.5)
+@pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan])
+def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
+    cause = "refuse it with ValueError: no time passes in it, or time runs back or for ever"
+    if math.isnan(duration):
+        cause = "NaN compares false with everything: ask for what is wanted, and refuse the rest"
+    read = "the docstring of integrate"
+    x, v, a = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)
+    for mass in (1.0, math.inf):
+        call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, {mass=}); p.integrate({duration})"
+        p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
+        expect_error(
+            call,
+            lambda p=p: p.integrate(duration),
+            ValueError,
+            allowed=lambda: Particle().integrate(0.5),
+            cause=cause,
+            read=read,
+        )
+        expect_unchanged(call, "p.position", xyz(p.position), x, read=read)
+        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, read=read)
+
+
+@pytest.mark.exercise("B3.4", weight=0.5)
+def test_text_is_no_duration() -> None:
+    call = 'Particle().integrate("0.5")'
+    cause = "positive of arguments.py raises the TypeError for you"
+    read = "the docstring of integrate"
+    expect_error(
+        call,
+        lambda: Particle().integrate("0.5"),  # type: ignore[arg-type]
+        TypeError,
+        allowed=lambda: Particle().integrate(0.5),
+        cause=cause,
+        read=read,
+    )

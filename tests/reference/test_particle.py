@@ -1,0 +1,228 @@
+"""The particle against closed forms, and what it refuses."""
+
+from __future__ import annotations
+
+import copy
+import math
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion import exercises
+from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
+from ch03_laws_of_motion.particle import Particle
+from studies.drawing import slope
+from studies.scenes import DAMPED_FALL, FREE_FALL, GRAVITY, PROJECTILE, Scene, State, with_particle
+
+NAN, INF = math.nan, math.inf
+VECTORS = ("position", "velocity", "acceleration")
+
+
+@pytest.mark.parametrize("scene", [FREE_FALL, DAMPED_FALL, PROJECTILE], ids=lambda s: s.name)
+def test_the_error_of_the_step_is_of_first_order(scene: Scene) -> None:
+    counts = (400, 800, 1600)
+    errors = []
+    for frames in counts:
+        end = with_particle(scene, scene.duration / frames, frames)[-1]
+        errors.append(math.dist(end.position, scene.exact(scene.duration).position))
+    # The next order, h / t of the first, bends the line by less than a hundredth.
+    assert slope(counts, errors) == pytest.approx(-1.0, abs=0.01)
+
+
+def test_the_error_under_constant_acceleration_is_half_a_step() -> None:
+    fall = Scene("fall", FREE_FALL.start, (0.0, -10.0, 0.0), 1.0, 5.0)
+    end = with_particle(fall, 1.0 / 60.0, 300)[-1]
+    # The held figure has five decimals; 300 roundings stay far below.
+    assert end.position[1] + 125.0 == pytest.approx(0.41667, abs=5e-6)
+
+
+def test_the_closed_form_of_the_scenes_gives_the_known_flight_of_a_shot() -> None:
+    shot = State((0.0, 1.5, 0.0), (0.0, 30.0, 40.0))
+    for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
+        landed = Scene("artillery", shot, (0.0, -20.0, 0.0), damping, 3.0).exact(time).position
+        # The times are known to 5e-8 s, and the shot falls with 31 m/s.
+        assert landed[1] == pytest.approx(0.0, abs=2e-6)
+        assert landed[2] == pytest.approx(reach, abs=1e-5)
+
+
+def test_the_closed_form_ends_at_the_terminal_speed_and_begins_as_a_free_fall() -> None:
+    late, early = DAMPED_FALL.exact(100.0), DAMPED_FALL.exact(1e-6)
+    assert late.velocity[1] == pytest.approx(GRAVITY[1] / math.log(2.0), rel=1e-14)
+    # The first term that drag adds is k t / 3 of the fall, 2e-7, and rounding some 1e-16 / 1e-12.
+    assert early.position[1] == pytest.approx(0.5 * GRAVITY[1] * 1e-12, rel=1e-3)
+
+
+def test_the_default_is_a_kilogram_at_rest_at_the_origin() -> None:
+    particle = Particle()
+    assert [tuple(getattr(particle, name)) for name in VECTORS] == [(0.0, 0.0, 0.0)] * 3
+    assert (particle.mass, particle.inverse_mass, particle.damping) == (1.0, 1.0, 1.0)
+    assert particle.has_finite_mass
+
+
+@pytest.mark.parametrize("name", VECTORS)
+def test_vectors_are_copied_when_given_and_when_assigned(name: str) -> None:
+    v = Vector3(1.0, 2.0, 3.0)
+    given, assigned = Particle(**{name: v}), Particle()
+    setattr(assigned, name, v)
+    v.x = 99.0
+    other = Particle()
+    setattr(other, name, getattr(given, name))
+    getattr(other, name).y = 99.0
+    for particle in (given, assigned):
+        assert tuple(getattr(particle, name)) == (1.0, 2.0, 3.0)
+
+
+def test_steps_change_no_vector_but_the_particle_s_own() -> None:
+    start, velocity, gravity = Vector3(), Vector3(1.0, 0.0, 0.0), Vector3(0.0, -10.0, 0.0)
+    particle = Particle(start, velocity, gravity)
+    for _ in range(3):
+        particle.integrate(0.1)
+    assert (tuple(start), tuple(velocity)) == ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
+    assert tuple(gravity) == (0.0, -10.0, 0.0)
+
+
+def test_a_copied_particle_goes_its_own_way() -> None:
+    particle = Particle(velocity=Vector3(1.0, 0.0, 0.0))
+    twin = copy.deepcopy(particle)
+    twin.integrate(1.0)
+    assert (particle.position.x, twin.position.x) == (0.0, 1.0)
+
+
+def test_in_place_operators_work_on_a_particle_s_vectors() -> None:
+    particle = Particle(velocity=Vector3(1.0, 0.0, 0.0))
+    particle.velocity += Vector3(1.0, 0.0, 0.0)
+    particle.velocity *= 3.0
+    particle.velocity.y = 4.0
+    assert tuple(particle.velocity) == (6.0, 4.0, 0.0)
+
+
+@pytest.mark.parametrize("name", VECTORS)
+@pytest.mark.parametrize(
+    ("bad", "error", "complaint"),
+    [
+        (Vector3(1.0, NAN, 0.0), ValueError, r"finite components, got Vector3\(1.0, nan, 0.0\)"),
+        (Vector3(INF, 0.0, 0.0), ValueError, r"finite components, got Vector3\(inf, 0.0, 0.0\)"),
+        ((1.0, 2.0, 3.0), TypeError, r"a Vector3, got \(1.0, 2.0, 3.0\)"),
+        (3.0, TypeError, r"a Vector3, got 3\.0"),
+    ],
+)
+def test_a_state_that_means_nothing_is_refused_by_name(
+    name: str, bad: Any, error: type[Exception], complaint: str
+) -> None:
+    with pytest.raises(error, match=f"{name} must (be|have) {complaint}"):
+        Particle(**{name: bad})
+    particle = Particle(**{name: Vector3(1.0, 2.0, 3.0)})
+    with pytest.raises(error, match=f"{name} must"):
+        setattr(particle, name, bad)
+    assert tuple(getattr(particle, name)) == (1.0, 2.0, 3.0)
+
+
+@pytest.mark.parametrize(
+    ("name", "bad", "error", "complaint"),
+    [
+        ("mass", 0.0, ValueError, "mass must be positive, got 0.0"),
+        ("mass", -1, ValueError, "mass must be positive, got -1"),
+        ("mass", NAN, ValueError, "mass must be positive, got nan"),
+        ("mass", "2", TypeError, "mass must be a number, got '2'"),
+        ("mass", None, TypeError, "mass must be a number, got None"),
+        (
+            "inverse_mass",
+            -0.1,
+            ValueError,
+            "inverse_mass must be finite and not negative, got -0.1",
+        ),
+        ("inverse_mass", INF, ValueError, "inverse_mass must be finite and not negative, got inf"),
+        ("inverse_mass", Vector3(), TypeError, "inverse_mass must be a number, got Vector3"),
+        ("damping", -0.1, ValueError, "damping must be finite and not negative, got -0.1"),
+        ("damping", INF, ValueError, "damping must be finite and not negative, got inf"),
+        ("damping", NAN, ValueError, "damping must be finite and not negative, got nan"),
+        ("damping", [0.5], TypeError, r"damping must be a number, got \[0.5\]"),
+    ],
+)
+def test_a_number_that_means_nothing_is_refused_by_name(
+    name: str, bad: Any, error: type[Exception], complaint: str
+) -> None:
+    particle = Particle(mass=4.0, damping=0.5)
+    before = getattr(particle, name)
+    with pytest.raises(error, match=complaint):
+        setattr(particle, name, bad)
+    assert getattr(particle, name) == before
+    if name != "inverse_mass":
+        with pytest.raises(error, match=complaint):
+            Particle(**{name: bad})
+
+
+BAD_DURATIONS = [
+    (0.0, ValueError, "duration must be positive and finite, got 0.0"),
+    (0, ValueError, "duration must be positive and finite, got 0"),
+    (-0.1, ValueError, "duration must be positive and finite, got -0.1"),
+    (INF, ValueError, "duration must be positive and finite, got inf"),
+    (NAN, ValueError, "duration must be positive and finite, got nan"),
+    ("0.1", TypeError, "duration must be a number, got '0.1'"),
+    (None, TypeError, "duration must be a number, got None"),
+]
+
+
+@pytest.mark.parametrize(("bad", "error", "complaint"), BAD_DURATIONS)
+@pytest.mark.parametrize("steps_before", [0, 1])
+@pytest.mark.parametrize("mass", [1.0, INF])
+def test_a_bad_duration_is_refused_by_name_and_changes_nothing(
+    bad: Any, error: type[Exception], complaint: str, steps_before: int, mass: float
+) -> None:
+    particle = Particle(velocity=Vector3(1.0, 2.0, 3.0), mass=mass, damping=0.5)
+    for _ in range(steps_before):
+        particle.integrate(0.5)
+    before = (tuple(particle.position), tuple(particle.velocity))
+    with pytest.raises(error, match=complaint):
+        particle.integrate(bad)
+    assert (tuple(particle.position), tuple(particle.velocity)) == before
+    particle.integrate(0.5)
+    kept = 0.5 ** (0.5 * (steps_before + 1)) if mass == 1.0 else 1.0
+    assert particle.velocity.x == pytest.approx(kept, rel=1e-15)
+
+
+@pytest.mark.parametrize(("bad", "error", "complaint"), BAD_DURATIONS)
+@pytest.mark.parametrize("form", [damp_per_frame, damp_per_second])
+def test_the_equations_refuse_what_the_step_refuses(
+    form: Any, bad: Any, error: type[Exception], complaint: str
+) -> None:
+    with pytest.raises(error, match=complaint):
+        form(Vector3(), Vector3(), 0.5, bad)
+
+
+def test_a_refused_step_is_no_lasting_damage() -> None:
+    particle = Particle(velocity=Vector3(1.0, 0.0, 0.0), damping=1e200)
+    with pytest.raises(OverflowError):
+        particle.integrate(10.0)  # 1e200^10 is no float
+    assert tuple(particle.position) == (0.0, 0.0, 0.0)
+    particle.damping = 1.0
+    particle.integrate(10.0)
+    assert tuple(particle.position) == (10.0, 0.0, 0.0)
+
+
+def test_frames_of_any_lengths_in_any_order_keep_what_the_power_says() -> None:
+    particle = Particle(velocity=Vector3(1.0, 0.0, 0.0), damping=0.7)
+    frames = [0.1, 0.1, 0.3, 0.1, 0.2, 0.2, 0.3]
+    for frame in frames:
+        particle.integrate(frame)
+    assert particle.velocity.x == pytest.approx(0.7 ** sum(frames), rel=1e-14)
+
+
+def test_a_mass_too_small_to_have_an_inverse_is_refused() -> None:
+    with pytest.raises(ValueError, match="inverse_mass must be finite"):
+        Particle(mass=5e-324)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_random_frames_fill_their_total_in_any_case(seed: int) -> None:
+    for mean, jitter, total in (
+        (0.1, 0.0, 1.0),
+        (0.07, 0.9, 1.0),
+        (3.0, 0.5, 1.0),
+        (1e-3, 0.3, 0.5),
+    ):
+        frames = exercises.random_frames(mean, jitter, total, seed)
+        # Subtracting and adding up to 700 frames rounds each time.
+        assert math.fsum(frames) == pytest.approx(total, rel=1e-12)
+        assert all(frame > 1e-12 * total for frame in frames)

@@ -1,0 +1,106 @@
+"""pymunk, an engine in two dimensions, as an outside measure of vectors and of the step."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pymunk import Vec2d
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.damping import damp_per_second
+from studies.scenes import DAMPED_FALL, FREE_FALL, PROJECTILE, SCENES, Scene, State
+from studies.scenes import with_particle as ours
+from studies.scenes import with_pymunk as theirs
+
+component = st.floats(-1e6, 1e6).filter(lambda value: value == 0.0 or abs(value) > 1e-6)
+plane = st.tuples(component, component)
+FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)
+
+
+def in_the_plane(v: Vector3) -> tuple[float, float]:
+    assert v.z == 0.0
+    return v.x, v.y
+
+
+@given(plane, plane, component)
+def test_vectors_in_the_plane_agree_with_vec2d(
+    a: tuple[float, float], b: tuple[float, float], scale: float
+) -> None:
+    v, w, p, q = Vector3(*a), Vector3(*b), Vec2d(*a), Vec2d(*b)
+    # The same products and sums, so the same bits.
+    assert in_the_plane(v + w) == tuple(p + q)
+    assert in_the_plane(v - w) == tuple(p - q)
+    assert in_the_plane(-v) == tuple(-p)
+    assert in_the_plane(v * scale) == tuple(p * scale)
+    assert v.dot(w) == p.dot(q)
+    assert tuple(v.cross(w)) == (0.0, 0.0, p.cross(q))
+    assert v.squared_magnitude() == p.length_squared
+    # Theirs is the root of the sum of squares, ours math.hypot: two roundings apart.
+    assert v.magnitude() == pytest.approx(p.length, rel=1e-15)
+    assert in_the_plane(v.normalized()) == pytest.approx(tuple(p.normalized()), rel=1e-15)
+
+
+def expect_equal(first: list[State], second: list[State], tolerance: float) -> None:
+    for one, other in zip(first, second, strict=True):
+        assert one.position == pytest.approx(other.position, abs=tolerance)
+        assert one.velocity == pytest.approx(other.velocity, abs=tolerance)
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+def test_without_damping_every_step_is_pymunk_s(frame: float) -> None:
+    """Both move the position with the velocity from before the step: explicit Euler."""
+    frames = round(FREE_FALL.duration / frame)
+    # 1200 roundings of numbers up to 125, in two orders of adding.
+    expect_equal(ours(FREE_FALL, frame, frames), theirs(FREE_FALL, frame, frames), 1e-11)
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+@pytest.mark.parametrize("scene", [DAMPED_FALL, PROJECTILE], ids=lambda scene: scene.name)
+def test_with_damping_pymunk_is_ahead_by_what_equation_3_6_does_not_damp(
+    scene: Scene, frame: float
+) -> None:
+    """pymunk has v' = v d^h + a h (Eq. 3.6), the engine (v + a h) d^h, the listing's form.
+
+    With D = d^h the velocities differ by D times the last difference and by a h (1 - D) more in
+    each step, so by a h (1 - D^n) after n. The positions differ by the sum of h times that.
+    """
+    frames = round(scene.duration / frame)
+    keep = scene.damping**frame
+    for n, (mine, other) in enumerate(
+        zip(ours(scene, frame, frames), theirs(scene, frame, frames), strict=True)
+    ):
+        gone = 1.0 - keep**n
+        apart = frame * frame * (n - gone / (1.0 - keep))
+        for i, a in enumerate(scene.acceleration):
+            velocity = other.velocity[i] - mine.velocity[i]
+            position = other.position[i] - mine.position[i]
+            # Some thousand roundings of numbers up to 100.
+            assert velocity == pytest.approx(a * frame * gone, abs=1e-11)
+            assert position == pytest.approx(a * apart, abs=1e-11)
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
+def test_the_equation_s_form_is_pymunk_s_step_for_step(scene: Scene) -> None:
+    frame = 1.0 / 60.0
+    x, v = Vector3(*scene.start.position), Vector3(*scene.start.velocity)
+    states = [State((x.x, x.y, x.z), (v.x, v.y, v.z))]
+    frames = round(scene.duration / frame)
+    for _ in range(frames):
+        x.add_scaled(v, frame)
+        v = damp_per_second(v, Vector3(*scene.acceleration), scene.damping, frame)
+        states.append(State((x.x, x.y, x.z), (v.x, v.y, v.z)))
+    expect_equal(states, theirs(scene, frame, frames), 1e-11)
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
+def test_both_come_to_the_exact_path_in_the_first_order(scene: Scene) -> None:
+    exact = scene.exact(scene.duration).position
+    for model in (ours, theirs):
+        coarse, fine = (
+            math.dist(model(scene, scene.duration / n, n)[-1].position, exact) for n in (500, 1000)
+        )
+        # Halve h and the error halves; the next order bends that by less than a hundredth.
+        assert coarse / fine == pytest.approx(2.0, abs=0.02)

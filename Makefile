@@ -23,8 +23,8 @@ $(READY): requirements.lock autograder/make_venv.py
 setup: $(READY) ## make .venv (the other commands do it by themselves)
 	@echo "Set up: .venv is ready."
 
-check: $(READY) ## check your work (CH=2 one chapter, EX=2.5 one exercise)
-	@$(RUN) -m autograder check --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(EX),--exercise "$(EX)") $(if $(SEED),--seed "$(SEED)")
+check: $(READY) ## check your work (CH=3 one chapter, EX=3.4b one exercise, GIVEN=2 on the reference's chapter 2)
+	@$(RUN) -m autograder check --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(EX),--exercise "$(EX)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)")
 
 hint: $(READY) ## a hint for an exercise (EX=2.5; N=2 for the first two)
 	@$(RUN) -m autograder hint $(or $(EX),$(error name an exercise: make hint EX=2.5)) $(if $(N),--count $(N))

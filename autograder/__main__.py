@@ -8,6 +8,7 @@ import io
 import sys
 
 from autograder.check import check
+from autograder.given import with_given
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters, select_chapters
 from autograder.runner import GraderError
 
@@ -50,6 +51,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
     command.add_argument("--exercise", help="one exercise, such as 2.5 or B2.3")
     command.add_argument("--engine", default="chapters", help="the folder to check")
+    command.add_argument("--given", default="", help="chapters to take from the reference, as 2")
     command.add_argument("--seed", default="1", help="seed of the numbers that checks draw")
     command.set_defaults(run=run_check)
 
@@ -70,7 +72,12 @@ def run_check(arguments: argparse.Namespace) -> bool:
     engine = [ROOT / folder for folder in dict.fromkeys((arguments.engine, "chapters"))]
     if not engine[0].is_dir():
         raise ValueError(f"engine must be a folder of chapters, got {arguments.engine!r}")
-    return not check(chapters, exercise, engine, arguments.seed)
+    given = select_chapters(arguments.given) if arguments.given else []
+    chapters = [chapter for chapter in chapters if chapter not in given]
+    if not chapters:
+        raise ValueError(f"nothing is left to check: chapter {arguments.given} is given")
+    with with_given(given, engine) as engine_given:
+        return not check(chapters, exercise, engine_given, arguments.seed)
 
 
 def run_hint(arguments: argparse.Namespace) -> int:

@@ -9,14 +9,22 @@ from typing import TYPE_CHECKING
 
 from autograder.answers import answered
 from autograder.definitions import functions, own_name
+from autograder.given import chapters_below, mark_inherited
 from autograder.manifest import Chapter, Exercise
 from autograder.runner import Verdict, run_checks, with_needs
-from autograder.scores import Result, results_of, shown, total
+from autograder.scores import Result, results_of, shown, total, without_inherited
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-STYLES = {"passed": "green", "failed": "red", "blocked": "yellow", "error": "magenta"}
+STYLES = {
+    "passed": "green",
+    "failed": "red",
+    "blocked": "yellow",
+    "inherited": "cyan",
+    "error": "magenta",
+}
+URGENCY = {"blocked": 1, "inherited": 2}  # what is shown last: another failure is behind it
 UNWRITTEN = "not written yet"
 BAR = 40
 OPERATORS = {  # as the calls of checks have them
@@ -36,7 +44,10 @@ OPERATORS = {  # as the calls of checks have them
 def check(
     chapters: list[Chapter], exercise: Exercise | None, engine: list[Path], seed: str
 ) -> bool:
-    """Check the chapters, or one exercise and what it needs; print it all; return success."""
+    """Check the chapters, or one exercise and what it needs; print it all; return success.
+
+    A check that an earlier chapter fails, and not this one, is shown as inherited.
+    """
     results: dict[str, list[Result]] = {}
     with _Progress() as progress:
         for chapter in chapters:
@@ -45,6 +56,7 @@ def check(
             verdicts = run_checks(
                 chapter, engine, seed=seed, exercises=wanted, on_verdict=progress.show
             )
+            verdicts = mark_inherited(chapter, verdicts, engine, seed)
             results[chapter.name] = [
                 result for result in results_of(chapter, verdicts) if result.exercise.id in wanted
             ]
@@ -56,7 +68,7 @@ def check(
     if not open_ones:
         console.print("Everything that can be checked passes.", style="bold green")
         return True
-    first = next((pair for pair in open_ones if pair[1].status != "blocked"), open_ones[0])
+    first = min(open_ones, key=lambda pair: URGENCY.get(pair[1].status, 0))
     _print_failure(console, *first, engine)
     return False
 
@@ -68,7 +80,7 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     is given without a line.
     """
     module, _, path = name.partition(".")
-    file = _file(engine, chapter, f"{module}.py")
+    file = _file(engine, chapter.name, f"{module}.py")
     try:
         tree = ast.parse(file.read_text(encoding="utf-8"))
     except (OSError, SyntaxError, ValueError):
@@ -142,11 +154,37 @@ def _print_chapter(
     answers = sum(result.exercise.points for result in results) - points
     more = f", and {answers} for written answers, which a person marks" if answers else ""
     console.print(f"[{bar}] {shown(earned)} of {points} points{more}\n", markup=False)
+    _print_inherited(console, chapter, results)
+
+
+def _print_inherited(console: Console, chapter: Chapter, results: list[Result]) -> None:
+    """Say how many checks an earlier chapter fails, and the two ways to go on."""
+    lost = sum(check.status == "inherited" for result in results for check in result.checks)
+    if not lost:
+        return
+    below = _below(chapter)
+    checks = f"{lost} check fails" if lost == 1 else f"{lost} checks fail"
+    console.print(
+        f"{checks} here for what is wrong in chapter {below}. On the reference's chapter {below} "
+        f"this chapter has {shown(without_inherited(results))} points.\n"
+        f"Mend it:     make check CH={below}\n"
+        f"Or go on:    make check CH={chapter.number} GIVEN={below}\n",
+        style=STYLES["inherited"],
+        soft_wrap=True,
+    )
+
+
+def _below(chapter: Chapter) -> str:
+    """Return the chapters below one as a text, such as 2 or 2-5."""
+    numbers = [other.number for other in chapters_below(chapter)]
+    return str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}-{numbers[-1]}"
 
 
 def _state(result: Result, written: set[str]) -> str:
     if result.status == "waiting":
         return "answered" if result.exercise.id in written else "to answer"
+    if result.status == "inherited":
+        return result.status
     lost = [check for check in result.checks if check.status != "passed"]
     if not lost or any(UNWRITTEN not in check.message for check in lost):
         return result.status
@@ -164,23 +202,29 @@ def _answered(chapter: Chapter, engine: list[Path]) -> set[str]:
 def _print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
     """Print one failed check in full, and what to do next."""
     exercise = result.exercise
-    failed = next((check for check in result.checks if check.status != "passed"), None)
+    failed = next((check for check in result.checks if check.status == result.status), None)
     if failed is None:
         console.print(f"No check was found for exercise {exercise.id}.", style="magenta")
         return
-    next_step = f"Next: open {next_place(engine, chapter, exercise, failed)}"
-    console.print(f"First to repair: {exercise.id} {exercise.title}", style="bold")
+    inherited = failed.status == "inherited"
+    heading = "Inherited, for example" if inherited else "First to repair"
+    console.print(f"{heading}: {exercise.id} {exercise.title}", style="bold")
     console.print(f"check     {failed.name}\n{failed.message}\n", markup=False, soft_wrap=True)
-    console.print(next_step, style="bold", markup=False, soft_wrap=True)
-    console.print(f"A nudge: make hint EX={exercise.id}")
+    if inherited:
+        console.print(f"Next: make check CH={_below(chapter)}", style="bold")
+        return
+    place = next_place(engine, chapter, exercise, failed)
+    console.print(f"Next: open {place}", style="bold", markup=False, soft_wrap=True)
+    unwritten = re.search(rf"{UNWRITTEN}: Exercise (B?\d+\.\w+)", failed.message)
+    console.print(f"A nudge: make hint EX={unwritten[1] if unwritten else exercise.id}")
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
     """Return where to go: the line that the message names, or the body that the check called."""
-    told = re.search(rf"(?m)^where +{chapter.name}/(\w+\.py), line (\d+)", failed.message)
+    told = re.search(r"(?m)^where +(ch\d\d_\w+)/(\w+\.py), line (\d+)", failed.message)
     called = re.search(r"(?m)^called +(.*)", failed.message)
     if told and not called:  # not written yet, not readable, not ending
-        return f"{_file(engine, chapter, told[1])}:{told[2]}"
+        return f"{_file(engine, told[1], told[2])}:{told[3]}"
     bodies = [name for name in exercise.edit if called and _calls(called[1], name)]
     return find_definition(engine, chapter, (bodies or exercise.edit)[0])
 
@@ -197,8 +241,8 @@ def _calls(expression: str, name: str) -> bool:
     return re.search(pattern, expression) is not None
 
 
-def _file(engine: list[Path], chapter: Chapter, name: str) -> Path:
+def _file(engine: list[Path], chapter: str, name: str) -> Path:
     """Return the engine's file of that name, from the working folder where it is below it."""
-    files = [folder / chapter.name / name for folder in engine]
+    files = [folder / chapter / name for folder in engine]
     file = next((file for file in files if file.exists()), files[0])
     return file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file

@@ -14,8 +14,8 @@ from autograder.stubs import make_stubs
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py check.py definitions.py explain.py make_venv.py "
-        "manifest.py runner.py scores.py verdicts.py"
+        "__init__.py __main__.py answers.py check.py definitions.py explain.py given.py "
+        "make_venv.py manifest.py runner.py scores.py verdicts.py"
     ),
     "studies": "__init__.py __main__.py drawing.py plot.py",
     "tests": "conftest.py draw.py expect.py",

@@ -31,7 +31,7 @@ GRACE = 10.0  # seconds of silence beyond a check's limit, then the process is e
 
 @dataclass(frozen=True)
 class Verdict:
-    """What became of one check. Status: passed, failed, blocked or error."""
+    """What became of one check. Status: passed, failed, blocked, inherited or error."""
 
     name: str
     exercise: str
@@ -141,17 +141,19 @@ class _Run:
                 self._note_hang(self.checks[name]["exercise"])
 
     def _config(self, stack_file: Path) -> str:
-        package = self.chapter.name
-        complete = [f"{c.name}/{file}" for c in load_chapters(self.root) for file in c.complete]
+        chapters = [c for c in load_chapters(self.root) if c.number <= self.chapter.number]
         return json.dumps(
             {
                 "root": str(self.root),
                 "engine": [str(folder) for folder in self.engine],
-                "tests": f"tests/{package}",  # below root: pytest takes no path with brackets
+                # Below root, since pytest takes no path with brackets.
+                "tests": f"tests/{self.chapter.name}",
                 "modules": [
-                    f"{package}.{file.removesuffix('.py')}" for file in self.chapter.edited_files
+                    f"{c.name}.{file.removesuffix('.py')}"
+                    for c in chapters
+                    for file in c.edited_files
                 ],
-                "complete": complete,
+                "complete": [f"{c.name}/{file}" for c in chapters for file in c.complete],
                 "exercises": self.wanted,
                 "seed": self.seed,
                 "time_limit": self.time_limit,

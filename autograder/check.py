@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from autograder.answers import answered
 from autograder.definitions import functions, own_name
-from autograder.given import chapters_below, mark_inherited
+from autograder.given import chapters_below, mark_inherited, suspects
 from autograder.manifest import Chapter, Exercise
 from autograder.runner import Verdict, run_checks, with_needs
 from autograder.scores import Result, results_of, shown, total, without_inherited
@@ -49,6 +49,7 @@ def check(
     A check that an earlier chapter fails, and not this one, is shown as inherited.
     """
     results: dict[str, list[Result]] = {}
+    doubtful: dict[str, list[Chapter]] = {}
     with _Progress() as progress:
         for chapter in chapters:
             progress.title = f"chapter {chapter.number}"
@@ -57,12 +58,20 @@ def check(
                 chapter, engine, seed=seed, exercises=wanted, on_verdict=progress.show
             )
             verdicts = mark_inherited(chapter, verdicts, engine, seed)
+            doubtful[chapter.name] = suspects(chapter, verdicts, engine, seed)
             results[chapter.name] = [
                 result for result in results_of(chapter, verdicts) if result.exercise.id in wanted
             ]
     console = progress.console
     for chapter in chapters:
         _print_chapter(console, chapter, results[chapter.name], engine)
+        for other in doubtful[chapter.name]:
+            console.print(
+                f"Chapter {other.number} fails checks of its own, which may be the reason for some "
+                f"failures here: make check CH={other.number}\n",
+                style=STYLES["inherited"],
+                soft_wrap=True,
+            )
     everything = [(chapter, result) for chapter in chapters for result in results[chapter.name]]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
     if not open_ones:

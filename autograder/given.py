@@ -23,7 +23,9 @@ def with_given(given: list[Chapter], engine: list[Path], root: Path = ROOT) -> I
     with tempfile.TemporaryDirectory(prefix="given-") as folder:
         for chapter in given:
             if not is_at_hand(chapter, root):
-                raise ValueError(f"chapter {chapter.number} cannot be given: solutions/ has it not")
+                raise ValueError(
+                    f"chapter {chapter.number} cannot be given: this folder has no reference of it"
+                )
             target = Path(folder) / chapter.name
             target.mkdir()
             for file in (root / "solutions" / chapter.name).glob("*.py"):
@@ -51,10 +53,7 @@ def mark_inherited(
     """
     below = chapters_below(chapter)
     lost = [verdict for verdict in verdicts if verdict.status in ("failed", "blocked")]
-    unwritten = re.compile(rf"not written yet: Exercise B?{chapter.number}\.")
-    if not below or not all(map(is_at_hand, below)):
-        return verdicts
-    if all(unwritten.search(verdict.message) for verdict in lost):
+    if not below or not all(map(is_at_hand, below)) or all(_is_unwritten(v) for v in lost):
         return verdicts
     exercises = list({verdict.exercise for verdict in lost})
     with with_given(below, engine) as better:
@@ -66,3 +65,28 @@ def mark_inherited(
         else verdict
         for verdict in verdicts
     ]
+
+
+def suspects(
+    chapter: Chapter, verdicts: list[Verdict], engine: list[Path], seed: str
+) -> list[Chapter]:
+    """Return the chapters below that fail checks of their own, where no reference is at hand.
+
+    Nobody can then tell which failures are inherited; that some may be is worth saying.
+    """
+    below = chapters_below(chapter)
+    if all(map(is_at_hand, below)) or all(
+        v.status == "passed" or _is_unwritten(v) for v in verdicts
+    ):
+        return []
+    return [
+        other
+        for other in below
+        if any(v.status != "passed" for v in run_checks(other, engine, seed=seed))
+    ]
+
+
+def _is_unwritten(verdict: Verdict) -> bool:
+    """Say whether a check fails for want of a body of its own chapter."""
+    number = verdict.exercise.lstrip("B").partition(".")[0]
+    return re.search(rf"not written yet: Exercise B?{number}\.", verdict.message) is not None

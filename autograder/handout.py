@@ -17,7 +17,7 @@ STUDENT_TOOLS = {
         "__init__.py __main__.py answers.py check.py definitions.py explain.py given.py "
         "make_venv.py manifest.py runner.py scores.py verdicts.py"
     ),
-    "studies": "__init__.py __main__.py drawing.py plot.py",
+    "studies": "__init__.py __main__.py drawing.py plot.py scenes.py",
     "tests": "conftest.py draw.py expect.py",
 }
 

@@ -102,7 +102,7 @@ def test_the_gradebook_has_a_row_a_student_below_the_points_possible(
     assert header == ["student", "status", "score", *ids]
     assert possible[0] == "points possible"
     assert possible[2] == str(POSSIBLE)
-    assert [row[0] for row in rows] == ["ada", "ben", "cleo", "dina", "eli", "finn", "gwen"]
+    assert [row[0] for row in rows] == ["ada", "ben", "cleo", "dina", "eli", "finn", "gwen", "hana"]
     for row in rows:
         assert float(row[2]) == result(graded[0], row[0])["score"]
         assert row[header.index("2.3")] == ""

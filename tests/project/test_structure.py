@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from autograder.answers import answered
+from autograder.cohort import grade_submission
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
-from autograder.runner import run_checks
-from autograder.scores import results_of, total
+from autograder.scores import total
 
 CHAPTERS = load_chapters()
 BELOW = {  # the chapters that a chapter's modules may import
@@ -152,10 +152,9 @@ def test_the_readme_shows_what_the_sample_class_really_gets() -> None:
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     rows = re.findall(r"(?m)^ {5}(\w+) +([\d.]+)/(\d+) +(\d+)/(\d+) +graded", readme)
     assert len(rows) == 4
-    chapter = CHAPTERS[0]
-    points = sum(exercise.points for exercise in chapter.exercises if exercise.kind != "written")
     for student, score, possible, passed, checks in rows:
-        verdicts = run_checks(chapter, [ROOT / "sample_class" / student], seed="1")
-        assert (float(score), int(possible)) == (total(results_of(chapter, verdicts))[0], points)
+        results = grade_submission(ROOT / "sample_class" / student, CHAPTERS, "1")
+        verdicts = [verdict for result in results for verdict in result.checks]
+        assert (float(score), int(possible)) == total(results)
         assert int(passed) == sum(verdict.status == "passed" for verdict in verdicts)
         assert int(checks) == len(verdicts)

@@ -22,6 +22,10 @@ SOURCE = '''\
 
 import math
 import random
+from os.path import (
+    basename,
+    join,
+)
 
 LIMIT = 3.0
 # What the answer starts from.
@@ -38,13 +42,24 @@ class Ball:
         """Return the volume."""
         return _cube(self.radius) * math.pi * SECRET / 3.0
 
+    @property
+    def diameter(self) -> float:
+        """The diameter."""
+        return 2.0 * self.radius
 
-def throw() -> float:
-    return random.random()
+    @diameter.setter
+    def diameter(self, diameter: float) -> None:
+        """Set the diameter."""
+        self.radius = diameter / 2.0
+
+
+def throw() -> str:
+    return basename(str(random.random()))
 
 
 def _cube(x: float) -> float:
     """Return x^3."""
+    join("a", "b")
     return x * x * x
 '''
 
@@ -60,8 +75,8 @@ def test_a_stub_can_be_imported_and_holds_no_answer(path: str, tmp_path: Path) -
         return
     file = tmp_path / Path(path).name
     file.write_text(STUBS[path], encoding="utf-8")
-    solutions = str(ROOT / "solutions")
-    code = f"import sys, runpy; sys.path.insert(0, {solutions!r}); runpy.run_path({str(file)!r})"
+    engine = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    code = f"import sys, runpy; sys.path[:0] = {engine}; runpy.run_path({str(file)!r})"
     subprocess.run([sys.executable, "-c", code], check=True)
     chapter = next(chapter for chapter in load_chapters() if chapter.name == Path(path).parent.name)
     defined = functions(ast.parse(STUBS[path]))
@@ -76,11 +91,12 @@ def test_a_stub_can_be_imported_and_holds_no_answer(path: str, tmp_path: Path) -
 
 def test_bodies_helpers_imports_and_constants_of_the_answer_go_and_the_rest_stays() -> None:
     assert (
-        stub_module(SOURCE, {"Ball.volume": "Exercise 1: Volume"})
+        stub_module(SOURCE, {"Ball.volume": "Exercise 1: Volume", "Ball.diameter.setter": "2"})
         == '''\
 """A module."""
 
 import random
+from os.path import basename
 
 LIMIT = 3.0
 
@@ -95,9 +111,19 @@ class Ball:
         """Return the volume."""
         raise NotImplementedError("Exercise 1: Volume")
 
+    @property
+    def diameter(self) -> float:
+        """The diameter."""
+        return 2.0 * self.radius
 
-def throw() -> float:
-    return random.random()
+    @diameter.setter
+    def diameter(self, diameter: float) -> None:
+        """Set the diameter."""
+        raise NotImplementedError("2")
+
+
+def throw() -> str:
+    return basename(str(random.random()))
 
 
 def _cube(x: float) -> float:

@@ -1,0 +1,142 @@
+"""The stuck student: what an earlier chapter breaks is told from what this one does wrong."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from autograder.given import mark_inherited, with_given
+from autograder.handout import make_handout
+from autograder.manifest import ROOT, select_chapters
+from autograder.runner import Verdict, run_checks
+
+CH02, CH03 = select_chapters("2-3")
+REFERENCE = [ROOT / "solutions", ROOT / "chapters"]
+
+
+def check(
+    engine: Path | str, *arguments: str, root: Path = ROOT
+) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "autograder", "check", "--engine", str(engine), *arguments]
+    return subprocess.run(command, cwd=root, capture_output=True, encoding="utf-8", check=False)
+
+
+@pytest.fixture
+def engine(tmp_path: Path) -> Path:
+    """The reference's chapters 2 and 3 in a folder to be edited."""
+    for chapter in (CH02, CH03):
+        shutil.copytree(ROOT / "solutions" / chapter.name, tmp_path / chapter.name)
+    return tmp_path
+
+
+def edit(engine: Path, file: str, old: str, new: str) -> None:
+    text = (engine / file).read_text(encoding="utf-8")
+    assert old in text
+    (engine / file).write_text(text.replace(old, new), encoding="utf-8")
+
+
+def verdicts(engine: Path) -> dict[str, Verdict]:
+    folders = [engine, ROOT / "chapters"]
+    marked = mark_inherited(CH03, run_checks(CH03, folders, seed="1"), folders, "1")
+    return {verdict.name: verdict for verdict in marked}
+
+
+def test_a_right_chapter_on_a_broken_one_has_inherited_failures_alone() -> None:
+    done = check("sample_class/hana", "--chapter", "3")
+    assert done.returncode == 1
+    rows = [line.split() for line in done.stdout.splitlines()]
+    assert ["B3.4", "The", "step", "**", "inherited", "9/15", "3.12/6"] in rows
+    assert "9 checks fail here for what is wrong in chapter 2. On the reference's" in done.stdout
+    assert "chapter 2 this chapter has 35 points.\n" in done.stdout
+    assert "make check CH=3 GIVEN=2\n" in done.stdout
+    assert "Inherited, for example: B3.4 The step" in done.stdout
+    assert done.stdout.endswith("Next: make check CH=2\n")
+
+
+def test_given_takes_the_earlier_chapter_from_the_reference() -> None:
+    done = check("sample_class/hana", "--chapter", "3", "--given", "2")
+    assert done.returncode == 0
+    assert "35 of 35 points" in done.stdout
+    everything = check("sample_class/hana", "--given", "2")
+    assert everything.returncode == 0, "what is given is not checked"
+    assert "Chapter 2:" not in everything.stdout
+
+
+def test_own_failures_stay_failures_and_come_first(engine: Path) -> None:
+    edit(engine, "ch02_vectors/vector.py", "self.z * scale)", "self.z)")
+    edit(engine, "ch03_laws_of_motion/exercises.py", "** 2", "** 3")
+    marked = verdicts(engine)
+    assert marked["test_momentum_is_mass_times_velocity"].status == "inherited"
+    assert marked["test_the_force_falls_with_the_square_of_the_distance"].status == "failed"
+    done = check(engine, "--chapter", "3")
+    assert "First to repair: 3.2 Gravity between two people" in done.stdout
+    assert "make check CH=3 GIVEN=2\n" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("class Vector3:", "class Vector3(:", "ch02_vectors/vector.py cannot be read"),
+        ("class Vector3:", "import nothing_of_that_name\n\n\nclass Vector3:", "cannot be imported"),
+        ("return Vector3(self.x + v.x", "raise NotImplementedError('Exercise B2.5')  # ", "B2.5"),
+        ("self.x + v.x, self.y", "self.x + v.x, self.x", ""),
+        ("    def squared_magnitude", "    def square", "has no attribute 'squared_magnitude'"),
+    ],
+)
+def test_whatever_is_wrong_below_is_inherited(engine: Path, old: str, new: str, words: str) -> None:
+    edit(engine, "ch02_vectors/vector.py", old, new)
+    lost = [verdict for verdict in verdicts(engine).values() if verdict.status != "passed"]
+    assert lost
+    assert {verdict.status for verdict in lost} == {"inherited"}
+    assert words in lost[0].message
+
+
+def test_a_chapter_that_is_not_written_yet_is_not_run_a_second_time(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    before = [Verdict("a", "B3.1", 1, "failed", "not written yet: Exercise B3.1: Mass")]
+    monkeypatch.setattr("autograder.given.run_checks", lambda *_, **__: pytest.fail("ran again"))
+    assert mark_inherited(CH03, before, REFERENCE, "1") == before
+    first = [Verdict("a", "B2.1", 1, "failed", "wrong")]
+    assert mark_inherited(CH02, first, REFERENCE, "1") == first, "nothing is below chapter 2"
+
+
+def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:
+    make_handout([CH02, CH03], [], tmp_path / "out")
+    for chapter in ("ch02_vectors", "ch03_laws_of_motion"):
+        source = ROOT / "sample_class/hana" / chapter
+        shutil.copytree(source, tmp_path / "out/chapters" / chapter, dirs_exist_ok=True)
+    done = check("chapters", "--chapter", "3", root=tmp_path / "out")
+    assert done.returncode == 1
+    assert "GIVEN" not in done.stdout
+    assert "Chapter 2 fails checks of its own, which may be the reason" in done.stdout
+    refused = check("chapters", "--chapter", "3", "--given", "2", root=tmp_path / "out")
+    assert refused.returncode == 2
+    assert "check: chapter 2 cannot be given: this folder has no reference" in refused.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "complaint"),
+    [
+        (["--chapter", "3", "--given", "3"], "nothing is left to check: chapter 3 is given"),
+        (["--chapter", "3", "--given", "9"], "there is no chapter 9 here"),
+        (["--exercise", "2.1", "--given", "2"], "nothing is left to check: chapter 2 is given"),
+    ],
+)
+def test_a_mistake_in_what_is_given_is_one_clear_sentence(
+    arguments: list[str], complaint: str
+) -> None:
+    done = check("solutions", *arguments)
+    assert done.returncode == 2
+    assert complaint in done.stderr
+
+
+def test_the_given_folder_is_gone_afterwards() -> None:
+    with with_given([CH02], REFERENCE) as folders:
+        top = folders[0]
+        assert (top / "ch02_vectors/vector.py").exists()
+    assert not top.exists()

@@ -13,7 +13,7 @@ from autograder.handout import make_handout
 from autograder.manifest import ROOT, load_chapter, load_chapters
 from autograder.stubs import make_stubs
 
-CH02 = load_chapters()[0]
+CH02, CH03 = load_chapters()[:2]
 
 LATER_MANIFEST = """
 title = "Later"
@@ -118,6 +118,23 @@ def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> Non
     assert "Chapter 2:" not in before.stdout
     (out / "chapters" / later / "twice.py").write_text(LATER_SOLUTION)
     assert "1 of 1 points" in check(out).stdout
+
+
+def test_a_chapter_on_a_given_one_can_be_checked_and_drawn(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    make_handout([CH03], [CH02], out)
+    assert (out / "chapters/ch03_laws_of_motion/arguments.py").exists()
+    assert "0 of 35 points" in check(out, "--chapter", "3").stdout
+    second = ROOT / "tests/ch03_laws_of_motion/second"
+    shutil.copytree(second, out / "chapters/ch03_laws_of_motion", dirs_exist_ok=True)
+    assert "35 of 35 points" in check(out, "--chapter", "3").stdout
+    command = [sys.executable, "-P", "-m", "studies", "plot", "--chapter", "3"]
+    environment = {"PYTHONPATH": ".", "MPLBACKEND": "Agg", "SYSTEMROOT": "C:\\Windows"}
+    drawn = subprocess.run(
+        command, cwd=out, env=environment, capture_output=True, encoding="utf-8", check=False
+    )
+    assert drawn.returncode == 0, drawn.stdout + drawn.stderr
+    assert (out / "build/plots/ch03_laws_of_motion/damping_comparison.png").exists()
 
 
 def test_a_folder_with_something_in_it_and_a_chapter_named_twice_are_refused(

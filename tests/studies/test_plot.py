@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import math
 import os
 import shutil
 import subprocess
@@ -13,11 +14,20 @@ import pytest
 
 from autograder.manifest import ROOT
 
-NAMES = ("addition", "projection", "cross_product", "basis")
+NAMES = (
+    "ch02_vectors/addition",
+    "ch02_vectors/projection",
+    "ch02_vectors/cross_product",
+    "ch02_vectors/basis",
+    "ch03_laws_of_motion/damping_comparison",
+    "ch03_laws_of_motion/integration_error",
+    "ch03_laws_of_motion/trajectories",
+)
 
 
-def plot(engine: str | Path, out: Path) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "studies", "plot", "--chapter", "2", "--engine", str(engine)]
+def plot(engine: str | Path, out: Path, chapters: str = "2") -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "studies", "plot", "--chapter", chapters]
+    command += ["--engine", str(engine)]
     return subprocess.run(
         [*command, "--out", str(out)],
         cwd=ROOT,
@@ -28,8 +38,8 @@ def plot(engine: str | Path, out: Path) -> subprocess.CompletedProcess[str]:
     )
 
 
-def table(out: Path, name: str) -> list[list[str]]:
-    with (out / "ch02_vectors" / f"{name}.csv").open(encoding="utf-8", newline="") as file:
+def table(out: Path, name: str, chapter: str = "ch02_vectors") -> list[list[str]]:
+    with (out / chapter / f"{name}.csv").open(encoding="utf-8", newline="") as file:
         return list(csv.reader(file))
 
 
@@ -37,7 +47,7 @@ def table(out: Path, name: str) -> list[list[str]]:
 def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the reference's plots were drawn to."""
     out = tmp_path_factory.mktemp("plots")
-    done = plot("solutions", out)
+    done = plot("solutions", out, "2-3")
     assert done.returncode == 0, done.stdout + done.stderr
     assert all(f"{name}.png" in done.stdout and f"{name}.csv" in done.stdout for name in NAMES)
     return out
@@ -45,10 +55,11 @@ def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_plot_is_a_png_with_its_numbers_beside_it(reference: Path, name: str) -> None:
-    png = (reference / "ch02_vectors" / f"{name}.png").read_bytes()
+    png = (reference / f"{name}.png").read_bytes()
     assert png.startswith(b"\x89PNG")
     assert len(png) > 10_000, "an empty picture"
-    assert len(table(reference, name)) > 2
+    chapter, _, plot_name = name.partition("/")
+    assert len(table(reference, plot_name, chapter)) > 2
 
 
 def test_the_numbers_are_the_engines(reference: Path) -> None:
@@ -58,6 +69,44 @@ def test_the_numbers_are_the_engines(reference: Path) -> None:
     *_, left = table(reference, "projection")
     a = table(reference, "projection")[1]
     assert sum(float(p) * float(q) for p, q in zip(a[1:], left[1:], strict=True)) < 1e-14
+
+
+def column(rows: list[list[str]], heading: str) -> list[float]:
+    return [float(row[rows[0].index(heading)]) for row in rows[1:]]
+
+
+def test_the_damping_comparison_brackets_the_exact_loss(reference: Path) -> None:
+    rows = table(reference, "damping_comparison", "ch03_laws_of_motion")
+    rates, exact = column(rows, "frame rate, Hz"), column(rows, "exact")
+    by_frame, by_second, engine = (column(rows, heading) for heading in rows[0][1:4])
+    # Exactly 1 - (1 - d) / -ln d of the velocity is lost, for d = 0.5.
+    assert exact == pytest.approx([1.0 - 0.5 / math.log(2.0)] * len(rates), rel=1e-12)
+    assert all(a < b < c for a, b, c in zip(by_second, exact, engine, strict=True))
+    assert by_frame == sorted(by_frame)
+    for rate, low, high in zip(rates, by_second, engine, strict=True):
+        # The two differ by a h (1 - d), to which random frames add their variance, 3 % of h.
+        assert high - low == pytest.approx(0.5 / rate, rel=0.05)
+
+
+def test_the_integration_error_is_what_theory_says(reference: Path) -> None:
+    rows = table(reference, "integration_error", "ch03_laws_of_motion")
+    # Up to 3000 roundings of numbers up to 125.
+    wanted = pytest.approx(column(rows, "g t h / 2, m"), rel=1e-9)
+    assert column(rows, "error, m") == wanted
+
+
+def test_an_engine_with_the_equation_s_damping_draws_another_picture(
+    reference: Path, tmp_path: Path
+) -> None:
+    done = plot("sample_class/cleo", tmp_path, "3")  # v d^h + a h in place of (v + a h) d^h
+    assert (tmp_path / "ch03_laws_of_motion/integration_error.png").exists(), done.stdout
+    tables = [
+        table(out, "damping_comparison", "ch03_laws_of_motion") for out in (tmp_path, reference)
+    ]
+    mine, right = (column(rows, "the engine, (v + a h) d^h") for rows in tables)
+    by_equation = column(tables[0], "Eq. 3.6, v d^h + a h")
+    assert mine == pytest.approx(by_equation, rel=1e-12)
+    assert mine != pytest.approx(right, rel=1e-3)
 
 
 def test_a_wrong_engine_gives_a_wrong_picture(reference: Path, tmp_path: Path) -> None:

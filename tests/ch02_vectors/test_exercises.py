@@ -156,7 +156,7 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
 @pytest.mark.exercise("2.6", weight=0.5)
 def test_nan_is_not_a_unit_vector() -> None:
     call = "remove_projection(Vector3(0, nan, 0), Vector3(0.6, 0.8, 0))"
-    cause = "NaN compares false with everything: ask for what is wanted, and refuse the rest"
+    cause = "its length is NaN, which is not 1"
     read = "the docstring of remove_projection"
     expect_error(
         call,
@@ -217,8 +217,6 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
 def test_a_duration_must_be_positive_and_finite(duration: float) -> None:
     call = f"position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), {duration})"
     cause = "refuse it with ValueError: no time passes in it, or time runs back or for ever"
-    if math.isnan(duration):
-        cause = "NaN compares false with everything: ask for what is wanted, and refuse the rest"
     read = "the docstring of position_after"
     expect_error(
         call,

@@ -181,8 +181,6 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan])
 def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
     cause = "refuse it with ValueError: no time passes in it, or time runs back or for ever"
-    if math.isnan(duration):
-        cause = "NaN compares false with everything: ask for what is wanted, and refuse the rest"
     read = "the docstring of integrate"
     x, v, a = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)
     for mass in (1.0, math.inf):

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from autograder.check import find_definition, next_place
 from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.places import find_definition, next_place
 from autograder.runner import run_checks
 from autograder.scores import results_of, total
 from autograder.stubs import make_stubs

@@ -1,0 +1,70 @@
+"""Find the place in a student's file that a failed check is about."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+from autograder.definitions import functions, own_name
+from autograder.manifest import Chapter, Exercise
+from autograder.runner import Verdict
+
+OPERATORS = {  # as the calls of checks have them
+    "__neg__": "; -v",
+    "__mul__": " * ",
+    "__imul__": " *= ",
+    "__truediv__": " / ",
+    "__itruediv__": " /= ",
+    "__add__": " + ",
+    "__iadd__": " += ",
+    "__sub__": " - ",
+    "__isub__": " -= ",
+    "__matmul__": " @ ",
+}
+
+
+def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
+    """Return where to go: the line that the message names, or the body that the check called."""
+    told = re.search(r"(?m)^where +(ch\d\d_\w+)/(\w+\.py), line (\d+)", failed.message)
+    called = re.search(r"(?m)^called +(.*)", failed.message)
+    if told and not called:  # not written yet, not readable, not ending
+        return f"{_file(engine, told[1], told[2])}:{told[3]}"
+    bodies = [name for name in exercise.edit if called and _calls(called[1], name)]
+    return find_definition(engine, chapter, (bodies or exercise.edit)[0])
+
+
+def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
+    """Return the place of a name that the manifest lets students edit, as path:line.
+
+    Paths below the working folder are given from there; a file that is missing or cannot be read
+    is given without a line.
+    """
+    module, _, path = name.partition(".")
+    file = _file(engine, chapter.name, f"{module}.py")
+    try:
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+    except (OSError, SyntaxError, ValueError):
+        return str(file)
+    places = {node.name: node.lineno for node in tree.body if isinstance(node, ast.ClassDef)}
+    places |= {name: node.lineno for name, node in functions(tree).items()}
+    return f"{file}:{places.get(path) or places.get(path.partition('.')[0], 1)}"
+
+
+def _calls(expression: str, name: str) -> bool:
+    """Say whether the expression of a check calls the body of this name."""
+    short = own_name(name)
+    pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
+    if short in OPERATORS:
+        pattern = re.escape(OPERATORS[short])
+    elif short.endswith(".setter"):
+        attribute = short.removesuffix(".setter")
+        pattern = rf"\.{attribute} = |\b{attribute}="
+    return re.search(pattern, expression) is not None
+
+
+def _file(engine: list[Path], chapter: str, name: str) -> Path:
+    """Return the engine's file of that name, from the working folder where it is below it."""
+    files = [folder / chapter / name for folder in engine]
+    file = next((file for file in files if file.exists()), files[0])
+    return file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file

@@ -13,6 +13,8 @@ from pathlib import Path
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.runner import Verdict, run_checks
 
+LOST = ("failed", "blocked")
+
 
 @contextmanager
 def with_given(given: list[Chapter], engine: list[Path], root: Path = ROOT) -> Iterator[list[Path]]:
@@ -52,7 +54,7 @@ def mark_inherited(
     hand, or nothing is lost but what is not written yet, all verdicts stay as they are.
     """
     below = chapters_below(chapter)
-    lost = [verdict for verdict in verdicts if verdict.status in ("failed", "blocked")]
+    lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if not below or not all(map(is_at_hand, below)) or all(_is_unwritten(v) for v in lost):
         return verdicts
     exercises = list({verdict.exercise for verdict in lost})
@@ -61,7 +63,7 @@ def mark_inherited(
     passing = {verdict.name for verdict in again if verdict.status == "passed"}
     return [
         replace(verdict, status="inherited")
-        if verdict in lost and verdict.name in passing
+        if verdict.status in LOST and verdict.name in passing
         else verdict
         for verdict in verdicts
     ]
@@ -75,9 +77,8 @@ def suspects(
     Nobody can then tell which failures are inherited; that some may be is worth saying.
     """
     below = chapters_below(chapter)
-    if all(map(is_at_hand, below)) or all(
-        v.status == "passed" or _is_unwritten(v) for v in verdicts
-    ):
+    lost = [verdict for verdict in verdicts if verdict.status in LOST]
+    if all(map(is_at_hand, below)) or all(_is_unwritten(v) for v in lost):
         return []
     return [
         other

@@ -100,9 +100,10 @@ def _print_inherited(console: Console, chapter: Chapter, results: list[Result]) 
         return
     below = _below(chapter)
     checks = f"{lost} check fails" if lost == 1 else f"{lost} checks fail"
+    earlier = f"chapters {below}" if "-" in below else f"chapter {below}"
     console.print(
-        f"{checks} here for what is wrong in chapter {below}. On the reference's chapter {below} "
-        f"this chapter has {shown(without_inherited(results))} points.\n"
+        f"{checks} here for what is wrong in {earlier}. On the reference's {earlier} this one has "
+        f"{shown(without_inherited(results))} points.\n"
         f"Mend it:     make check CH={below}\n"
         f"Or go on:    make check CH={chapter.number} GIVEN={below}\n",
         style=STYLES["inherited"],

@@ -51,7 +51,7 @@ def test_a_right_chapter_on_a_broken_one_has_inherited_failures_alone() -> None:
     rows = [line.split() for line in done.stdout.splitlines()]
     assert ["B3.4", "The", "step", "**", "inherited", "9/15", "3.12/6"] in rows
     assert "9 checks fail here for what is wrong in chapter 2. On the reference's" in done.stdout
-    assert "chapter 2 this chapter has 35 points.\n" in done.stdout
+    assert "chapter 2 this one has 35 points.\n" in done.stdout
     assert "make check CH=3 GIVEN=2\n" in done.stdout
     assert "Inherited, for example: B3.4 The step" in done.stdout
     assert done.stdout.endswith("Next: make check CH=2\n")

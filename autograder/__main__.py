@@ -8,7 +8,6 @@ import io
 import sys
 
 from autograder.check import check
-from autograder.given import with_given
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters, select_chapters
 from autograder.runner import GraderError
 
@@ -76,8 +75,7 @@ def run_check(arguments: argparse.Namespace) -> bool:
     chapters = [chapter for chapter in chapters if chapter not in given]
     if not chapters:
         raise ValueError(f"nothing is left to check: chapter {arguments.given} is given")
-    with with_given(given, engine) as engine_given:
-        return not check(chapters, exercise, engine_given, arguments.seed)
+    return not check(chapters, exercise, engine, arguments.seed, given)
 
 
 def run_hint(arguments: argparse.Namespace) -> int:

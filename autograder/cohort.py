@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import secrets
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
@@ -12,6 +13,7 @@ from rich.markup import escape
 from rich.progress import Progress
 from rich.table import Table
 
+from autograder.given import with_given
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.reports import overall_status, write_gradebook, write_result
 from autograder.runner import GraderError, Verdict, run_checks
@@ -24,11 +26,17 @@ ISOLATION = (
 )
 
 
-def grade(folder: Path, out: Path, chapters: list[Chapter], seed: str | None) -> int:
+def grade(
+    folder: Path,
+    out: Path,
+    chapters: list[Chapter],
+    seed: str | None,
+    given: Sequence[Chapter] = (),
+) -> int:
     """Grade every submission in the folder; write the reports into out; return 1 for errors.
 
-    A submission is a folder named after the student; hidden ones and caches are none. Raises
-    ValueError where there is none.
+    The ``given`` chapters are the reference's, whatever is handed in. A submission is a folder
+    named after the student; hidden ones and caches are none. Raises ValueError without any.
     """
     if not folder.is_dir():
         raise ValueError(f"the submissions must be a folder of folders, got {str(folder)!r}")
@@ -46,7 +54,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], seed: str | None) ->
         for submission in submissions:
             progress.update(task, description=f"grading {escape(submission.name)}")
             try:
-                grades[submission.name] = grade_submission(submission, chapters, seed)
+                grades[submission.name] = grade_submission(submission, chapters, seed, given)
             except Exception as error:  # ours, whatever it is: the class goes on
                 grades[submission.name] = [
                     result for chapter in chapters for result in _errors(chapter, repr(error))
@@ -62,18 +70,24 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], seed: str | None) ->
 
 
 def grade_submission(
-    submission: Path, chapters: list[Chapter], seed: str, root: Path = ROOT
+    submission: Path,
+    chapters: list[Chapter],
+    seed: str,
+    given: Sequence[Chapter] = (),
+    root: Path = ROOT,
 ) -> list[Result]:
-    """Return the results of one submission in these chapters."""
+    """Return the results of one submission in these chapters, on top of the given ones."""
     results: list[Result] = []
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
         box = Path(folder)
         stage(submission, load_chapters(root), box, root)
-        for chapter in chapters:
-            try:
-                results += results_of(chapter, run_checks(chapter, [box], seed=seed, root=root))
-            except GraderError as error:
-                results += _errors(chapter, str(error))
+        with with_given(given, [box], root) as engine:
+            for chapter in chapters:
+                try:
+                    verdicts = run_checks(chapter, engine, seed=seed, root=root)
+                    results += results_of(chapter, verdicts)
+                except GraderError as error:
+                    results += _errors(chapter, str(error))
     return results
 
 

@@ -5,19 +5,21 @@ from __future__ import annotations
 import re
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.runner import Verdict, run_checks
+from autograder.runner import GraderError, Verdict, run_checks
 
 LOST = ("failed", "blocked")
 
 
 @contextmanager
-def with_given(given: list[Chapter], engine: list[Path], root: Path = ROOT) -> Iterator[list[Path]]:
+def with_given(
+    given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
+) -> Iterator[list[Path]]:
     """Yield an engine that has the reference's modules of the given chapters on top.
 
     Raises ValueError where the reference of a chapter is not at hand, as in a hand-out.
@@ -46,44 +48,61 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def mark_inherited(
-    chapter: Chapter, verdicts: list[Verdict], engine: list[Path], seed: str
-) -> list[Verdict]:
-    """Return the verdicts, with "inherited" for the checks that only an earlier chapter fails.
+    chapter: Chapter,
+    verdicts: list[Verdict],
+    engine: list[Path],
+    seed: str,
+    exercises: list[str],
+    given: Sequence[Chapter] = (),
+) -> tuple[list[Verdict], list[Verdict]]:
+    """Return the verdicts, "inherited" where only an earlier chapter fails, and a second run's.
 
-    Such a check passes as soon as the chapters below are the reference's. Where those are not at
-    hand, or nothing is lost but what is not written yet, all verdicts stay as they are.
+    The second run has the reference's chapters below. A check that passes there is inherited; of
+    one that fails there too, its verdict is told, since nothing but this chapter is behind it.
+    There is no second run (so no verdicts of it) where the reference is not at hand or given
+    already, where nothing is lost but what is not written yet, or where a loop does not end.
     """
-    below = chapters_below(chapter)
+    below = [other for other in chapters_below(chapter) if other not in given]
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
-    if not below or not all(map(is_at_hand, below)) or all(_is_unwritten(v) for v in lost):
-        return verdicts
-    exercises = list({verdict.exercise for verdict in lost})
-    with with_given(below, engine) as better:
-        again = run_checks(chapter, better, seed=seed, exercises=exercises)
-    passing = {verdict.name for verdict in again if verdict.status == "passed"}
-    return [
-        replace(verdict, status="inherited")
-        if verdict.status in LOST and verdict.name in passing
-        else verdict
-        for verdict in verdicts
-    ]
+    pointless = all(_is_unwritten(verdict) for verdict in lost)
+    if not below or not all(map(is_at_hand, below)) or pointless or _hangs(chapter, lost):
+        return verdicts, []
+    try:
+        with with_given(below, engine) as better:
+            again = run_checks(chapter, better, seed=seed, exercises=exercises)
+    except GraderError:  # the first run stands
+        return verdicts, []
+    second = {verdict.name: verdict for verdict in again}
+    marked = []
+    for verdict in verdicts:
+        other = second.get(verdict.name, verdict)
+        if verdict.status in LOST and other.status == "passed":
+            verdict = replace(verdict, status="inherited")
+        elif verdict.status in LOST and other.status in LOST:
+            verdict = other
+        marked.append(verdict)
+    return marked, again
 
 
 def suspects(
-    chapter: Chapter, verdicts: list[Verdict], engine: list[Path], seed: str
+    chapter: Chapter,
+    verdicts: list[Verdict],
+    engine: list[Path],
+    seed: str,
+    given: Sequence[Chapter] = (),
 ) -> list[Chapter]:
     """Return the chapters below that fail checks of their own, where no reference is at hand.
 
     Nobody can then tell which failures are inherited; that some may be is worth saying.
     """
-    below = chapters_below(chapter)
+    below = [other for other in chapters_below(chapter) if other not in given]
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
-    if all(map(is_at_hand, below)) or all(_is_unwritten(v) for v in lost):
+    if all(map(is_at_hand, below)) or all(_is_unwritten(verdict) for verdict in lost):
         return []
     return [
         other
         for other in below
-        if any(v.status != "passed" for v in run_checks(other, engine, seed=seed))
+        if any(verdict.status != "passed" for verdict in run_checks(other, engine, seed=seed))
     ]
 
 
@@ -91,3 +110,9 @@ def _is_unwritten(verdict: Verdict) -> bool:
     """Say whether a check fails for want of a body of its own chapter."""
     number = verdict.exercise.lstrip("B").partition(".")[0]
     return re.search(rf"not written yet: Exercise B?{number}\.", verdict.message) is not None
+
+
+def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
+    """Say whether a check did not end in this chapter's own code."""
+    own = f"where     {chapter.name}/"
+    return any("did not end" in verdict.message and own in verdict.message for verdict in lost)

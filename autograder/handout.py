@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Iterable
 from pathlib import Path
 
+from autograder.given import chapters_below
 from autograder.manifest import ROOT, Chapter
 from autograder.stubs import make_stubs
 
@@ -78,6 +79,10 @@ def make_handout(
     (out / "README.md").write_text(text, encoding="utf-8", newline="\n")
     print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
     print(f"given complete: {', '.join(chapter.name for chapter in given) or 'none'}")
+    there = [*chapters, *given]
+    below = [other for chapter in chapters for other in chapters_below(chapter, root)]
+    if missing := sorted({other.name for other in below if other not in there}):
+        print(f"to be brought along by each student: {', '.join(missing)}")
     print(f"hand-out: {out}; try it: make -C {shlex.quote(str(out))} check")
 
 

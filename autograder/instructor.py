@@ -15,6 +15,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--out", type=Path, required=True, help="where the results go")
     command.add_argument("--seed", help="seed of the numbers (default: a new one, reported)")
     command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.set_defaults(run=run_grade)
 
     command = commands.add_parser("handout", help="make what students get")
@@ -32,8 +33,11 @@ def run_grade(arguments: argparse.Namespace) -> int:
     """Grade a class."""
     from autograder.cohort import grade
 
-    chapters = select_chapters(arguments.chapters)
-    return grade(arguments.folder, arguments.out, chapters, arguments.seed)
+    given = select_chapters(arguments.given) if arguments.given else []
+    chapters = [c for c in select_chapters(arguments.chapters) if c not in given]
+    if not chapters:
+        raise ValueError(f"nothing is left to grade: chapter {arguments.given} is given")
+    return grade(arguments.folder, arguments.out, chapters, arguments.seed, given)
 
 
 def run_handout(arguments: argparse.Namespace) -> int:

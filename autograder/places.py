@@ -28,7 +28,7 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
     """Return where to go: the line that the message names, or the body that the check called."""
     told = re.search(r"(?m)^where +(ch\d\d_\w+)/(\w+\.py), line (\d+)", failed.message)
     called = re.search(r"(?m)^called +(.*)", failed.message)
-    if told and not called:  # not written yet, not readable, not ending
+    if told and (not called or told[1] == chapter.name):
         return f"{_file(engine, told[1], told[2])}:{told[3]}"
     bodies = [name for name in exercise.edit if called and _calls(called[1], name)]
     return find_definition(engine, chapter, (bodies or exercise.edit)[0])

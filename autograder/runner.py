@@ -10,6 +10,7 @@ import contextlib
 import json
 import os
 import queue
+import re
 import signal
 import subprocess
 import sys
@@ -25,6 +26,7 @@ from autograder.explain import explain_hang
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 TIME_LIMIT = 3.0  # seconds for one check, which takes a few milliseconds
+HURRIED = 0.25  # of that for the checks that are left, once one function has not ended twice
 RUN_LIMIT = 90.0  # seconds for all the checks of a chapter
 GRACE = 10.0  # seconds of silence beyond a check's limit, then the process is ended from outside
 
@@ -68,8 +70,7 @@ def run_checks(
         if time.monotonic() > run.deadline:
             run.give_up()
         elif not run.finished and run.progress == before:
-            words = run.stderr or "it said nothing"
-            raise GraderError(f"the process of the checks stopped without a verdict; {words}")
+            raise GraderError(run.reason())
     return _mark_blocked(chapter, run.ordered_verdicts())
 
 
@@ -91,7 +92,15 @@ class _Run:
     finished: bool = False
     silent: bool = False
     hung: set[str] = field(default_factory=set)  # exercises of which a check did not end
+    loops: set[str] = field(default_factory=set)  # functions in which one did not
     stderr: str = ""
+
+    def reason(self) -> str:
+        """Return why there are no verdicts."""
+        if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
+            return f"{missing[1]} is not here: put your own folder beside {self.chapter.name}"
+        words = self.stderr or "it said nothing"
+        return f"the process of the checks stopped without a verdict; {words}"
 
     @property
     def progress(self) -> tuple[int, int]:
@@ -139,6 +148,10 @@ class _Run:
             self._decide(name, "failed", why)
             if hung:
                 self._note_hang(self.checks[name]["exercise"])
+                place = why.rpartition("in ")[2]  # the function, where it is a student's
+                if place in self.loops:
+                    self.time_limit = TIME_LIMIT * HURRIED
+                self.loops.add(place)
 
     def _config(self, stack_file: Path) -> str:
         chapters = [c for c in load_chapters(self.root) if c.number <= self.chapter.number]

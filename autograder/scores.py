@@ -41,27 +41,11 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     statuses = {check.status for check in checks}
     if not checks or "error" in statuses:
         return Result(exercise, "error", None, checks)
-    score = exercise.points * _share(checks, "passed")
+    passed = sum(check.weight for check in checks if check.status == "passed")
+    score = exercise.points * passed / sum(check.weight for check in checks)
     order = ("failed", "blocked", "inherited", "passed")
     status = next(status for status in order if status in statuses)
     return Result(exercise, status, round(score, 2), checks)
-
-
-def without_inherited(results: Iterable[Result]) -> float:
-    """Return the points that the checks would give if the chapters below were the reference's."""
-    return round(
-        sum(
-            result.exercise.points * _share(result.checks, "passed", "inherited")
-            for result in results
-        ),
-        2,
-    )
-
-
-def _share(checks: list[Verdict], *statuses: str) -> float:
-    """Return the share of the weight of the checks that have one of these statuses."""
-    weight = sum(check.weight for check in checks)
-    return sum(check.weight for check in checks if check.status in statuses) / (weight or 1.0)
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, int]:

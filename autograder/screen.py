@@ -6,18 +6,20 @@ rich is loaded when it is needed: by then the checks run in their own process, s
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.answers import answered
 from autograder.given import chapters_below
-from autograder.manifest import Chapter
+from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.places import next_place
-from autograder.scores import Result, shown, total, without_inherited
+from autograder.scores import Result, shown, total
 
 if TYPE_CHECKING:
     from rich.console import Console
 
+URGENCY = {"blocked": 1, "inherited": 2}  # what is shown last: another failure is behind it
 STYLES = {
     "passed": "green",
     "failed": "red",
@@ -27,6 +29,20 @@ STYLES = {
 }
 UNWRITTEN = "not written yet"
 BAR = 40
+
+
+@dataclass(frozen=True)
+class Report:
+    """What became of a chapter: on the student's earlier chapters, and on the reference's.
+
+    ``on_reference`` is empty where there was no reason, or no way, to check on those. ``suspects``
+    are earlier chapters that may be to blame.
+    """
+
+    chapter: Chapter
+    results: list[Result]
+    on_reference: list[Result]
+    suspects: list[Chapter]
 
 
 class ProgressBar:
@@ -58,13 +74,34 @@ class ProgressBar:
         self._bar.update(self._task, description=self.title, completed=done, total=of)
 
 
-def print_chapter(
-    console: Console, chapter: Chapter, results: list[Result], engine: list[Path]
-) -> None:
-    """Print the table of a chapter, its points, and what an earlier chapter took of them."""
+def print_report(
+    console: Console,
+    reports: list[Report],
+    exercise: Exercise | None,
+    engine: list[Path],
+    given: list[Chapter],
+) -> bool:
+    """Print the chapters one below the other, then the first failure; return whether all pass."""
+    for report in reports:
+        _print_chapter(console, report, engine)
+        _print_inherited(console, report, exercise, engine)
+    on_given = f" on the reference's {_numbered(given)}" if given else ""
+    everything = [(report.chapter, result) for report in reports for result in report.results]
+    open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
+    if not open_ones:
+        console.print(f"Everything that can be checked passes{on_given}.", style="bold green")
+        return True
+    first = min(open_ones, key=lambda pair: URGENCY.get(pair[1].status, 0))
+    _print_failure(console, *first, engine)
+    return False
+
+
+def _print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
+    """Print the table of a chapter, its points, and what of the folder is not handed in."""
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
+    chapter, results = report.chapter, report.results
     console.print(f"\nChapter {chapter.number}: {chapter.title}", style="bold")
     table = Table("", "exercise", "stars", "state", box=SIMPLE_HEAD, pad_edge=False)
     table.add_column("checks", justify="right")
@@ -90,42 +127,81 @@ def print_chapter(
     answers = sum(result.exercise.points for result in results) - points
     more = f", and {answers} for written answers, which a person marks" if answers else ""
     console.print(f"[{bar}] {shown(earned)} of {points} points{more}\n", markup=False)
-    _print_inherited(console, chapter, results)
-
-
-def _print_inherited(console: Console, chapter: Chapter, results: list[Result]) -> None:
-    """Say how many checks an earlier chapter fails, and the two ways to go on."""
-    lost = sum(check.status == "inherited" for result in results for check in result.checks)
-    if not lost:
-        return
-    below = _below(chapter)
-    checks = f"{lost} check fails" if lost == 1 else f"{lost} checks fail"
-    earlier = f"chapters {below}" if "-" in below else f"chapter {below}"
-    console.print(
-        f"{checks} here for what is wrong in {earlier}. On the reference's {earlier} this one has "
-        f"{shown(without_inherited(results))} points.\n"
-        f"Mend it:     make check CH={below}\n"
-        f"Or go on:    make check CH={chapter.number} GIVEN={below}\n",
-        style=STYLES["inherited"],
-        soft_wrap=True,
-    )
-
-
-def print_suspects(console: Console, chapters: list[Chapter]) -> None:
-    """Say which chapters below may be the reason for some failures."""
-    for chapter in chapters:
+    known = {*chapter.edited_files, *chapter.complete}
+    files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
+    if extra := [name for name in files if name not in known]:
         console.print(
-            f"Chapter {chapter.number} fails checks of its own, which may be the reason for some "
-            f"failures here: make check CH={chapter.number}\n",
+            f"Not handed in, so nothing may import it: {', '.join(extra)}\n",
+            markup=False,
+            soft_wrap=True,
+        )
+
+
+def _print_inherited(
+    console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
+) -> None:
+    """Say how many checks an earlier chapter fails, and the two ways to go on."""
+    chapter = report.chapter
+    lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
+    if lost:
+        earlier = _numbered(chapters_below(chapter))
+        numbers = earlier.partition(" ")[2]
+        checks = f"{lost} check fails" if lost == 1 else f"{lost} checks fail"
+        earned, points = total(report.on_reference)
+        this = {"EX": exercise.id} if exercise else {"CH": str(chapter.number)}
+        console.print(
+            f"{checks} here for what is wrong in {earlier}. On the reference's {earlier} "
+            f"you have {shown(earned)} of {points} points.\n"
+            f"Mend it:     {_command(engine, CH=numbers)}\n"
+            f"Or go on:    {_command(engine, **this, GIVEN=numbers)}\n",
+            style=STYLES["inherited"],
+            soft_wrap=True,
+        )
+    for other in report.suspects:
+        console.print(
+            f"Chapter {other.number} fails checks of its own, which may be the reason for some "
+            f"failures here: {_command(engine, CH=str(other.number))}\n",
             style=STYLES["inherited"],
             soft_wrap=True,
         )
 
 
-def _below(chapter: Chapter) -> str:
-    """Return the chapters below one as a text, such as 2 or 2-5."""
-    numbers = [other.number for other in chapters_below(chapter)]
-    return str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}-{numbers[-1]}"
+def _print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
+    """Print one failed check in full, and what to do next."""
+    exercise = result.exercise
+    failed = next((check for check in result.checks if check.status == result.status), None)
+    if failed is None:
+        console.print(f"No check was found for exercise {exercise.id}.", style="magenta")
+        return
+    message = failed.message
+    inherited = failed.status == "inherited"
+    if inherited:  # the cause that a check of this chapter suggests is another
+        message = re.sub(r"(?m)^(likely|read) .*\n?", "", message).strip()
+    heading = "Inherited, for example" if inherited else "First to repair"
+    console.print(f"{heading}: {exercise.id} {exercise.title}", style="bold")
+    console.print(f"check     {failed.name}\n{message}\n", markup=False, soft_wrap=True)
+    if inherited:
+        numbers = _numbered(chapters_below(chapter)).partition(" ")[2]
+        console.print(f"Next: {_command(engine, CH=numbers)}", style="bold", soft_wrap=True)
+        return
+    place = next_place(engine, chapter, exercise, failed)
+    console.print(f"Next: open {place}", style="bold", markup=False, soft_wrap=True)
+    unwritten = re.search(rf"{UNWRITTEN}: Exercise (B?\d+\.\w+)", failed.message)
+    console.print(f"A nudge: make hint EX={unwritten[1] if unwritten else exercise.id}")
+
+
+def _command(engine: list[Path], **arguments: str) -> str:
+    """Return the command that checks this engine again."""
+    if engine[0] != ROOT / "chapters":
+        inside = engine[0].is_relative_to(ROOT)
+        arguments["ENGINE"] = str(engine[0].relative_to(ROOT) if inside else engine[0])
+    return " ".join(["make check", *(f"{name}={value}" for name, value in arguments.items())])
+
+
+def _numbered(chapters: list[Chapter]) -> str:
+    """Return chapters as words, such as chapter 2 or chapters 2-5."""
+    first, last = chapters[0].number, chapters[-1].number
+    return f"chapter {first}" if first == last else f"chapters {first}-{last}"
 
 
 def _state(result: Result, written: set[str]) -> str:
@@ -145,23 +221,3 @@ def _answered(chapter: Chapter, engine: list[Path]) -> set[str]:
         if file.exists():
             return answered(file.read_text(encoding="utf-8", errors="replace"))
     return set()
-
-
-def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Print one failed check in full, and what to do next."""
-    exercise = result.exercise
-    failed = next((check for check in result.checks if check.status == result.status), None)
-    if failed is None:
-        console.print(f"No check was found for exercise {exercise.id}.", style="magenta")
-        return
-    inherited = failed.status == "inherited"
-    heading = "Inherited, for example" if inherited else "First to repair"
-    console.print(f"{heading}: {exercise.id} {exercise.title}", style="bold")
-    console.print(f"check     {failed.name}\n{failed.message}\n", markup=False, soft_wrap=True)
-    if inherited:
-        console.print(f"Next: make check CH={_below(chapter)}", style="bold")
-        return
-    place = next_place(engine, chapter, exercise, failed)
-    console.print(f"Next: open {place}", style="bold", markup=False, soft_wrap=True)
-    unwritten = re.search(rf"{UNWRITTEN}: Exercise (B?\d+\.\w+)", failed.message)
-    console.print(f"A nudge: make hint EX={unwritten[1] if unwritten else exercise.id}")

@@ -99,10 +99,14 @@ def _state_of(particle: Particle) -> State:
 
 def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, float]:
     """Return position and velocity on one axis after t seconds of dv/dt = a - k v."""
-    if k == 0.0:
-        return x + v * t + 0.5 * a * t * t, v + a * t
-    gone = -math.expm1(-k * t) / k  # (1 - e^-kt) / k, exact for small k t too
-    return x + v * gone + a * (t - gone) / k, v - v * k * gone + a * gone
+    kt = k * t
+    if kt < 1e-3:  # two terms almost cancel below: their series, whose next term is 1e-15 of it
+        gone = t * (1.0 - kt / 2.0 + kt**2 / 6.0 - kt**3 / 24.0 + kt**4 / 120.0)
+        fallen = t * t * (0.5 - kt / 6.0 + kt**2 / 24.0 - kt**3 / 120.0 + kt**4 / 720.0)
+    else:
+        gone = -math.expm1(-kt) / k  # (1 - e^-kt) / k
+        fallen = (t - gone) / k
+    return x + v * gone + a * fallen, v - v * k * gone + a * gone
 
 
 AT_REST = State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))

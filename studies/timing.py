@@ -1,7 +1,7 @@
 """Two things timed in turn, shuffled, in one run on one machine, as a ratio.
 
-A ratio of two medians holds on any machine; seconds do not. The spread is that of the ratios
-between the quartiles of the rounds.
+A ratio holds on any machine; seconds do not. It is the median of the rounds' ratios, and the spread
+is between their quartiles.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class Line:
 
 
 def ratio(first: Timer, second: Timer, rounds: int, title: str) -> tuple[float, float, float]:
-    """Time two things in turn, in shuffled order, and return first / second and its quartiles."""
+    """Return the median of first / second and its quartiles, timed in turn in shuffled order."""
     pairs = []
     for _ in track(range(rounds), title, transient=True, disable=not sys.stdout.isatty()):
         order = [0, 1]
@@ -39,5 +39,4 @@ def ratio(first: Timer, second: Timer, rounds: int, title: str) -> tuple[float, 
             times[which] = (first, second)[which]()
         pairs.append(times)
     ratios = sorted(a / b for a, b in pairs)
-    middle = statistics.median(a for a, _ in pairs) / statistics.median(b for _, b in pairs)
-    return middle, ratios[len(ratios) // 4], ratios[(3 * len(ratios)) // 4]
+    return statistics.median(ratios), ratios[len(ratios) // 4], ratios[(3 * len(ratios)) // 4]

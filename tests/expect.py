@@ -121,7 +121,14 @@ def expect_error(
     __tracebackhide__ = True
     if "nan" in call:
         cause = NAN
-    allowed()
+    try:
+        allowed()
+    except NotImplementedError:
+        raise
+    except Exception as other:
+        came = f"{type(other).__name__}: {other}"
+        good = f"{call}, but with arguments that are right"
+        _complain(good, came, "no error", "what is right must not be refused", read)
     try:
         got = attempt()
     except error:
@@ -156,7 +163,10 @@ def _shown(value: Any) -> str:
 def _complain(call: str, got: str, wanted: str, cause: str, read: str) -> None:
     __tracebackhide__ = True
     if got == "None":
-        cause = f"nothing came back: is a return missing? Or: {cause}"
+        cause = (
+            "nothing came back: is a return missing, or does it return the None that a method in "
+            f"place gives? Or: {cause}"
+        )
     if "bound method" in got:
         cause = "a method is named but not called: its brackets are missing"
     raise AssertionError(

@@ -2,8 +2,8 @@
 
 Both return the velocity after a frame, as new, and change nothing. velocity in m/s, acceleration in
 m/s^2, duration in s. They differ in what the damping d means: the share of the velocity that is
-kept in each frame, however long it is, or in each second. What is no number, or no vector, is a
-TypeError.
+kept in each frame, however long it is, or in each second. What is no number where one is wanted is
+a TypeError.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """The exercises of the book's chapter 3, as functions of their data; 3.3 is in particle.py.
 
-None of them changes the vectors it is given. Numbers that mean nothing are a ValueError, other
-kinds of things a TypeError.
+None of them changes the vectors it is given. What is no number where one is wanted is a TypeError.
 """
 
 from __future__ import annotations
@@ -69,7 +68,7 @@ def state_by_steps(
     >>> state_by_steps(p, v, a, 1, steps=5)
     (Vector3(-13.0, 10.0, 14.0), Vector3(-9.0, 4.0, 4.5))
     """
-    raise NotImplementedError("Exercise 3.4b: The same in steps")
+    raise NotImplementedError("Exercise 3.4b: One step, then four more (b and c)")
 
 
 def stepping_error(
@@ -77,8 +76,7 @@ def stepping_error(
 ) -> Vector3:
     """Exercise 3.4d: return by how much the stepped position is off: stepped minus exact.
 
-    Arguments and errors as in state_by_steps. It is -a t h / 2, for steps of h seconds that last
-    t seconds in all.
+    Arguments and errors as in state_by_steps.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> stepping_error(p, v, a, 1, steps=5)

@@ -21,7 +21,10 @@ class Particle:
     one, as in ``particle.velocity.y = 3.0``, and are then yours to keep finite.
 
     ``damping`` is the share of the velocity that is kept per second: 1 keeps all of it.
-    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves.
+    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves. What is kept
+    is ``_inverse_mass`` and ``_damping``; ``__slots__`` names all that there can be.
+
+    copy.deepcopy makes another particle; copy.copy one that shares the three vectors.
     """
 
     __slots__ = ("_damping", "_frame", "_inverse_mass", "acceleration", "position", "velocity")
@@ -42,7 +45,7 @@ class Particle:
         self.position = Vector3() if position is None else position
         self.velocity = Vector3() if velocity is None else velocity
         self.acceleration = Vector3() if acceleration is None else acceleration
-        self._frame = [math.nan, 1.0]  # the last duration, and what damping keeps of v in it
+        self._frame = [math.nan, 1.0]  # for integrate: the last duration, and the share kept in it
         self.mass = mass
         self.damping = damping
 

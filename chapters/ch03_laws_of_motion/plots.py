@@ -25,7 +25,7 @@ RUNS = 20
 FORMS = (
     ("Eq. 3.5, v d + a h, set at 60 Hz", ORANGE, "s-"),
     ("Eq. 3.6, v d^h + a h", BLUE, "^-"),
-    ("the engine, (v + a h) d^h", BLACK, "o-"),
+    ("the engine, (v + a h) d^h", BLACK, "o--"),
 )
 
 
@@ -56,14 +56,16 @@ def damping_comparison() -> Picture:
         label = "" if sign < 0.0 else "theory, (1 - loss) h ln d / 2, both signs"
         right.plot(RATES, theory, color=GREY, lw=5, alpha=0.5, label=label)
     _frame_rates(right)
-    right.set(ylabel="loss minus exact loss, %", ylim=(-3.5, 3.5))
+    right.set(ylabel="loss minus exact loss, percentage points", ylim=(-3.5, 3.5))
     right.legend(fontsize=9)
     orders = [-slope(RATES, [abs(row[column] - exact) for row in rows]) for column in (2, 3)]
+    sides = {row[column] > exact for row in rows for column in (2, 3)}
     right.set_title(
-        "Eq. 3.6 and the engine miss the exact loss to two sides,\n"
+        f"Eq. 3.6 and the engine miss that to {'two sides' if len(sides) == 2 else 'one side'},\n"
         "by h to the power {:.2f} and {:.2f}".format(*orders)
     )
-    return Picture(figure, ("frame rate, Hz", *(form[0] for form in FORMS), "exact"), rows)
+    columns = ("frame rate, Hz", *(f"share lost: {form[0]}" for form in FORMS), "exact share")
+    return Picture(figure, columns, rows)
 
 
 def integration_error() -> Picture:
@@ -112,13 +114,13 @@ def trajectories() -> Picture:
             (scene.damping, i * frame, *p[:2], *q[:2])
             for i, (p, q) in enumerate(zip(stepped, exact, strict=True))
         ]
-    axes.axhline(0.0, color=GREEN, lw=1)
+    axes.axhline(0.0, color=GREEN, lw=1, label="ground")
     axes.set(xlabel="x, m", ylabel="y, m", aspect="equal")
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9)
     axes.set_title(
-        f"In steps of {frame} s a throw strays from its exact path:\n"
-        f"by {gaps[0]:.2f} m without damping, by {gaps[1]:.2f} m with it"
+        f"In steps of {frame} s a throw is off its exact position\n"
+        f"by up to {gaps[0]:.2f} m without damping, {gaps[1]:.2f} m with it"
     )
     columns = ("damping", "time, s", "x, m", "y, m", "exact x, m", "exact y, m")
     return Picture(figure, columns, rows)
@@ -148,7 +150,7 @@ def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
 
 
 def _frame_rates(axes: Axes) -> None:
-    axes.set(xscale="log", xlabel="frames a second, each up to 30 % shorter or longer")
+    axes.set(xscale="log", xlabel="frames a second (each frame up to 30 % shorter or longer)")
     axes.set_xticks(RATES, [str(rate) for rate in RATES])
     axes.minorticks_off()
     axes.grid(alpha=0.3)

@@ -1,7 +1,6 @@
 """The exercises of the book's chapter 3, as functions of their data; 3.3 is in particle.py.
 
-None of them changes the vectors it is given. Numbers that mean nothing are a ValueError, other
-kinds of things a TypeError.
+None of them changes the vectors it is given. What is no number where one is wanted is a TypeError.
 """
 
 from __future__ import annotations
@@ -10,7 +9,7 @@ from collections.abc import Sequence
 from random import Random
 
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, positive
+from ch03_laws_of_motion.arguments import finite, not_negative, positive
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.particle import Particle
 
@@ -90,8 +89,7 @@ def stepping_error(
 ) -> Vector3:
     """Exercise 3.4d: return by how much the stepped position is off: stepped minus exact.
 
-    Arguments and errors as in state_by_steps. It is -a t h / 2, for steps of h seconds that last
-    t seconds in all.
+    Arguments and errors as in state_by_steps.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> stepping_error(p, v, a, 1, steps=5)
@@ -143,8 +141,9 @@ def damping_difference(
     >>> round(difference, 6)
     0.068181
     """
+    not_negative("damping", damping)
     if not runs:
-        raise ValueError("runs must have at least one list of durations")
+        raise ValueError(f"runs must have at least one list of durations, got {runs!r}")
     differences = []
     for frames in runs:
         by_frame = by_second = velocity

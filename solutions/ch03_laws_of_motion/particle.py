@@ -26,7 +26,10 @@ class Particle:
     one, as in ``particle.velocity.y = 3.0``, and are then yours to keep finite.
 
     ``damping`` is the share of the velocity that is kept per second: 1 keeps all of it.
-    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves.
+    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves. What is kept
+    is ``_inverse_mass`` and ``_damping``; ``__slots__`` names all that there can be.
+
+    copy.deepcopy makes another particle; copy.copy one that shares the three vectors.
     """
 
     __slots__ = ("_damping", "_frame", "_inverse_mass", "acceleration", "position", "velocity")
@@ -47,7 +50,7 @@ class Particle:
         self.position = Vector3() if position is None else position
         self.velocity = Vector3() if velocity is None else velocity
         self.acceleration = Vector3() if acceleration is None else acceleration
-        self._frame = [math.nan, 1.0]  # the last duration, and what damping keeps of v in it
+        self._frame = [math.nan, 1.0]  # for integrate: the last duration, and the share kept in it
         self.mass = mass
         self.damping = damping
 
@@ -68,7 +71,7 @@ class Particle:
 
         Raises TypeError for what is no number, as every setter here does.
         """
-        self.inverse_mass = 1.0 / positive_or_infinite("mass", mass)
+        self._inverse_mass = not_negative("1 / mass", 1.0 / positive_or_infinite("mass", mass))
 
     @property
     def inverse_mass(self) -> float:
@@ -83,7 +86,7 @@ class Particle:
     @property
     def has_finite_mass(self) -> bool:
         """Whether the particle can be moved at all: True unless its mass is infinite."""
-        return self._inverse_mass > 0.0
+        return self.mass < math.inf
 
     @property
     def damping(self) -> float:
@@ -139,7 +142,7 @@ class Particle:
             frame[0], frame[1] = duration, keep
         if not self._inverse_mass:
             return
-        # Plain floats: the same step with the operators of Vector3 takes eight times as long.
+        # Plain floats: with operators, which make new vectors, the step takes eight times as long.
         position = self.position
         velocity = self.velocity
         acceleration = self.acceleration

@@ -21,7 +21,9 @@ def lines(console: Console) -> list[Line]:
         ("pymunk", "pymunk Vec2d (two components)", ""),
     ):
         if importlib.util.find_spec(peer) is None:
-            console.print(f"{peer} is not installed: pip install -r studies/peers.txt")
+            console.print(
+                f"{peer} is not installed: .venv/bin/python -m pip install -r studies/peers.txt"
+            )
             continue
         theirs = STATEMENTS[peer]
         each = [

@@ -12,7 +12,7 @@ import pytest
 from autograder.given import mark_inherited, with_given
 from autograder.handout import make_handout
 from autograder.manifest import ROOT, select_chapters
-from autograder.runner import Verdict, run_checks
+from autograder.runner import GraderError, Verdict, run_checks
 
 CH02, CH03 = select_chapters("2-3")
 REFERENCE = [ROOT / "solutions", ROOT / "chapters"]
@@ -41,7 +41,9 @@ def edit(engine: Path, file: str, old: str, new: str) -> None:
 
 def verdicts(engine: Path) -> dict[str, Verdict]:
     folders = [engine, ROOT / "chapters"]
-    marked = mark_inherited(CH03, run_checks(CH03, folders, seed="1"), folders, "1")
+    every = [exercise.id for exercise in CH03.exercises]
+    before = run_checks(CH03, folders, seed="1")
+    marked, _ = mark_inherited(CH03, before, folders, "1", every)
     return {verdict.name: verdict for verdict in marked}
 
 
@@ -49,18 +51,23 @@ def test_a_right_chapter_on_a_broken_one_has_inherited_failures_alone() -> None:
     done = check("sample_class/hana", "--chapter", "3")
     assert done.returncode == 1
     rows = [line.split() for line in done.stdout.splitlines()]
-    assert ["B3.4", "The", "step", "**", "inherited", "9/15", "3.12/6"] in rows
+    assert ["B3.4", "The", "step", "**", "inherited", "10/16", "3.33/6"] in rows
     assert "9 checks fail here for what is wrong in chapter 2. On the reference's" in done.stdout
-    assert "chapter 2 this one has 35 points.\n" in done.stdout
-    assert "make check CH=3 GIVEN=2\n" in done.stdout
+    assert "chapter 2 you have 35 of 35 points.\n" in done.stdout
+    assert "make check CH=3 GIVEN=2 ENGINE=sample_class/hana\n" in done.stdout
     assert "Inherited, for example: B3.4 The step" in done.stdout
-    assert done.stdout.endswith("Next: make check CH=2\n")
+    assert "likely" not in done.stdout, "chapter 3 does not know the cause"
+    assert done.stdout.endswith("Next: make check CH=2 ENGINE=sample_class/hana\n")
+    only = check("sample_class/hana", "--exercise", "3.4b")
+    assert "chapter 2 you have 14 of 14 points.\n" in only.stdout
+    assert "make check EX=3.4b GIVEN=2 ENGINE=sample_class/hana\n" in only.stdout
 
 
 def test_given_takes_the_earlier_chapter_from_the_reference() -> None:
     done = check("sample_class/hana", "--chapter", "3", "--given", "2")
     assert done.returncode == 0
     assert "35 of 35 points" in done.stdout
+    assert "Everything that can be checked passes on the reference's chapter 2." in done.stdout
     everything = check("sample_class/hana", "--given", "2")
     assert everything.returncode == 0, "what is given is not checked"
     assert "Chapter 2:" not in everything.stdout
@@ -74,7 +81,55 @@ def test_own_failures_stay_failures_and_come_first(engine: Path) -> None:
     assert marked["test_the_force_falls_with_the_square_of_the_distance"].status == "failed"
     done = check(engine, "--chapter", "3")
     assert "First to repair: 3.2 Gravity between two people" in done.stdout
-    assert "make check CH=3 GIVEN=2\n" in done.stdout
+    assert "make check CH=3 GIVEN=2" in done.stdout
+
+
+def test_a_failure_in_both_is_told_as_it_is_on_the_reference(engine: Path) -> None:
+    edit(engine, "ch02_vectors/vector.py", "self.z * scale)", "self.z)")
+    edit(
+        engine, "ch03_laws_of_motion/particle.py", "self.velocity * self.mass", "self.velocity * 2"
+    )
+    check_ = verdicts(engine)["test_momentum_is_mass_times_velocity"]
+    assert check_.status == "failed"
+    got = check_.message.partition("got ")[2].partition("\n")[0]
+    velocity = check_.message.partition("Vector3")[2].partition(")")[0].strip("(").split(", ")
+    assert float(got.strip(" ()").split(", ")[2]) == 2.0 * float(velocity[2]), "z is scaled too"
+
+
+def test_points_on_the_reference_are_those_of_a_run_on_it(engine: Path) -> None:
+    """Two mistakes that make up for each other: on the reference the second one shows."""
+    edit(
+        engine,
+        "ch02_vectors/vector.py",
+        "return math.hypot(self.x, self.y, self.z)",
+        "return self @ self",
+    )
+    edit(
+        engine,
+        "ch03_laws_of_motion/particle.py",
+        "velocity.squared_magnitude()",
+        "velocity.magnitude()",
+    )
+    edit(engine, "ch02_vectors/vector.py", "self.z * scale)", "self.z)")
+    done = check(engine, "--chapter", "3")
+    assert "On the reference's chapter 2 you have 33" in done.stdout
+
+
+def test_an_endless_loop_of_its_own_is_told_at_once_and_not_run_again(engine: Path) -> None:
+    edit(
+        engine,
+        "ch03_laws_of_motion/particle.py",
+        "        if not self._inverse_mass:",
+        "        while True:\n            pass\n        if not self._inverse_mass:",
+    )
+    edit(engine, "ch02_vectors/vector.py", "self.z * scale)", "self.z)")
+    marked = verdicts(engine)
+    hung = [verdict for verdict in marked.values() if "did not end" in verdict.message]
+    assert "did not end within 3 seconds" in hung[0].message
+    assert "did not end within 0.75 seconds" in hung[2].message, (
+        "the third is not waited for so long"
+    )
+    assert not [verdict for verdict in marked.values() if verdict.status == "inherited"]
 
 
 @pytest.mark.parametrize(
@@ -100,9 +155,22 @@ def test_a_chapter_that_is_not_written_yet_is_not_run_a_second_time(
 ) -> None:
     before = [Verdict("a", "B3.1", 1, "failed", "not written yet: Exercise B3.1: Mass")]
     monkeypatch.setattr("autograder.given.run_checks", lambda *_, **__: pytest.fail("ran again"))
-    assert mark_inherited(CH03, before, REFERENCE, "1") == before
+    assert mark_inherited(CH03, before, REFERENCE, "1", ["B3.1"]) == (before, [])
     first = [Verdict("a", "B2.1", 1, "failed", "wrong")]
-    assert mark_inherited(CH02, first, REFERENCE, "1") == first, "nothing is below chapter 2"
+    assert mark_inherited(CH02, first, REFERENCE, "1", ["B2.1"]) == (first, []), "the first chapter"
+    wrong = [Verdict("a", "B3.1", 1, "failed", "wrong")]
+    assert mark_inherited(CH03, wrong, REFERENCE, "1", ["B3.1"], [CH02]) == (wrong, []), "is given"
+
+
+def test_a_fault_of_the_second_run_leaves_the_first_as_it_is(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fails(*_: object, **__: object) -> None:
+        raise GraderError("the disk is full")
+
+    monkeypatch.setattr("autograder.given.run_checks", fails)
+    wrong = [Verdict("a", "B3.1", 1, "failed", "wrong")]
+    assert mark_inherited(CH03, wrong, REFERENCE, "1", ["B3.1"]) == (wrong, [])
 
 
 def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:
@@ -133,6 +201,22 @@ def test_a_mistake_in_what_is_given_is_one_clear_sentence(
     done = check("solutions", *arguments)
     assert done.returncode == 2
     assert complaint in done.stderr
+
+
+def test_a_hand_out_without_the_earlier_chapter_says_what_to_bring(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    make_handout([CH03], [], tmp_path / "out")
+    assert "to be brought along by each student: ch02_vectors" in capsys.readouterr().out
+    done = check("chapters", "--chapter", "3", root=tmp_path / "out")
+    assert done.returncode == 2
+    wanted = "check: ch02_vectors is not here: put your own folder beside ch03_laws_of_motion\n"
+    assert done.stderr == wanted
+
+
+def test_a_helper_that_is_not_handed_in_is_named(engine: Path) -> None:
+    (engine / "ch03_laws_of_motion/my_helper.py").touch()
+    assert "Not handed in, so nothing may import it: my_helper.py" in check(engine).stdout
 
 
 def test_the_given_folder_is_gone_afterwards() -> None:

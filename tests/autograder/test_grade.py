@@ -158,7 +158,7 @@ def test_nothing_falls_back_on_the_work_in_this_repository(tmp_path: Path) -> No
             ROOT / "solutions/ch02_vectors" / file, root / "chapters/ch02_vectors" / file
         )
     (tmp_path / "eli").mkdir()
-    results = cohort.grade_submission(tmp_path / "eli", [CHAPTER], "1", root)
+    results = cohort.grade_submission(tmp_path / "eli", [CHAPTER], "1", root=root)
     assert {result.score for result in results} == {0.0, None}
     assert {result.status for result in results} == {"failed", "blocked", "waiting"}
 
@@ -184,6 +184,13 @@ def test_complete_modules_are_ours_whatever_is_handed_in(tmp_path: Path) -> None
     own = tmp_path / "max/ch03_laws_of_motion/arguments.py"
     own.write_text("raise SystemExit('my own arguments')\n", encoding="utf-8")
     results = cohort.grade_submission(tmp_path / "max", load_chapters()[1:2], "1")
+    assert {result.status for result in results} == {"passed"}
+
+
+def test_a_class_that_was_given_a_chapter_hands_in_the_next_alone(tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "solutions/ch03_laws_of_motion", tmp_path / "max/ch03_laws_of_motion")
+    given, graded = load_chapters()[:2]
+    results = cohort.grade_submission(tmp_path / "max", [graded], "1", [given])
     assert {result.status for result in results} == {"passed"}
 
 

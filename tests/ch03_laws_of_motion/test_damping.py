@@ -25,10 +25,10 @@ def draw_damping(rng: Random) -> float:
 
 @pytest.mark.exercise("B3.3")
 def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) -> None:
-    v, a, d = components(rng), components(rng), draw_damping(rng)
+    v, a = components(rng), components(rng)
     cause = "v' = v d + a h: the share d, however long the frame; the acceleration is not damped"
     read = "book 3.3, Eq. 3.5"
-    for h in (0.1, 0.7):
+    for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
         call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
         wanted = tuple(v[i] * d + a[i] * h for i in range(3))
@@ -37,10 +37,10 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
 
 @pytest.mark.exercise("B3.3")
 def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None:
-    v, d = components(rng), draw_damping(rng)
+    v, drawn = components(rng), draw_damping(rng)
     cause = "without an acceleration v' = v d^h: a frame of h seconds keeps d^h"
     read = "book 3.3, Eq. 3.6"
-    for h in (0.25, 1.0, 2.0):
+    for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
         call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
         wanted = tuple(v[i] * d**h for i in range(3))
@@ -94,6 +94,24 @@ def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
 
 @pytest.mark.exercise("B3.3", weight=0.5)
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
+def test_both_equations_refuse_text(name: str) -> None:
+    cause = "the functions of arguments.py raise the TypeError for you"
+    read = "the head of damping.py"
+    function = getattr(forms, name)
+    for numbers in (("0.5", 0.5), (0.5, "0.5")):
+        call = f"{name}(Vector3(1, 2, 3), Vector3(), {numbers[0]!r}, {numbers[1]!r})"
+        expect_error(
+            call,
+            lambda numbers=numbers: function(Vector3(1, 2, 3), Vector3(), *numbers),
+            TypeError,
+            allowed=lambda: function(Vector3(1, 2, 3), Vector3(), 0.5, 0.5),
+            cause=cause,
+            read=read,
+        )
+
+
+@pytest.mark.exercise("B3.3", weight=0.5)
+@pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
     call = f"{name}(Vector3(1, 2, 3), Vector3(), {bad}, 0.5)"
@@ -141,16 +159,17 @@ def test_the_frames_fill_the_total_time(rng: Random) -> None:
 def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
     seed = rng.randrange(1000)
     read = "the docstring of random_frames"
-    mean, jitter = 0.02, round(rng.uniform(0.2, 0.8), 3)
-    *frames, last = frames_of(mean, jitter, 8.0, seed)
-    call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
-    cause = "from mean (1 - jitter) to mean (1 + jitter)"
-    within = all(abs(frame / mean - 1.0) <= jitter + 1e-9 for frame in frames)
-    name = f"is every frame but the last of {call} within the jitter?"
-    expect_exactly(name, within, True, cause=cause, read=read)
-    cause = "the last frame is what is left: not more than a frame can be, and not zero"
-    short = 1e-9 < last <= mean * (1.0 + jitter) + 1e-9
-    expect_exactly(f"is the last frame of {call} one?", short, True, cause=cause, read=read)
+    mean = 0.02
+    for jitter in (round(rng.uniform(0.2, 0.8), 3), 0.95):
+        *frames, last = frames_of(mean, jitter, 8.0, seed)
+        call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
+        cause = "from mean (1 - jitter) to mean (1 + jitter)"
+        within = all(abs(frame / mean - 1.0) <= jitter + 1e-9 for frame in frames)
+        name = f"is every frame but the last of {call} within the jitter?"
+        expect_exactly(name, within, True, cause=cause, read=read)
+        cause = "the last frame is what is left: not more than a frame can be, and not zero"
+        short = 0.0 < last <= mean * (1.0 + jitter) + 1e-9
+        expect_exactly(f"is the last frame of {call} one?", short, True, cause=cause, read=read)
 
 
 @pytest.mark.exercise("3.5a")
@@ -179,10 +198,12 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
 
 @pytest.mark.exercise("3.5a")
 def test_without_jitter_all_frames_are_equal() -> None:
-    call = "random_frames(0.125, 0.0, 1.0, 3)"
-    cause = "a jitter of 0 leaves the mean; rounding leaves no ninth frame"
+    cause = "a jitter of 0 leaves the mean; what rounding leaves over, some 1e-16 s, is no frame"
     read = "the docstring of random_frames"
-    expect_close(call, frames_of(0.125, 0.0, 1.0, 3), [0.125] * 8, cause=cause, read=read)
+    for mean, count in ((0.125, 8), (0.1, 10)):
+        call = f"random_frames({mean}, 0.0, 1.0, 3)"
+        got = frames_of(mean, 0.0, 1.0, 3)
+        expect_close(call, got, [mean] * count, cause=cause, read=read, tolerance=1e-11)
 
 
 @pytest.mark.exercise("3.5a")
@@ -192,11 +213,16 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
     cause = "random.Random(seed) inside the function: its numbers depend on the seed alone"
     read = "the docstring of random_frames"
     first = frames_of(0.02, 0.5, 1.0, seed)
-    other = frames_of(0.02, 0.5, 1.0, seed + 1)
+    others = [frames_of(0.02, 0.5, 1.0, seed + i) for i in (1, 2)]
     again = frames_of(0.02, 0.5, 1.0, seed)
     expect_exactly(f"{call}, twice: the same?", again == first, True, cause=cause, read=read)
-    name = f"{call}, and with seed {seed + 1}: the same?"
-    expect_exactly(name, other == first, False, cause=cause, read=read)
+    for i, other in enumerate(others, 1):
+        name = f"{call}, and with seed {seed + i}: the same first frame?"
+        expect_exactly(name, other[0] == first[0], False, cause=cause, read=read)
+    name = f"does {call} go up or down all the time?"
+    cause = "the frames come as they are drawn, not sorted"
+    in_order = first[:-1] in (sorted(first[:-1]), sorted(first[:-1], reverse=True))
+    expect_exactly(name, in_order, False, cause=cause, read=read)
 
 
 @pytest.mark.exercise("3.5a", weight=0.5)
@@ -205,8 +231,10 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
     [
         ("mean", 0.0),
         ("mean", -0.1),
+        ("mean", math.inf),
         ("mean", math.nan),
         ("total", 0.0),
+        ("total", -1.0),
         ("total", math.inf),
         ("total", math.nan),
         ("jitter", 1.0),
@@ -301,7 +329,7 @@ def test_no_run_has_no_mean() -> None:
 
 
 @pytest.mark.exercise("3.5b", weight=0.5)
-@pytest.mark.parametrize("bad", [0.0, -0.5, math.nan])
+@pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
     call = f"damping_difference(Vector3(), Vector3(0, -10, 0), 0.9, [[0.5, {bad}]])"
     cause = "the two equations refuse it, if you use them"
@@ -312,6 +340,23 @@ def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
         lambda: exercises.damping_difference(Vector3(), gravity, 0.9, [[0.5, bad]]),
         ValueError,
         allowed=lambda: exercises.damping_difference(Vector3(), gravity, 0.9, [[0.5, 0.5]]),
+        cause=cause,
+        read=read,
+    )
+
+
+@pytest.mark.exercise("3.5b", weight=0.5)
+@pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
+def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
+    call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {bad}, [[0.5, 0.5]])"
+    cause = "the two equations refuse it, if you use them"
+    read = "the docstring of damping_difference"
+    gravity = Vector3(0.0, -10.0, 0.0)
+    expect_error(
+        call,
+        lambda: exercises.damping_difference(Vector3(), gravity, bad, [[0.5, 0.5]]),
+        ValueError,
+        allowed=lambda: exercises.damping_difference(Vector3(), gravity, 0.0, [[0.5, 0.5]]),
         cause=cause,
         read=read,
     )

@@ -39,7 +39,7 @@ def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
 def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
     cause = "positive of arguments.py refuses it in one line"
     read = "the docstring of speed_ratio"
-    for masses in ((bad, 1.0), (1.0, bad)):
+    for masses in ((bad, 1.0), (1.0, bad), (bad, bad)):
         call = f"speed_ratio{masses}"
         expect_error(
             call,
@@ -66,13 +66,13 @@ def test_the_force_between_two_people_of_100_kg() -> None:
 @pytest.mark.exercise("3.2")
 def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     m1, m2 = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
-    distance = round(rng.uniform(2.0, 9.0), 3)
-    call = f"gravity_between({m1}, {m2}, {distance})"
     cause = "the distance is squared, and the masses are multiplied"
     read = "book 3.2, Eq. 3.3"
-    got = exercises.gravity_between(m1, m2, distance)
-    wanted = 6.67428e-11 * m1 * m2 / (distance * distance)
-    expect_close(call, got, wanted, cause=cause, read=read)
+    for distance in (round(rng.uniform(2.0, 9.0), 3), 0.25):
+        call = f"gravity_between({m1}, {m2}, {distance})"
+        got = exercises.gravity_between(m1, m2, distance)
+        wanted = 6.67428e-11 * m1 * m2 / (distance * distance)
+        expect_close(call, got, wanted, cause=cause, read=read)
 
 
 @pytest.mark.exercise("3.2", weight=0.5)
@@ -86,6 +86,23 @@ def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
             call,
             lambda data=data: exercises.gravity_between(*data),
             ValueError,
+            allowed=lambda: exercises.gravity_between(1.0, 1.0, 1.0),
+            cause=cause,
+            read=read,
+        )
+
+
+@pytest.mark.exercise("3.2", weight=0.5)
+def test_text_is_no_mass_and_no_distance() -> None:
+    cause = "positive of arguments.py raises the TypeError for you"
+    read = "the docstring of gravity_between"
+    data: Any
+    for data in (("2", 1.0, 1.0), (1.0, "2", 1.0), (1.0, 1.0, "2")):
+        call = f"gravity_between{data}"
+        expect_error(
+            call,
+            lambda data=data: exercises.gravity_between(*data),
+            TypeError,
             allowed=lambda: exercises.gravity_between(1.0, 1.0, 1.0),
             cause=cause,
             read=read,
@@ -114,18 +131,19 @@ def test_five_seconds_by_the_equation() -> None:
 
 @pytest.mark.exercise("3.4a")
 def test_the_equation_gives_a_new_position(rng: Random) -> None:
-    x, v, a, t = components(rng), components(rng), components(rng), round(rng.uniform(2, 9), 3)
+    x, v, a = components(rng), components(rng), components(rng)
     position, velocity, acceleration = vectors(x, v, a)
-    call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, {t})"
     cause = "p + v t + a t^2 / 2, as a new vector"
     read = "book 2.2, Eq. 2.9"
-    got = exercises.position_by_equation(position, velocity, acceleration, t)
-    wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * t for i in range(3))
-    # Rounding of numbers up to 400.
-    expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-12)
-    expect_unchanged(call, "p", xyz(position), x, read=read)
-    expect_unchanged(call, "v", xyz(velocity), v, read=read)
-    expect_unchanged(call, "a", xyz(acceleration), a, read=read)
+    for t in (round(rng.uniform(2.0, 9.0), 3), 0.25):
+        call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, {t})"
+        got = exercises.position_by_equation(position, velocity, acceleration, t)
+        wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * t for i in range(3))
+        # Rounding of numbers up to 400.
+        expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-12)
+        expect_unchanged(call, "p", xyz(position), x, read=read)
+        expect_unchanged(call, "v", xyz(velocity), v, read=read)
+        expect_unchanged(call, "a", xyz(acceleration), a, read=read)
 
 
 @pytest.mark.exercise("3.4a", weight=0.5)
@@ -186,20 +204,26 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
 
 @pytest.mark.exercise("3.4b", weight=0.5)
 @pytest.mark.parametrize(
-    ("duration", "steps"), [(0.0, 5), (-1.0, 5), (math.nan, 5), (1.0, 0), (1.0, -1)]
+    ("duration", "steps"), [(0.0, 5), (-1.0, 5), (math.inf, 5), (math.nan, 5), (1.0, 0), (1.0, -1)]
 )
 def test_steps_need_a_duration_and_a_number(duration: float, steps: int) -> None:
-    call = f"state_by_steps({EXAMPLE}, {duration}, {steps})"
+    expect_refusal("state_by_steps", duration, steps)
+
+
+def expect_refusal(name: str, duration: float, steps: int) -> None:
+    """Expect an exercise to refuse a duration or a number of steps."""
+    call = f"{name}({EXAMPLE}, {duration}, {steps})"
     cause = "a loop over range(0) does nothing, in silence: ask for 1 step or more"
     if steps > 0:
         cause = "Particle.integrate refuses the duration, if you use it"
-    read = "the docstring of state_by_steps"
+    read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)
+    function = getattr(exercises, name)
     expect_error(
         call,
-        lambda: exercises.state_by_steps(*data, duration, steps),
+        lambda: function(*data, duration, steps),
         ValueError,
-        allowed=lambda: exercises.state_by_steps(*data, 1.0, 1),
+        allowed=lambda: function(*data, 1.0, 1),
         cause=cause,
         read=read,
     )
@@ -225,3 +249,9 @@ def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
     wanted = tuple(-0.5 * a[i] * h * steps * h for i in range(3))
     # Rounding of positions up to 2000.
     expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-10)
+
+
+@pytest.mark.exercise("3.4d", weight=0.5)
+@pytest.mark.parametrize(("duration", "steps"), [(0.0, 5), (math.nan, 5), (1.0, 0)])
+def test_an_error_needs_a_duration_and_a_number(duration: float, steps: int) -> None:
+    expect_refusal("stepping_error", duration, steps)

@@ -31,18 +31,19 @@ def a_particle(
 
 @pytest.mark.exercise("B3.4")
 def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) -> None:
-    x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
-    words, p = a_particle(x, v, a)
-    call = f"{words}; p.integrate({h}); p.position"
+    x, v, a = components(rng), components(rng), components(rng)
     cause = (
         "p' = p + v h with the old velocity, without a h^2 / 2: the position comes first. With the "
         "velocity first it is semi-implicit Euler, a better method, but not the book's (E-17)"
     )
     read = "book 3.3.2, Eq. 2.7"
-    p.integrate(h)
-    wanted = tuple(x[i] + v[i] * h for i in range(3))
-    # Rounding of numbers up to 20.
-    expect_close(call, xyz(p.position), wanted, cause=cause, read=read, tolerance=1e-13)
+    for h in (draw_frame(rng), 3, 0.001):  # a long frame is a whole number of seconds: an int
+        words, p = a_particle(x, v, a)
+        call = f"{words}; p.integrate({h}); p.position"
+        p.integrate(h)
+        wanted = tuple(x[i] + v[i] * h for i in range(3))
+        # Rounding of numbers up to 40.
+        expect_close(call, xyz(p.position), wanted, cause=cause, read=read, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.4")
@@ -55,16 +56,43 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h for i in range(3))
     expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=1e-13)
-    expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, read=read)
+    cause = "the acceleration is only read: the next step needs it as it was given"
+    expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+    p.acceleration = Vector3(*x)
+    call = f"{words}; p.integrate({h}); p.acceleration = Vector3{x}; p.integrate({h}); p.velocity"
+    cause = "a new acceleration counts from the next step on"
+    p.integrate(h)
+    wanted = tuple(v[i] + a[i] * h + x[i] * h for i in range(3))
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B3.4")
+def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
+    h = draw_frame(rng)
+    cause = "without damping and acceleration no step changes a velocity, however small or large"
+    read = "book 3.2: the first law"
+    for v in ((1e-9, -2e-5, 3e-3), (1e3, -2e5, 3e8)):
+        call = f"p = Particle(velocity=Vector3{v}); p.integrate({h}); p.velocity"
+        p = Particle(velocity=Vector3(*v))
+        p.integrate(h)
+        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B3.4")
 def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
-    v, damping = components(rng), round(rng.uniform(0.2, 0.8), 3)
+    v, drawn = components(rng), round(rng.uniform(0.2, 0.8), 3)
     cause = "a frame of h seconds keeps d^h: the power takes the duration, not the frame rate"
     read = "book 3.3, Eq. 3.6"
-    call = f"p = Particle(velocity=Vector3{v}, {damping=}); p.integrate(h) for each h in "
-    for frames in ([1.0], [0.25] * 4, [0.1, 0.2, 0.3, 0.4], [0.5], [2.0]):
+    for damping, frames in (
+        (drawn, [1.0]),
+        (drawn, [0.25] * 4),
+        (drawn, [0.1, 0.2, 0.3, 0.4]),
+        (drawn, [0.5]),
+        (drawn, [2.0]),
+        (0.99, [0.25] * 4),
+        (1.5, [0.25] * 2),  # above 1 a particle gains speed; nothing forbids it
+    ):
+        call = f"p = Particle(velocity=Vector3{v}, {damping=}); p.integrate(h) for each h in "
         kept = damping ** sum(frames)
         got = probes.velocity_after(v, damping, frames)
         wanted = (v[0] * kept, v[1] * kept, v[2] * kept)
@@ -87,6 +115,8 @@ def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     p.integrate(h)
     wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
     expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=1e-13)
+    cause = "the velocity is damped, the acceleration is not"
+    expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B3.4")
@@ -154,6 +184,7 @@ def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
     p.integrate(h)
     expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
     expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+    expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
     p.mass = 2.0
     call = f"{call}; p.mass = 2.0; p.integrate({h}); p.position"
     cause = "now it has a finite mass and moves"
@@ -165,10 +196,11 @@ def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
 @pytest.mark.exercise("B3.4")
 def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: Random) -> None:
     a = components(rng)
-    call = f"p = Particle(acceleration=Vector3{a}); p.integrate(0.5); p.last_acceleration"
-    cause = "a copy of the acceleration: a property is read without brackets"
+    call = f"p = Particle(acceleration=Vector3{a}, mass=4.0, damping=0.5); "
+    call += "p.integrate(0.5); p.last_acceleration"
+    cause = "a copy of the acceleration as it was given, whatever the mass and the damping"
     read = "the docstring of last_acceleration"
-    p = Particle(acceleration=Vector3(*a))
+    p = Particle(acceleration=Vector3(*a), mass=4.0, damping=0.5)
     p.integrate(0.5)
     last = p.last_acceleration
     expect_close(call, xyz(last), a, cause=cause, read=read)
@@ -194,8 +226,9 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
             cause=cause,
             read=read,
         )
-        expect_unchanged(call, "p.position", xyz(p.position), x, read=read)
-        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, read=read)
+        cause = "refuse the duration before anything is changed"
+        expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
+        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B3.4", weight=0.5)

@@ -60,7 +60,7 @@ def test_a_student_can_check_the_stubs_and_then_an_answer(tmp_path: Path) -> Non
     make_handout([CH02], [], tmp_path / "out")
     before = check(tmp_path / "out", "--chapter", "2")
     assert before.returncode == 1, before.stderr
-    assert "0 of 43 points" in before.stdout
+    assert "] 0 of 43 points" in before.stdout
     assert "Next: open chapters/ch02_vectors/vector.py:" in before.stdout
     for file in ("vector.py", "exercises.py"):
         source = ROOT / "tests/ch02_vectors/second" / file
@@ -124,7 +124,7 @@ def test_a_chapter_on_a_given_one_can_be_checked_and_drawn(tmp_path: Path) -> No
     out = tmp_path / "out"
     make_handout([CH03], [CH02], out)
     assert (out / "chapters/ch03_laws_of_motion/arguments.py").exists()
-    assert "0 of 35 points" in check(out, "--chapter", "3").stdout
+    assert "] 0 of 35 points" in check(out, "--chapter", "3").stdout
     second = ROOT / "tests/ch03_laws_of_motion/second"
     shutil.copytree(second, out / "chapters/ch03_laws_of_motion", dirs_exist_ok=True)
     assert "35 of 35 points" in check(out, "--chapter", "3").stdout

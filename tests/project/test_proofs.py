@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 import shutil
 from pathlib import Path
 
 import pytest
 
+from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.places import find_definition, next_place
+from autograder.places import next_place
 from autograder.runner import run_checks
 from autograder.scores import results_of, total
 from autograder.stubs import make_stubs
@@ -87,8 +89,12 @@ def test_a_wrong_submission_loses_exactly_its_checks(
     first = next(verdict for verdict in failed if verdict.exercise == exercise.id)
     assert "likely    " in first.message
     assert "read      " in first.message
-    place = find_definition(engine_with(tmp_path), chapter, wrong.opens or wrong.edit)
-    assert next_place(engine_with(tmp_path), chapter, exercise, first) == place
+    file, _, line = next_place(engine_with(tmp_path), chapter, exercise, first).rpartition(":")
+    module, _, name = (wrong.opens or wrong.edit).partition(".")
+    assert Path(file) == tmp_path / chapter.name / f"{module}.py"
+    body = functions(ast.parse(Path(file).read_text(encoding="utf-8")))[name]
+    assert body.end_lineno is not None
+    assert body.lineno <= int(line) <= body.end_lineno
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)

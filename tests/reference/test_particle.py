@@ -124,6 +124,7 @@ def test_a_state_that_means_nothing_is_refused_by_name(
         ("mass", 0.0, ValueError, "mass must be positive, got 0.0"),
         ("mass", -1, ValueError, "mass must be positive, got -1"),
         ("mass", NAN, ValueError, "mass must be positive, got nan"),
+        ("mass", 10**400, ValueError, "mass must be positive, got 1000"),
         ("mass", "2", TypeError, "mass must be a number, got '2'"),
         ("mass", None, TypeError, "mass must be a number, got None"),
         (
@@ -210,8 +211,17 @@ def test_frames_of_any_lengths_in_any_order_keep_what_the_power_says() -> None:
 
 
 def test_a_mass_too_small_to_have_an_inverse_is_refused() -> None:
-    with pytest.raises(ValueError, match="inverse_mass must be finite"):
+    with pytest.raises(ValueError, match="1 / mass must be finite and not negative, got inf"):
         Particle(mass=5e-324)
+
+
+def test_an_inverse_mass_too_small_to_have_a_mass_gives_no_nan() -> None:
+    particle = Particle()
+    particle.inverse_mass = 5e-324
+    assert particle.mass == INF
+    assert not particle.has_finite_mass
+    assert particle.kinetic_energy() == 0.0
+    assert tuple(particle.momentum()) == (0.0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize("seed", range(20))

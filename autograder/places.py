@@ -25,10 +25,14 @@ OPERATORS = {  # as the calls of checks have them
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Return where to go: the line that the message names, or the body that the check called."""
+    """Return where to go: the line that the message names, or the body that the check called.
+
+    A line counts where nothing was called yet, or where it lies in a body of the exercise: further
+    down is what other exercises have written, which may well be right.
+    """
     told = re.search(r"(?m)^where +(ch\d\d_\w+)/(\w+\.py), line (\d+)", failed.message)
     called = re.search(r"(?m)^called +(.*)", failed.message)
-    if told and (not called or told[1] == chapter.name):
+    if told and (not called or _is_in_a_body(engine, chapter, exercise, told[2], int(told[3]))):
         return f"{_file(engine, told[1], told[2])}:{told[3]}"
     bodies = [name for name in exercise.edit if called and _calls(called[1], name)]
     return find_definition(engine, chapter, (bodies or exercise.edit)[0])
@@ -42,13 +46,32 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     """
     module, _, path = name.partition(".")
     file = _file(engine, chapter.name, f"{module}.py")
-    try:
-        tree = ast.parse(file.read_text(encoding="utf-8"))
-    except (OSError, SyntaxError, ValueError):
+    tree = _read(file)
+    if tree is None:
         return str(file)
     places = {node.name: node.lineno for node in tree.body if isinstance(node, ast.ClassDef)}
     places |= {name: node.lineno for name, node in functions(tree).items()}
     return f"{file}:{places.get(path) or places.get(path.partition('.')[0], 1)}"
+
+
+def _is_in_a_body(
+    engine: list[Path], chapter: Chapter, exercise: Exercise, file: str, line: int
+) -> bool:
+    """Say whether a line of a chapter's file lies in a body that the exercise has one write."""
+    tree = _read(_file(engine, chapter.name, file))
+    module = file.removesuffix(".py")
+    return tree is not None and any(
+        f"{module}.{name}" in exercise.edit and node.lineno <= line <= (node.end_lineno or 0)
+        for name, node in functions(tree).items()
+    )
+
+
+def _read(file: Path) -> ast.Module | None:
+    """Return what a file says, None where it is missing or cannot be read."""
+    try:
+        return ast.parse(file.read_text(encoding="utf-8"))
+    except (OSError, SyntaxError, ValueError):
+        return None
 
 
 def _calls(expression: str, name: str) -> bool:

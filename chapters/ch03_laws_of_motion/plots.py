@@ -61,7 +61,7 @@ def damping_comparison() -> Picture:
     orders = [-slope(RATES, [abs(row[column] - exact) for row in rows]) for column in (2, 3)]
     sides = {row[column] > exact for row in rows for column in (2, 3)}
     right.set_title(
-        f"Eq. 3.6 and the engine miss that to {'two sides' if len(sides) == 2 else 'one side'},\n"
+        f"Eq. 3.6 and the engine stray to {'two sides' if len(sides) == 2 else 'one side'},\n"
         "by h to the power {:.2f} and {:.2f}".format(*orders)
     )
     columns = ("frame rate, Hz", *(f"share lost: {form[0]}" for form in FORMS), "exact share")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import sys
@@ -51,9 +52,12 @@ def test_a_right_chapter_on_a_broken_one_has_inherited_failures_alone() -> None:
     done = check("sample_class/hana", "--chapter", "3")
     assert done.returncode == 1
     rows = [line.split() for line in done.stdout.splitlines()]
-    assert ["B3.4", "The", "step", "**", "inherited", "10/16", "3.33/6"] in rows
-    assert "9 checks fail here for what is wrong in chapter 2. On the reference's" in done.stdout
-    assert "chapter 2 you have 35 of 35 points.\n" in done.stdout
+    assert ["B3.4", "The", "step", "**", "inherited"] in [row[:5] for row in rows]
+    assert not [row for row in rows if "failed" in row or "blocked" in row]
+    sentence = (
+        r"\n\d+ checks fail here for what is wrong in chapter 2\. On the reference's chapter 2 "
+    )
+    assert re.search(sentence + r"you have 35 of 35 points\.\n", done.stdout)
     assert "make check CH=3 GIVEN=2 ENGINE=sample_class/hana\n" in done.stdout
     assert "Inherited, for example: B3.4 The step" in done.stdout
     assert "likely" not in done.stdout, "chapter 3 does not know the cause"

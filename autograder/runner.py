@@ -93,6 +93,7 @@ class _Run:
     silent: bool = False
     hung: set[str] = field(default_factory=set)  # exercises of which a check did not end
     loops: set[str] = field(default_factory=set)  # functions in which one did not
+    hurried: bool = False
     stderr: str = ""
 
     def reason(self) -> str:
@@ -101,6 +102,10 @@ class _Run:
             return f"{missing[1]} is not here: put your own folder beside {self.chapter.name}"
         words = self.stderr or "it said nothing"
         return f"the process of the checks stopped without a verdict; {words}"
+
+    @property
+    def limit(self) -> float:
+        return self.time_limit * (HURRIED if self.hurried else 1.0)
 
     @property
     def progress(self) -> tuple[int, int]:
@@ -138,7 +143,7 @@ class _Run:
             stack = stack_file.read_text(encoding="utf-8", errors="replace")
         hung = bool(stack) or self.silent
         if hung:
-            why = explain_hang(stack, self.time_limit, self.engine)
+            why = explain_hang(stack, self.limit, self.engine)
         else:
             why = "the process ended in the middle: does the code call os._exit, or crash Python?"
         kind, name = current
@@ -149,8 +154,7 @@ class _Run:
             if hung:
                 self._note_hang(self.checks[name]["exercise"])
                 place = why.rpartition("in ")[2]  # the function, where it is a student's
-                if place in self.loops:
-                    self.time_limit = TIME_LIMIT * HURRIED
+                self.hurried = self.hurried or place in self.loops
                 self.loops.add(place)
 
     def _config(self, stack_file: Path) -> str:
@@ -169,7 +173,7 @@ class _Run:
                 "complete": [f"{c.name}/{file}" for c in chapters for file in c.complete],
                 "exercises": self.wanted,
                 "seed": self.seed,
-                "time_limit": self.time_limit,
+                "time_limit": self.limit,
                 "stack_file": str(stack_file),
                 "broken": self.broken,
                 "done": list(self.verdicts),
@@ -185,7 +189,7 @@ class _Run:
         while True:
             left = self.deadline - time.monotonic()
             try:
-                line = lines.get(timeout=max(0.0, min(left, self.time_limit + GRACE)))
+                line = lines.get(timeout=max(0.0, min(left, self.limit + GRACE)))
             except queue.Empty:
                 self.silent = True
                 return current

@@ -100,7 +100,7 @@ def _state_of(particle: Particle) -> State:
 def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, float]:
     """Return position and velocity on one axis after t seconds of dv/dt = a - k v."""
     kt = k * t
-    if kt < 1e-3:  # two terms almost cancel below: their series, whose next term is 1e-15 of it
+    if abs(kt) < 1e-3:  # t - gone would lose its digits; the next term of the series is 1e-15
         gone = t * (1.0 - kt / 2.0 + kt**2 / 6.0 - kt**3 / 24.0 + kt**4 / 120.0)
         fallen = t * t * (0.5 - kt / 6.0 + kt**2 / 24.0 - kt**3 / 120.0 + kt**4 / 720.0)
     else:

@@ -29,7 +29,7 @@ def lines() -> list[Line]:
         Line(
             "Particle.integrate / its own arithmetic in local variables",
             *ratio(step, _timer(lambda: arithmetic(even)), ROUNDS, "arithmetic"),
-            "at most 1.6 on 3.11, 2.0 on 3.13",
+            "at most 1.6; 2.0 on 3.13",
         ),
         Line(
             "the same, in frames of random length",

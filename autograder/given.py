@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.runner import GraderError, Verdict, run_checks
 
 LOST = ("failed", "blocked")
@@ -40,11 +40,6 @@ def with_given(
 def is_at_hand(chapter: Chapter, root: Path = ROOT) -> bool:
     """Say whether the reference of a chapter is in this folder."""
     return (root / "solutions" / chapter.name).is_dir()
-
-
-def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """Return the chapters with smaller numbers, on which this one may build."""
-    return [other for other in load_chapters(root) if other.number < chapter.number]
 
 
 def mark_inherited(

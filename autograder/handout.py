@@ -8,8 +8,7 @@ import shutil
 from collections.abc import Iterable
 from pathlib import Path
 
-from autograder.given import chapters_below
-from autograder.manifest import ROOT, Chapter
+from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.stubs import make_stubs
 
 STUDENT_TOOLS = {

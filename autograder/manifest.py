@@ -80,6 +80,11 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
     return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
 
 
+def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
+    """Return the chapters with smaller numbers, on which this one may build."""
+    return [other for other in load_chapters(root) if other.number < chapter.number]
+
+
 def select_chapters(numbers: str) -> list[Chapter]:
     """Return the chapters that a text such as "2,4-6" names; all of them for an empty text.
 

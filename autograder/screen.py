@@ -11,8 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.answers import answered
-from autograder.given import chapters_below
-from autograder.manifest import ROOT, Chapter, Exercise
+from autograder.manifest import ROOT, Chapter, Exercise, chapters_below
 from autograder.places import next_place
 from autograder.scores import Result, shown, total
 

@@ -34,6 +34,6 @@ def check(
             verdicts, again = mark_inherited(chapter, verdicts, folders, seed, wanted, given)
             results = [r for r in results_of(chapter, verdicts) if r.exercise.id in wanted]
             better = [r for r in results_of(chapter, again) if r.exercise.id in wanted]
-            doubtful = suspects(chapter, verdicts, folders, seed, given)
+            doubtful = [] if again else suspects(chapter, verdicts, folders, seed, given)
             reports.append(Report(chapter, results, better, doubtful))
     return print_report(progress.console, reports, exercise, engine, given)

@@ -86,18 +86,21 @@ def suspects(
     seed: str,
     given: Sequence[Chapter] = (),
 ) -> list[Chapter]:
-    """Return the chapters below that fail checks of their own, where no reference is at hand.
+    """Return the chapters below that fail checks of their own, for where there was no second run.
 
     Nobody can then tell which failures are inherited; that some may be is worth saying.
     """
     below = [other for other in chapters_below(chapter) if other not in given]
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
-    if all(map(is_at_hand, below)) or all(_is_unwritten(verdict) for verdict in lost):
+    if all(_is_unwritten(verdict) for verdict in lost):
         return []
     return [
         other
         for other in below
-        if any(verdict.status != "passed" for verdict in run_checks(other, engine, seed=seed))
+        if any(
+            verdict.status != "passed" and not _is_unwritten(verdict)
+            for verdict in run_checks(other, engine, seed=seed)
+        )
     ]
 
 

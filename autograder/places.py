@@ -27,13 +27,15 @@ OPERATORS = {  # as the calls of checks have them
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
     """Return where to go: the line that the message names, or the body that the check called.
 
-    A line counts where nothing was called yet, or where it lies in a body of the exercise: further
-    down is what other exercises have written, which may well be right.
+    A line does not count where it lies in a body of another exercise, which may well be right.
     """
     told = re.search(r"(?m)^where +(ch\d\d_\w+)/(\w+\.py), line (\d+)", failed.message)
     called = re.search(r"(?m)^called +(.*)", failed.message)
-    if told and (not called or _is_in_a_body(engine, chapter, exercise, told[2], int(told[3]))):
-        return f"{_file(engine, told[1], told[2])}:{told[3]}"
+    if told:
+        body = _body_at(engine, told[1], told[2], int(told[3]))
+        others = {name for other in chapter.exercises for name in other.edit} - {*exercise.edit}
+        if not called or (told[1] == chapter.name and body not in others):
+            return f"{_file(engine, told[1], told[2])}:{told[3]}"
     bodies = [name for name in exercise.edit if called and _calls(called[1], name)]
     return find_definition(engine, chapter, (bodies or exercise.edit)[0])
 
@@ -54,16 +56,13 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
     return f"{file}:{places.get(path) or places.get(path.partition('.')[0], 1)}"
 
 
-def _is_in_a_body(
-    engine: list[Path], chapter: Chapter, exercise: Exercise, file: str, line: int
-) -> bool:
-    """Say whether a line of a chapter's file lies in a body that the exercise has one write."""
-    tree = _read(_file(engine, chapter.name, file))
-    module = file.removesuffix(".py")
-    return tree is not None and any(
-        f"{module}.{name}" in exercise.edit and node.lineno <= line <= (node.end_lineno or 0)
-        for name, node in functions(tree).items()
-    )
+def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
+    """Return the name of the function that a line of a chapter's file lies in, as manifests do."""
+    tree = _read(_file(engine, chapter, file))
+    for name, node in functions(tree).items() if tree else ():
+        if node.lineno <= line <= (node.end_lineno or 0):
+            return f"{file.removesuffix('.py')}.{name}"
+    return None
 
 
 def _read(file: Path) -> ast.Module | None:

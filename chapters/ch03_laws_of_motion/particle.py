@@ -5,7 +5,6 @@ Units are SI: m, m/s, m/s^2, kg, s, J, kg m/s.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from ch02_vectors.vector import Vector3
@@ -23,10 +22,9 @@ class Particle:
     ``damping`` is the share of the velocity that is kept per second: 1 keeps all of it.
     A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves. What is kept
     is ``_inverse_mass`` and ``_damping``; ``__slots__`` names all that there can be.
-
-    copy.deepcopy makes another particle; copy.copy one that shares the three vectors.
     """
 
+    # _frame is for integrate: the last duration, and the share of the velocity kept in it.
     __slots__ = ("_damping", "_frame", "_inverse_mass", "acceleration", "position", "velocity")
 
     position: Vector3
@@ -45,7 +43,6 @@ class Particle:
         self.position = Vector3() if position is None else position
         self.velocity = Vector3() if velocity is None else velocity
         self.acceleration = Vector3() if acceleration is None else acceleration
-        self._frame = [math.nan, 1.0]  # for integrate: the last duration, and the share kept in it
         self.mass = mass
         self.damping = damping
 

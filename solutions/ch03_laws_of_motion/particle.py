@@ -28,10 +28,9 @@ class Particle:
     ``damping`` is the share of the velocity that is kept per second: 1 keeps all of it.
     A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves. What is kept
     is ``_inverse_mass`` and ``_damping``; ``__slots__`` names all that there can be.
-
-    copy.deepcopy makes another particle; copy.copy one that shares the three vectors.
     """
 
+    # _frame is for integrate: the last duration, and the share of the velocity kept in it.
     __slots__ = ("_damping", "_frame", "_inverse_mass", "acceleration", "position", "velocity")
 
     position: Vector3
@@ -50,7 +49,6 @@ class Particle:
         self.position = Vector3() if position is None else position
         self.velocity = Vector3() if velocity is None else velocity
         self.acceleration = Vector3() if acceleration is None else acceleration
-        self._frame = [math.nan, 1.0]  # for integrate: the last duration, and the share kept in it
         self.mass = mass
         self.damping = damping
 
@@ -97,7 +95,7 @@ class Particle:
     def damping(self, damping: float) -> None:
         """Set the damping. Raises ValueError where it is negative or not finite."""
         self._damping = not_negative("damping", damping)
-        self._frame[0] = math.nan  # equal to no duration: the next step works the share out anew
+        self._frame = [math.nan, 1.0]  # NaN equals no duration: the next step works the share out
 
     def kinetic_energy(self) -> float:
         """Exercise 3.3: return m |v|^2 / 2 in J.
@@ -142,7 +140,7 @@ class Particle:
             frame[0], frame[1] = duration, keep
         if not self._inverse_mass:
             return
-        # Plain floats: with operators, which make new vectors, the step takes eight times as long.
+        # Plain floats: operators make new vectors, and the step takes many times as long.
         position = self.position
         velocity = self.velocity
         acceleration = self.acceleration

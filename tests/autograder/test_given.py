@@ -134,6 +134,8 @@ def test_an_endless_loop_of_its_own_is_told_at_once_and_not_run_again(engine: Pa
         "the third is not waited for so long"
     )
     assert not [verdict for verdict in marked.values() if verdict.status == "inherited"]
+    done = check(engine, "--exercise", "3.4b")
+    assert "Chapter 2 fails checks of its own, which may be the reason for some" in done.stdout
 
 
 @pytest.mark.parametrize(
@@ -216,6 +218,24 @@ def test_a_hand_out_without_the_earlier_chapter_says_what_to_bring(
     assert done.returncode == 2
     wanted = "check: ch02_vectors is not here: put your own folder beside ch03_laws_of_motion\n"
     assert done.stderr == wanted
+
+
+def test_an_earlier_chapter_of_ones_own_that_cannot_be_read_is_named(tmp_path: Path) -> None:
+    make_handout([CH03], [], tmp_path / "out")
+    own = tmp_path / "out/chapters/ch02_vectors"
+    shutil.copytree(ROOT / "sample_class/dina/ch02_vectors", own)
+    done = check("chapters", "--chapter", "3", root=tmp_path / "out")
+    assert done.returncode == 1
+    assert "ch02_vectors/vector.py cannot be read: '(' was never closed" in done.stdout
+    assert "Next: open chapters/ch02_vectors/vector.py:11\n" in done.stdout
+
+
+def test_a_slip_outside_all_bodies_is_where_the_screen_sends_to(engine: Path) -> None:
+    edit(engine, "ch03_laws_of_motion/particle.py", "import Vector3", "import Vector3 as Vector")
+    done = check(engine, "--chapter", "3")
+    line = (engine / "ch03_laws_of_motion/particle.py").read_text(encoding="utf-8")
+    number = line[: line.index("Vector3() if position")].count("\n") + 1
+    assert f"ch03_laws_of_motion/particle.py:{number}\n" in done.stdout
 
 
 def test_a_helper_that_is_not_handed_in_is_named(engine: Path) -> None:

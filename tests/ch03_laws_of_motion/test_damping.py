@@ -49,13 +49,14 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
 
 @pytest.mark.exercise("B3.3")
 def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> None:
-    v, a, d = components(rng), components(rng), draw_damping(rng)
-    call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
+    v, a = components(rng), components(rng)
     cause = "v' = v d^h + a h: that is Eq. 3.6; the listing's form belongs into integrate (E-16)"
     read = "book 3.3, Eq. 3.6"
-    got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
-    wanted = tuple(v[i] * math.sqrt(d) + a[i] * 0.5 for i in range(3))
-    expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
+    for d in (draw_damping(rng), 0.0, 1.5):
+        call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
+        got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
+        wanted = tuple(v[i] * math.sqrt(d) + a[i] * 0.5 for i in range(3))
+        expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.3")
@@ -204,6 +205,12 @@ def test_without_jitter_all_frames_are_equal() -> None:
         call = f"random_frames({mean}, 0.0, 1.0, 3)"
         got = frames_of(mean, 0.0, 1.0, 3)
         expect_close(call, got, [mean] * count, cause=cause, read=read, tolerance=1e-11)
+    cause = (
+        "a tenth of a microsecond is short, and still a thousand million times what rounding leaves"
+    )
+    call = "random_frames(0.25, 0.0, 0.5000001, 3)"
+    got = frames_of(0.25, 0.0, 0.5000001, 3)
+    expect_close(call, got, [0.25, 0.25, 1e-7], cause=cause, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("3.5a")

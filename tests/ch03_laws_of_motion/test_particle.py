@@ -34,7 +34,7 @@ def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
     expect_close(f"{call}.inverse_mass", p.inverse_mass, 1.0, cause=cause, read=read)
     expect_close(f"{call}.damping", p.damping, 1.0, cause=cause, read=read)
     cause = "its mass is finite: True is wanted"
-    for mass in (1.0, 1000.0, 0.001):
+    for mass in (1.0, 1e9, 0.001):
         call = f"p.has_finite_mass, for a mass of {mass} kg"
         got = Particle(mass=mass).has_finite_mass
         expect_exactly(call, got, True, cause=cause, read=read)
@@ -58,10 +58,11 @@ def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
 @pytest.mark.exercise("B3.1")
 def test_the_mass_comes_back(rng: Random) -> None:
     mass = draw_mass(rng)
-    call = f"p = Particle({mass=!r}); p.mass"
     cause = "what is kept is the inverse: on the way back it is divided again"
     read = "book 3.2"
-    expect_close(call, Particle(mass=mass).mass, mass, cause=cause, read=read)
+    for value in (mass, 1e9):
+        call = f"p = Particle(mass={value!r}); p.mass"
+        expect_close(call, Particle(mass=value).mass, value, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B3.1")
@@ -144,7 +145,7 @@ def expect_refusal(
 
 
 @pytest.mark.exercise("B3.1", weight=0.5)
-@pytest.mark.parametrize("bad", [0.0, -2.0, math.nan])
+@pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
     cause = "no force can be divided by a mass of 0, and a negative one would go the wrong way"
     expect_refusal("mass", bad, ValueError, good=4.0, cause=cause, read="the docstring of mass")

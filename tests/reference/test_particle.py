@@ -82,11 +82,18 @@ def test_steps_change_no_vector_but_the_particle_s_own() -> None:
     assert tuple(gravity) == (0.0, -10.0, 0.0)
 
 
-def test_a_copied_particle_goes_its_own_way() -> None:
-    particle = Particle(velocity=Vector3(1.0, 0.0, 0.0))
-    twin = copy.deepcopy(particle)
+@pytest.mark.parametrize("how", [copy.copy, copy.deepcopy])
+def test_a_copied_particle_goes_its_own_way(how: Any) -> None:
+    particle = Particle(velocity=Vector3(8.0, 0.0, 0.0), damping=0.5)
+    particle.integrate(1.0)
+    twin = how(particle)
+    particle.damping = 0.25
+    particle.integrate(1.0)
     twin.integrate(1.0)
-    assert (particle.position.x, twin.position.x) == (0.0, 1.0)
+    assert (particle.velocity.x, twin.velocity.x) == (1.0, 2.0)
+    assert (particle.position.x, twin.position.x) == (12.0, 12.0)
+    twin.integrate(1.0)
+    assert (particle.position.x, twin.position.x) == (12.0, 14.0)
 
 
 def test_in_place_operators_work_on_a_particle_s_vectors() -> None:

@@ -8,7 +8,7 @@ import io
 import sys
 
 from autograder.check import check
-from autograder.manifest import ROOT, Chapter, Exercise, load_chapters, select_chapters
+from autograder.manifest import ROOT, Chapter, Exercise, load_chapters, select_chapters, split_given
 from autograder.runner import GraderError
 
 try:
@@ -71,10 +71,7 @@ def run_check(arguments: argparse.Namespace) -> bool:
     engine = [ROOT / folder for folder in dict.fromkeys((arguments.engine, "chapters"))]
     if not engine[0].is_dir():
         raise ValueError(f"engine must be a folder of chapters, got {arguments.engine!r}")
-    given = select_chapters(arguments.given) if arguments.given else []
-    chapters = [chapter for chapter in chapters if chapter not in given]
-    if not chapters:
-        raise ValueError(f"nothing is left to check: chapter {arguments.given} is given")
+    given, chapters = split_given(chapters, arguments.given)
     return not check(chapters, exercise, engine, arguments.seed, given)
 
 

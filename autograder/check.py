@@ -32,8 +32,10 @@ def check(
                 chapter, folders, seed=seed, exercises=wanted, on_verdict=progress.show
             )
             verdicts, again = mark_inherited(chapter, verdicts, folders, seed, wanted, given)
-            results = [r for r in results_of(chapter, verdicts) if r.exercise.id in wanted]
-            better = [r for r in results_of(chapter, again) if r.exercise.id in wanted]
+            results, better = (
+                [result for result in results_of(chapter, run) if result.exercise.id in wanted]
+                for run in (verdicts, again)
+            )
             doubtful = [] if again else suspects(chapter, verdicts, folders, seed, given)
-            reports.append(Report(chapter, results, better, doubtful))
+            reports.append(Report(chapter, results, better if again else [], doubtful))
     return print_report(progress.console, reports, exercise, engine, given)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from autograder.manifest import ROOT, select_chapters
+from autograder.manifest import ROOT, select_chapters, split_given
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -33,10 +33,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
     """Grade a class."""
     from autograder.cohort import grade
 
-    given = select_chapters(arguments.given) if arguments.given else []
-    chapters = [c for c in select_chapters(arguments.chapters) if c not in given]
-    if not chapters:
-        raise ValueError(f"nothing is left to grade: chapter {arguments.given} is given")
+    given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
     return grade(arguments.folder, arguments.out, chapters, arguments.seed, given)
 
 

@@ -80,6 +80,18 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
     return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
 
 
+def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
+    """Return the given chapters that a text names, and these chapters without them.
+
+    An empty text names none. Raises ValueError where nothing is left, and as select_chapters does.
+    """
+    given = select_chapters(numbers) if numbers else []
+    left = [chapter for chapter in chapters if chapter not in given]
+    if not left:
+        raise ValueError(f"nothing is left to check: chapter {numbers} is given")
+    return given, left
+
+
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
     """Return the chapters with smaller numbers, on which this one may build."""
     return [other for other in load_chapters(root) if other.number < chapter.number]

@@ -92,8 +92,7 @@ class _Run:
     finished: bool = False
     silent: bool = False
     hung: set[str] = field(default_factory=set)  # exercises of which a check did not end
-    loops: set[str] = field(default_factory=set)  # functions in which one did not
-    hurried: bool = False
+    loops: list[str] = field(default_factory=list)  # the functions in which they did not
     stderr: str = ""
 
     def reason(self) -> str:
@@ -105,7 +104,8 @@ class _Run:
 
     @property
     def limit(self) -> float:
-        return self.time_limit * (HURRIED if self.hurried else 1.0)
+        hurried = len(set(self.loops)) < len(self.loops)
+        return self.time_limit * (HURRIED if hurried else 1.0)
 
     @property
     def progress(self) -> tuple[int, int]:
@@ -153,9 +153,7 @@ class _Run:
             self._decide(name, "failed", why)
             if hung:
                 self._note_hang(self.checks[name]["exercise"])
-                place = why.rpartition("in ")[2]  # the function, where it is a student's
-                self.hurried = self.hurried or place in self.loops
-                self.loops.add(place)
+                self.loops.append(why.rpartition("in ")[2])
 
     def _config(self, stack_file: Path) -> str:
         chapters = [c for c in load_chapters(self.root) if c.number <= self.chapter.number]

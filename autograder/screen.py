@@ -84,7 +84,7 @@ def print_report(
     for report in reports:
         _print_chapter(console, report, engine)
         _print_inherited(console, report, exercise, engine)
-    on_given = f" on the reference's {_numbered(given)}" if given else ""
+    on_given = f" on the reference's {_named(given)}" if given else ""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
     if not open_ones:
@@ -143,8 +143,8 @@ def _print_inherited(
     chapter = report.chapter
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:
-        earlier = _numbered(chapters_below(chapter))
-        numbers = earlier.partition(" ")[2]
+        below = chapters_below(chapter)
+        earlier, numbers = _named(below), _numbers(below)
         checks = f"{lost} check fails" if lost == 1 else f"{lost} checks fail"
         earned, points = total(report.on_reference)
         this = {"EX": exercise.id} if exercise else {"CH": str(chapter.number)}
@@ -180,7 +180,7 @@ def _print_failure(console: Console, chapter: Chapter, result: Result, engine: l
     console.print(f"{heading}: {exercise.id} {exercise.title}", style="bold")
     console.print(f"check     {failed.name}\n{message}\n", markup=False, soft_wrap=True)
     if inherited:
-        numbers = _numbered(chapters_below(chapter)).partition(" ")[2]
+        numbers = _numbers(chapters_below(chapter))
         console.print(f"Next: {_command(engine, CH=numbers)}", style="bold", soft_wrap=True)
         return
     place = next_place(engine, chapter, exercise, failed)
@@ -197,10 +197,15 @@ def _command(engine: list[Path], **arguments: str) -> str:
     return " ".join(["make check", *(f"{name}={value}" for name, value in arguments.items())])
 
 
-def _numbered(chapters: list[Chapter]) -> str:
+def _named(chapters: list[Chapter]) -> str:
     """Return chapters as words, such as chapter 2 or chapters 2-5."""
+    return f"chapter{'' if len(chapters) == 1 else 's'} {_numbers(chapters)}"
+
+
+def _numbers(chapters: list[Chapter]) -> str:
+    """Return the numbers of chapters as commands take them, such as 2 or 2-5."""
     first, last = chapters[0].number, chapters[-1].number
-    return f"chapter {first}" if first == last else f"chapters {first}-{last}"
+    return str(first) if first == last else f"{first}-{last}"
 
 
 def _state(result: Result, written: set[str]) -> str:

@@ -10,9 +10,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
+
+if TYPE_CHECKING:
+    import pymunk
 
 Numbers = tuple[float, float, float]
 
@@ -67,14 +71,7 @@ def with_particle(scene: Scene, frame: float, frames: int) -> list[State]:
 
 def with_pymunk(scene: Scene, frame: float, frames: int) -> list[State]:
     """Run a scene with pymunk, which has two dimensions; its z is 0."""
-    import pymunk  # here, since a plot of one's own engine can do without
-
-    space = pymunk.Space()
-    space.gravity = scene.acceleration[:2]
-    space.damping = scene.damping
-    body = pymunk.Body(mass=1.0, moment=1.0)
-    body.position, body.velocity = scene.start.position[:2], scene.start.velocity[:2]
-    space.add(body)
+    space, (body,) = make_space(scene)
     states = [State((*body.position, 0.0), (*body.velocity, 0.0))]
     for _ in range(frames):
         space.step(frame)
@@ -90,6 +87,19 @@ def make_particle(scene: Scene) -> Particle:
         Vector3(*scene.acceleration),
         damping=scene.damping,
     )
+
+
+def make_space(scene: Scene, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
+    """Return a space of pymunk with as many bodies at the start of a scene."""
+    import pymunk  # here, since a plot of one's own engine can do without
+
+    space = pymunk.Space()
+    space.gravity, space.damping = scene.acceleration[:2], scene.damping
+    made = [pymunk.Body(mass=1.0, moment=1.0) for _ in range(bodies)]
+    for body in made:
+        body.position, body.velocity = scene.start.position[:2], scene.start.velocity[:2]
+    space.add(*made)
+    return space, made
 
 
 def _state_of(particle: Particle) -> State:

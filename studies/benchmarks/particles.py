@@ -6,10 +6,8 @@ import random
 import timeit
 from collections.abc import Callable
 
-import pymunk
-
 from ch03_laws_of_motion.particle import Particle
-from studies.scenes import DAMPED_FALL, PROJECTILE, Numbers, make_particle
+from studies.scenes import DAMPED_FALL, PROJECTILE, Numbers, make_particle, make_space
 from studies.timing import Line, Timer, ratio
 
 FRAME = 1.0 / 60.0
@@ -59,7 +57,7 @@ def _against_pymunk(bodies: int, *, read: bool) -> Line:
     """
     frames = max(1, 4000 // bodies)
     particles = [make_particle(DAMPED_FALL) for _ in range(bodies)]
-    space, others = _pymunk_space(bodies)
+    space, others = make_space(DAMPED_FALL, bodies)
 
     def ours() -> None:
         for _ in range(frames):
@@ -85,14 +83,6 @@ def _against_pymunk(bodies: int, *, read: bool) -> Line:
     if not read and bodies > 1:
         target = "pymunk wins below 1"
     return Line(f"pymunk / Particle, {many}, {what}", *measured, target)
-
-
-def _pymunk_space(bodies: int) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    space = pymunk.Space()
-    space.gravity, space.damping = DAMPED_FALL.acceleration[:2], DAMPED_FALL.damping
-    made = [pymunk.Body(mass=1.0, moment=1.0) for _ in range(bodies)]
-    space.add(*made)
-    return space, made
 
 
 def steps(particle: Particle, frames: list[float]) -> None:

@@ -75,22 +75,36 @@ def test_both_equations_give_a_new_vector(rng: Random) -> None:
         expect_close(call, xyz(result), wanted, cause=cause, read=read, tolerance=1e-13)
 
 
+def expect_refusal(
+    name: str,
+    damping: Any,
+    duration: Any,
+    error: type[Exception],
+    *,
+    good: tuple[float, float],
+    cause: str,
+    read: str,
+) -> None:
+    """Expect an equation to refuse a damping or a duration, and to take two that are good."""
+    call = f"{name}(Vector3(1, 2, 3), Vector3(), {damping!r}, {duration!r})"
+    function = getattr(forms, name)
+    expect_error(
+        call,
+        lambda: function(Vector3(1, 2, 3), Vector3(), damping, duration),
+        error,
+        allowed=lambda: function(Vector3(1, 2, 3), Vector3(), *good),
+        cause=cause,
+        read=read,
+    )
+
+
 @pytest.mark.exercise("B3.3", weight=0.5)
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
-    call = f"{name}(Vector3(1, 2, 3), Vector3(), 0.5, {bad})"
     cause = "positive of arguments.py refuses it in one line"
     read = f"the docstring of {name}"
-    function = getattr(forms, name)
-    expect_error(
-        call,
-        lambda: function(Vector3(1, 2, 3), Vector3(), 0.5, bad),
-        ValueError,
-        allowed=lambda: function(Vector3(1, 2, 3), Vector3(), 0.5, 1.0),
-        cause=cause,
-        read=read,
-    )
+    expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B3.3", weight=0.5)
@@ -98,35 +112,17 @@ def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
 def test_both_equations_refuse_text(name: str) -> None:
     cause = "the functions of arguments.py raise the TypeError for you"
     read = "the head of damping.py"
-    function = getattr(forms, name)
     for numbers in (("0.5", 0.5), (0.5, "0.5")):
-        call = f"{name}(Vector3(1, 2, 3), Vector3(), {numbers[0]!r}, {numbers[1]!r})"
-        expect_error(
-            call,
-            lambda numbers=numbers: function(Vector3(1, 2, 3), Vector3(), *numbers),
-            TypeError,
-            allowed=lambda: function(Vector3(1, 2, 3), Vector3(), 0.5, 0.5),
-            cause=cause,
-            read=read,
-        )
+        expect_refusal(name, *numbers, TypeError, good=(0.5, 0.5), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B3.3", weight=0.5)
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
-    call = f"{name}(Vector3(1, 2, 3), Vector3(), {bad}, 0.5)"
     cause = "not_negative of arguments.py refuses it in one line"
     read = f"the docstring of {name}"
-    function = getattr(forms, name)
-    expect_error(
-        call,
-        lambda: function(Vector3(1, 2, 3), Vector3(), bad, 0.5),
-        ValueError,
-        allowed=lambda: function(Vector3(1, 2, 3), Vector3(), 0.0, 0.5),
-        cause=cause,
-        read=read,
-    )
+    expect_refusal(name, bad, 0.5, ValueError, good=(0.0, 0.5), cause=cause, read=read)
 
 
 # 3.5a Frames of random length
@@ -319,51 +315,41 @@ def test_the_difference_leaves_its_vectors_alone(rng: Random) -> None:
     expect_unchanged(call, "a", xyz(a), second, read=read)
 
 
-@pytest.mark.exercise("3.5b", weight=0.5)
-def test_no_run_has_no_mean() -> None:
-    call = "damping_difference(Vector3(), Vector3(0, -10, 0), 0.9, [])"
-    cause = "a mean over nothing is a division by zero: say so with a ValueError"
+Runs = list[list[float]]
+
+
+def expect_no_difference(
+    damping: float, runs: Runs, *, good: tuple[float, Runs], cause: str
+) -> None:
+    """Expect damping_difference to refuse a damping or its runs, and to take two that are good."""
+    call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, {runs})"
     read = "the docstring of damping_difference"
     gravity = Vector3(0.0, -10.0, 0.0)
     expect_error(
         call,
-        lambda: exercises.damping_difference(Vector3(), gravity, 0.9, []),
+        lambda: exercises.damping_difference(Vector3(), gravity, damping, runs),
         ValueError,
-        allowed=lambda: exercises.damping_difference(Vector3(), gravity, 0.9, [[0.5]]),
+        allowed=lambda: exercises.damping_difference(Vector3(), gravity, *good),
         cause=cause,
         read=read,
     )
+
+
+@pytest.mark.exercise("3.5b", weight=0.5)
+def test_no_run_has_no_mean() -> None:
+    cause = "a mean over nothing is a division by zero: say so with a ValueError"
+    expect_no_difference(0.9, [], good=(0.9, [[0.5]]), cause=cause)
 
 
 @pytest.mark.exercise("3.5b", weight=0.5)
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
-    call = f"damping_difference(Vector3(), Vector3(0, -10, 0), 0.9, [[0.5, {bad}]])"
     cause = "the two equations refuse it, if you use them"
-    read = "the docstring of damping_difference"
-    gravity = Vector3(0.0, -10.0, 0.0)
-    expect_error(
-        call,
-        lambda: exercises.damping_difference(Vector3(), gravity, 0.9, [[0.5, bad]]),
-        ValueError,
-        allowed=lambda: exercises.damping_difference(Vector3(), gravity, 0.9, [[0.5, 0.5]]),
-        cause=cause,
-        read=read,
-    )
+    expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]), cause=cause)
 
 
 @pytest.mark.exercise("3.5b", weight=0.5)
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
-    call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {bad}, [[0.5, 0.5]])"
     cause = "the two equations refuse it, if you use them"
-    read = "the docstring of damping_difference"
-    gravity = Vector3(0.0, -10.0, 0.0)
-    expect_error(
-        call,
-        lambda: exercises.damping_difference(Vector3(), gravity, bad, [[0.5, 0.5]]),
-        ValueError,
-        allowed=lambda: exercises.damping_difference(Vector3(), gravity, 0.0, [[0.5, 0.5]]),
-        cause=cause,
-        read=read,
-    )
+    expect_no_difference(bad, [[0.5, 0.5]], good=(0.0, [[0.5, 0.5]]), cause=cause)

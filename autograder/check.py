@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
-from autograder.given import mark_inherited, suspects, with_given
+from autograder.given import (
+    below_and_not_given,
+    mark_inherited,
+    run_on_given,
+    suspects,
+    told_on_given,
+    with_given,
+)
 from autograder.manifest import Chapter, Exercise
 from autograder.runner import run_checks, with_needs
 from autograder.scores import results_of
@@ -28,14 +36,17 @@ def check(
         for chapter in chapters:
             progress.title = f"chapter {chapter.number}"
             wanted = with_needs(chapter, [exercise.id] if exercise else None)
-            verdicts = run_checks(
+            below = below_and_not_given(chapter, given)
+            first = run_checks(
                 chapter, folders, seed=seed, exercises=wanted, on_verdict=progress.show
             )
-            verdicts, again = mark_inherited(chapter, verdicts, folders, seed, wanted, given)
+            run = partial(run_checks, seed=seed)
+            again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
+            verdicts = told_on_given(mark_inherited(first, again), again)
             results, better = (
-                [result for result in results_of(chapter, run) if result.exercise.id in wanted]
-                for run in (verdicts, again)
+                [result for result in results_of(chapter, outcome) if result.exercise.id in wanted]
+                for outcome in (verdicts, again)
             )
-            doubtful = [] if again else suspects(chapter, verdicts, folders, seed, given)
+            doubtful = [] if again else suspects(first, folders, below, run)
             reports.append(Report(chapter, results, better if again else [], doubtful))
     return print_report(progress.console, reports, exercise, engine, given)

@@ -1,119 +1,279 @@
-"""Grade a folder of submissions, one after the other, and print the class as a table."""
+"""Grade a class: submissions side by side, each report as it is made, and a run that can go on."""
 
 from __future__ import annotations
 
+import hashlib
+import json
+import os
+import platform
 import secrets
-import tempfile
-from collections.abc import Sequence
+import sys
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.markup import escape
-from rich.progress import Progress
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
-from autograder.given import with_given
+from autograder.feedback import write_feedback
+from autograder.gradescope import write_gradescope
+from autograder.grading import Assignment, digest_of, grade_submission
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.reports import overall_status, write_gradebook, write_result
-from autograder.runner import GraderError, Verdict, run_checks
-from autograder.scores import Result, results_of, shown, total
-from autograder.stage import stage
+from autograder.marks import Marks, apply_marks, read_marks
+from autograder.reports import Report, read_result, replace_file, write_all, write_result
+from autograder.runner import TIME_LIMIT, Behind, run_checks
+from autograder.sandbox import Level
+from autograder.scores import shown
+from autograder.submissions import Submission, file_name, find_submissions
+from autograder.template import best_level
 
-ISOLATION = (
-    "none: the submission ran in an ordinary process with a time limit, which hostile code can "
-    "leave; grade only classes that you trust"
-)
+SAMPLE_CLASS = ROOT / "sample_class"
 
 
 def grade(
     folder: Path,
     out: Path,
     chapters: list[Chapter],
-    seed: str | None,
+    seed: str | None = None,
     given: Sequence[Chapter] = (),
+    *,
+    jobs: int | None = None,
+    hidden: Path | None = None,
+    unsafe: bool = False,
+    root: Path = ROOT,
+    time_limit: float = TIME_LIMIT,
 ) -> int:
     """Grade every submission in the folder; write the reports into out; return 1 for errors.
 
-    The ``given`` chapters are the reference's, whatever is handed in. A submission is a folder
-    named after the student; hidden ones and caches are none. Raises ValueError without any.
+    ``jobs`` submissions are graded at a time, by default one a core. ``hidden`` is a folder of
+    further checks, chNN_name/test_*.py. What is complete, of the same submission, checks, grader
+    and seed, is not graded again; without a seed, a run that was stopped goes on with its own, and
+    a new run draws a new one. Raises ValueError for what cannot be graded so, OSError for what
+    cannot be read or written.
     """
-    if not folder.is_dir():
-        raise ValueError(f"the submissions must be a folder of folders, got {str(folder)!r}")
+    if jobs is not None and jobs < 1:
+        raise ValueError(f"--jobs must be at least 1, got {jobs}")
+    submissions, notes = find_submissions(folder)
+    submissions = [one for one in submissions if one.path.resolve() != out.resolve()]
+    everyone = [submission.student for submission in submissions]
+    marks = read_marks(folder / "marks.csv", load_chapters(root), everyone)
+    level = choose_level(folder, unsafe=unsafe)
+    with _only_run(out) as state:
+        seed = _seed(state, seed)
+        assignment = Assignment(
+            chapters, seed, level, given, hidden and hidden.resolve(), root, time_limit
+        )
+        check_hidden(assignment)
+        replace_file(state, json.dumps({"seed": seed, "finished": False}) + "\n")
+        console = Console(highlight=False)
+        for note in notes:
+            console.print(note, markup=False)
+        class_run = _ClassRun(assignment, out, marks, _key(assignment), console)
+        reports = class_run.grade_all(submissions, jobs or _cores())
+        places = write_all(out, chapters, reports)
+        replace_file(state, json.dumps({"seed": seed, "finished": True}) + "\n")
+    _print_class(console, reports)
+    if class_run.reused:
+        console.print(f"{class_run.reused} of {len(reports)} were graded before, and not again.")
+    console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
+    for place in places:
+        console.print(str(place), markup=False, soft_wrap=True)
+    return int(any(report["status"] != "graded" for report in reports))
+
+
+def choose_level(folder: Path, *, unsafe: bool) -> Level:
+    """Return the walls that stand here. Raises ValueError where there are none, and must be."""
+    level = best_level()
+    if level.is_wall or folder.resolve() == SAMPLE_CLASS:
+        return level
+    if unsafe and os.name == "posix" and os.geteuid() != 0:
+        return level
+    no_wall = (
+        "there is no wall here to put around a submission (it takes Linux with Landlock on x86-64, "
+        "or bubblewrap)"
+    )
+    if unsafe:
+        raise ValueError(f"{no_wall}, and student code is not run as root without one")
+    raise ValueError(f"{no_wall}; --unsafe-no-sandbox grades a class that you trust all the same")
+
+
+def check_hidden(assignment: Assignment) -> None:
+    """Raise ValueError where the hidden checks are none, or fail on the reference itself."""
+    hidden, root = assignment.hidden, assignment.root
+    if hidden is None:
+        return
+    graded = [chapter for chapter in assignment.chapters if (hidden / chapter.name).is_dir()]
+    if not graded:
+        names = ", ".join(chapter.name for chapter in assignment.chapters)
+        raise ValueError(f"--checks must be a folder that has one of {names}, got {str(hidden)!r}")
+    behind = Behind(vars(assignment.level), hidden=hidden)
+    engine = [root / "solutions", root / "chapters"]
+    for chapter in graded:
+        verdicts = run_checks(chapter, engine, seed=assignment.seed, root=root, behind=behind)
+        checks = [verdict for verdict in verdicts if verdict.hidden]
+        if not checks:
+            raise ValueError(f"there is no check in {hidden / chapter.name}: test_*.py is wanted")
+        for check in checks:
+            if check.status != "passed":
+                raise ValueError(f"{check.name} fails on the reference: {check.message}")
+
+
+class _ClassRun:
+    """One run over a class: what it shares, and how many were there already."""
+
+    def __init__(
+        self,
+        assignment: Assignment,
+        out: Path,
+        marks: Marks,
+        key: dict[str, Any],
+        console: Console,
+    ) -> None:
+        self.assignment = assignment
+        self.out = out
+        self.marks = marks
+        self.key = key
+        self.console = console
+        self.reused = 0
+
+    def grade_all(self, submissions: list[Submission], jobs: int) -> list[Report]:
+        """Grade the submissions, so many at a time, and return their reports in order."""
+        columns = (
+            TextColumn("{task.description}"),
+            BarColumn(),
+            MofNCompleteColumn(),
+            TimeRemainingColumn(),
+        )
+        reports: dict[str, Report] = {}
+        with (
+            ThreadPoolExecutor(jobs) as pool,
+            Progress(*columns, console=self.console, transient=True) as progress,
+        ):
+            task = progress.add_task("grading", total=len(submissions))
+            futures = [pool.submit(self.one, submission) for submission in submissions]
+            try:
+                for future in as_completed(futures):
+                    report = future.result()
+                    reports[report["student"]] = report
+                    progress.update(task, advance=1, description=f"graded {report['student']}")
+                    if not self.console.is_terminal:
+                        line = f"{len(reports)}/{len(submissions)} {report['student']}"
+                        self.console.print(line, markup=False)
+            except BaseException:
+                pool.shutdown(cancel_futures=True)
+                raise
+        return [reports[submission.student] for submission in submissions]
+
+    def one(self, submission: Submission) -> Report:
+        """Return the report of one submission, an earlier one where it still holds."""
+        path = self.out / "results" / f"{file_name(submission.student)}.json"
+        report = read_result(path)
+        if report is None or not self.still_holds(report, submission):
+            report = grade_submission(self.assignment, submission) | {"run": self.key}
+        else:
+            self.reused += 1
+        report = apply_marks(report, self.marks)
+        write_feedback(self.out, report)
+        write_gradescope(self.out, report)
+        write_result(self.out, report)  # last: from now on the student is not graded again
+        return report
+
+    def still_holds(self, report: Report, submission: Submission) -> bool:
+        """Say whether grading again would give this report."""
+        if report["status"] != "graded" or report.get("run") != self.key:
+            return False
+        return bool(report.get("submission") == digest_of(self.assignment, submission))
+
+
+def _key(assignment: Assignment) -> dict[str, Any]:
+    """Return what must be the same for a report to hold, next to the submission itself."""
+    root = assignment.root
+    names = [chapter.name for chapter in load_chapters(root)]
+    checks = [*(root / "tests").glob("*.py")]
+    for name in names:
+        checks += [*(root / "tests" / name).glob("*.py"), *(root / "solutions" / name).glob("*.py")]
+        checks += [*(root / "chapters" / name).glob("*.toml")]
+    if assignment.hidden:
+        checks += assignment.hidden.rglob("*.py")
+    grader = Path(__file__).parent.glob("*.py")
+    return {
+        "seed": assignment.seed,
+        "chapters": [chapter.number for chapter in assignment.chapters],
+        "given": [chapter.number for chapter in assignment.given],
+        "checks": _digest(checks),
+        "grader": _digest(grader),
+        "python": platform.python_version(),
+        "level": vars(assignment.level),
+        "time_limit": assignment.time_limit,
+    }
+
+
+def _digest(files: Iterator[Path] | list[Path]) -> str:
+    digest = hashlib.sha256()
+    for file in sorted(files):
+        content = file.read_bytes()
+        digest.update(f"{file.parent.name}/{file.name} {len(content)}\n".encode() + content)
+    return digest.hexdigest()
+
+
+def _seed(state: Path, seed: str | None) -> str:
+    """Return the seed that is wanted, that of a run that was stopped here, or a new one."""
+    if seed:
+        return seed
+    try:
+        last = json.loads(state.read_text(encoding="utf-8"))
+        if last["finished"] is False and isinstance(last["seed"], str):
+            return last["seed"]
+    except (OSError, ValueError, KeyError, TypeError):
+        pass  # no run was stopped here
+    return secrets.token_hex(4)
+
+
+@contextmanager
+def _only_run(out: Path) -> Iterator[Path]:
+    """Make the folder and hold it for this run; yield the file that keeps the run's state."""
     if out.exists() and not out.is_dir():
         raise ValueError(f"--out must be a folder, got {str(out)!r}")
-    folders = sorted(path for path in folder.iterdir() if path.is_dir())
-    submissions = [path for path in folders if not path.name.startswith((".", "__"))]
-    if not submissions:
-        raise ValueError(f"{folder} has no submissions: a folder named after each student")
-    seed = seed or secrets.token_hex(4)
-    console = Console(highlight=False)
-    grades: dict[str, list[Result]] = {}
-    with Progress(console=console, transient=True) as progress:
-        task = progress.add_task("", total=len(submissions))
-        for submission in submissions:
-            progress.update(task, description=f"grading {escape(submission.name)}")
+    out.mkdir(parents=True, exist_ok=True)
+    with (out / ".lock").open("w") as lock:
+        if sys.platform != "win32":
+            import fcntl
+
             try:
-                grades[submission.name] = grade_submission(submission, chapters, seed, given)
-            except Exception as error:  # ours, whatever it is: the class goes on
-                grades[submission.name] = [
-                    result for chapter in chapters for result in _errors(chapter, repr(error))
-                ]
-            write_result(out, submission.name, seed, ISOLATION, grades[submission.name])
-            progress.advance(task)
-    gradebook = write_gradebook(out, chapters, grades)
-    _print_class(console, grades)
-    console.print(f"Seed {seed}. Isolation: {ISOLATION}.", markup=False)
-    places = f"Gradebook: {gradebook}\nResults:   {out / 'results'}"
-    console.print(places, markup=False, soft_wrap=True)
-    return int(any(overall_status(results) != "graded" for results in grades.values()))
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                raise ValueError(f"another run is grading into {str(out)!r}") from None
+        yield out / "run.json"
 
 
-def grade_submission(
-    submission: Path,
-    chapters: list[Chapter],
-    seed: str,
-    given: Sequence[Chapter] = (),
-    root: Path = ROOT,
-) -> list[Result]:
-    """Return the results of one submission in these chapters, on top of the given ones."""
-    results: list[Result] = []
-    with tempfile.TemporaryDirectory(prefix="submission-") as folder:
-        box = Path(folder)
-        stage(submission, load_chapters(root), box, root)
-        with with_given(given, [box], root) as engine:
-            for chapter in chapters:
-                try:
-                    verdicts = run_checks(chapter, engine, seed=seed, root=root)
-                    results += results_of(chapter, verdicts)
-                except GraderError as error:
-                    results += _errors(chapter, str(error))
-    return results
+def _cores() -> int:
+    if sys.platform == "linux":
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
-def _errors(chapter: Chapter, reason: str) -> list[Result]:
-    """Return results for checks that could not be run: our error, and not a zero."""
-    ours = [Verdict("every check", e.id, 1, "error", reason) for e in chapter.exercises]
-    return results_of(chapter, ours)
-
-
-def _print_class(console: Console, grades: dict[str, list[Result]]) -> None:
+def _print_class(console: Console, reports: list[Report]) -> None:
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
-    table.add_column("points", justify="right")
-    table.add_column("checks", justify="right")
+    for heading in ("points", "on given", "checks"):
+        table.add_column(heading, justify="right")
     table.add_column("status")
     table.add_column("first trouble")
-    for student, results in grades.items():
-        checks = [check for result in results for check in result.checks]
-        passed = sum(check.status == "passed" for check in checks)
-        trouble = next((check for check in checks if check.status in ("failed", "error")), None)
-        score, points = total(results)
+    for report in reports:
+        checks = [(e, check) for e in report["exercises"] for check in e["checks"]]
+        passed = sum(check["status"] == "passed" for _, check in checks)
+        lost = [pair for pair in checks if pair[1]["status"] in ("failed", "error")]
         table.add_row(
-            escape(student),
-            f"{shown(score)}/{points}",
+            escape(report["student"]),
+            f"{shown(report['score'])}/{report['points']}",
+            shown(report["score_on_given"]),
             f"{passed}/{len(checks)}",
-            overall_status(results),
-            escape(f"{trouble.exercise}: {_in_short(trouble.message)}") if trouble else "",
+            report["status"],
+            escape(f"{lost[0][0]['id']}: {_in_short(lost[0][1]['message'])}") if lost else "",
         )
     console.print(table)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 import traceback
 from collections.abc import Sequence
-from functools import cache
 from pathlib import Path
-from types import CodeType
+
+from autograder.faults import Fault, Frame, clean, fault_of, is_inside, short, text_of
 
 # Slips of Python that say little by themselves, by a part of what Python says. They come before
 # the cause that the check has at hand, which speaks of physics.
@@ -56,57 +56,49 @@ def explain_exception(
 
     A failed expectation has its own words. For other exceptions: what the check was calling, the
     exception, the student's line, and the cause that Python or the check suggests. ``complete``
-    are modules such as ch03_laws_of_motion/arguments.py that the student only calls.
+    are modules such as ch03_laws_of_motion/arguments.py that the student only calls. An exception
+    that came from a worker brings its ``fault`` along.
     """
-    frames = [*traceback.walk_tb(error.__traceback__)]
-    own = [pair for pair in frames if _is_inside(pair[0].f_code.co_filename, engine_folders)]
-    written = [pair for pair in own if not _is_given(pair[0].f_code, complete)]
-    own = written or own
-    where = ""
-    if own:
-        code = own[-1][0].f_code
-        where = _place(code.co_filename, own[-1][1], code.co_name)
+    fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
+    written = [frame for frame in fault.frames if not _is_given(frame, complete)]
+    own = written or fault.frames
+    where = str(own[-1]) if own else ""
     if isinstance(error, AssertionError) and not own:
-        return _text(error)
+        return text_of(error)
     if isinstance(error, NotImplementedError):
-        message = _text(error) or "a body raises NotImplementedError"
+        message = fault.text or "a body raises NotImplementedError"
         return f"not written yet: {message}" + (f"\nwhere     {where}" if where else "")
     words: dict[str, str] = {}  # a check keeps what it calls, the likely cause and where to read
-    for frame, _ in frames:
+    for frame, _ in traceback.walk_tb(error.__traceback__):
         local = frame.f_locals
         if Path(frame.f_code.co_filename).name.startswith("test_") and "call" in local:
             words = {name: str(local[name]) for name in ("call", "cause", "read") if name in local}
-    text = _first_line(error)
     lines = [f"called    {words['call']}"] if "call" in words else []
-    lines.append(f"got       {text}")
+    lines.append(f"got       {fault.first_line}")
     if where:
-        source = traceback.extract_tb(error.__traceback__)[frames.index(own[-1])].line
-        lines.append(f"where     {where}: {source}")
-    if likely := _slip(text) or words.get("cause"):
+        lines.append(f"where     {where}: {_source(own[-1], engine_folders)}")
+    if likely := _slip(fault.first_line) or words.get("cause"):
         lines.append(f"likely    {likely}")
     if "read" in words:
         lines.append(f"read      {words['read']}")
     return "\n".join(lines)
 
 
-def explain_import(error: BaseException, module: str, engine_folders: list[Path]) -> str:
+def explain_import(fault: Fault, module: str, engine_folders: list[Path]) -> str:
     """Return why a student's module cannot be imported."""
     file = module.replace(".", "/") + ".py"
-    if isinstance(error, ModuleNotFoundError) and error.name == module:
+    if fault.missing_module == module:
         return f"{file} is missing: not handed in, renamed, or in another folder"
-    text, where = _first_line(error), ""
-    if isinstance(error, SyntaxError):
-        text = str(error.msg)
-        source = Path(error.filename or file)
-        if error.lineno:
-            where = f"{source.parent.name}/{source.name}, line {error.lineno}"
-            where += f": {(error.text or '').strip()}"
+    text, where = fault.first_line, ""
+    if fault.syntax:
+        text = fault.text
+        source, line, words = fault.syntax
+        where = f"{source or file}, line {line}: {words}"
         message = f"{file} cannot be read: {text}"
     else:
         message = f"{file} cannot be imported: {text}"
-        for summary in traceback.extract_tb(error.__traceback__):
-            if _is_inside(summary.filename, engine_folders):
-                where = f"{_place(summary.filename, summary.lineno, summary.name)}: {summary.line}"
+        if fault.frames:
+            where = f"{fault.frames[-1]}: {_source(fault.frames[-1], engine_folders)}"
     if where:
         message += f"\nwhere     {where}"
     if likely := _slip(text):
@@ -119,8 +111,8 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> s
     message = f"did not end within {time_limit:g} seconds: an endless loop?"
     stack = ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), stack)
     for file, line, name in STACK_LINE.findall(stack):
-        if _is_inside(file, engine_folders):
-            return f"{message}\nwhere     {_place(file, int(line), name)}"
+        if is_inside(file, engine_folders):
+            return f"{message}\nwhere     {Frame(short(file), int(line), name)}"
     return message
 
 
@@ -128,33 +120,17 @@ def _slip(text: str) -> str | None:
     return next((cause for sign, cause in SLIPS if sign in text), None)
 
 
-def _is_given(code: CodeType, complete: Sequence[str]) -> bool:
+def _is_given(frame: Frame, complete: Sequence[str]) -> bool:
     """Say whether code was there before the student came: only its callers can be wrong."""
-    file = Path(code.co_filename).as_posix()
-    return code.co_name == "__setattr__" or any(file.endswith(name) for name in complete)
+    return frame.function == "__setattr__" or frame.file in complete
 
 
-def _is_inside(file: str, folders: list[Path]) -> bool:
-    parents = _parents(file)
-    return any(folder in parents for folder in folders)
-
-
-@cache
-def _parents(file: str) -> list[Path]:
-    return list(Path(file).resolve().parents)
-
-
-def _place(file: str, line: int | None, name: str) -> str:
-    return f"{Path(file).parent.name}/{Path(file).name}, line {line}, in {name}"
-
-
-def _text(error: BaseException) -> str:
-    try:
-        return str(error).strip()
-    except BaseException:  # a student's exception may fail in its own __str__
-        return "(its message cannot be shown)"
-
-
-def _first_line(error: BaseException) -> str:
-    first = (_text(error).splitlines() or [""])[0][:500]
-    return f"{type(error).__name__}: {first}" if first else type(error).__name__
+def _source(frame: Frame, engine_folders: list[Path]) -> str:
+    """Return the text of a line, from the first folder that has its file."""
+    for folder in engine_folders:
+        file = folder / frame.file
+        if file.is_file():
+            lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
+            line = lines[frame.line - 1].strip() if 0 < frame.line <= len(lines) else ""
+            return clean(line[:200])
+    return ""

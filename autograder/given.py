@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 import shutil
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter, chapters_below
-from autograder.runner import GraderError, Verdict, run_checks
+from autograder.runner import GraderError, Verdict
 
 LOST = ("failed", "blocked")
+Run = Callable[[Chapter, list[Path]], list[Verdict]]  # the checks of a chapter, on an engine
 
 
 @contextmanager
@@ -45,55 +46,61 @@ def is_at_hand(chapter: Chapter, root: Path = ROOT) -> bool:
     return (root / "solutions" / chapter.name).is_dir()
 
 
-def mark_inherited(
+def run_on_given(
     chapter: Chapter,
     verdicts: list[Verdict],
     engine: list[Path],
-    seed: str,
-    exercises: list[str],
-    given: Sequence[Chapter] = (),
-) -> tuple[list[Verdict], list[Verdict]]:
-    """Return the verdicts, "inherited" where only an earlier chapter fails, and a second run's.
+    below: Sequence[Chapter],
+    run: Run,
+    root: Path = ROOT,
+) -> list[Verdict]:
+    """Return the verdicts of a second run, on the reference's chapters ``below``.
 
-    The second run has the reference's chapters below. A check that passes there is inherited; of
-    one that fails there too, its verdict is told, since nothing but this chapter is behind it.
-    There is no second run (so no verdicts of it) where the reference is not at hand or given
-    already, where nothing is lost but what is not written yet, or where a loop does not end.
+    There is none (so no verdicts) where the reference is not at hand, where nothing is lost but
+    what is not written yet, or where a loop does not end.
     """
-    below = [other for other in chapters_below(chapter) if other not in given]
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     pointless = all(_is_unwritten(verdict) for verdict in lost)
-    if not below or not all(map(is_at_hand, below)) or pointless or _hangs(chapter, lost):
-        return verdicts, []
+    at_hand = all(is_at_hand(other, root) for other in below)
+    if not below or not at_hand or pointless or _hangs(chapter, lost):
+        return []
     try:
-        with with_given(below, engine) as better:
-            again = run_checks(chapter, better, seed=seed, exercises=exercises)
+        with with_given(below, engine, root) as better:
+            return run(chapter, better)
     except GraderError:  # the first run stands
-        return verdicts, []
-    second = {verdict.name: verdict for verdict in again}
-    marked = []
-    for verdict in verdicts:
-        other = second.get(verdict.name, verdict)
-        if verdict.status in LOST and other.status == "passed":
-            verdict = replace(verdict, status="inherited")
-        elif verdict.status in LOST and other.status in LOST:
-            verdict = other
-        marked.append(verdict)
-    return marked, again
+        return []
+
+
+def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
+    """Return the verdicts, "inherited" where a lost check passes in the second run."""
+    passed = {verdict.name for verdict in again if verdict.status == "passed"}
+    return [
+        replace(verdict, status="inherited")
+        if verdict.status in LOST and verdict.name in passed
+        else verdict
+        for verdict in verdicts
+    ]
+
+
+def told_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
+    """Return the verdicts, where a check is lost in both runs as the second one tells it.
+
+    Nothing but the student's own chapter is behind that failure.
+    """
+    second = {verdict.name: verdict for verdict in again if verdict.status in LOST}
+    return [
+        second.get(verdict.name, verdict) if verdict.status in LOST else verdict
+        for verdict in verdicts
+    ]
 
 
 def suspects(
-    chapter: Chapter,
-    verdicts: list[Verdict],
-    engine: list[Path],
-    seed: str,
-    given: Sequence[Chapter] = (),
+    verdicts: list[Verdict], engine: list[Path], below: Sequence[Chapter], run: Run
 ) -> list[Chapter]:
     """Return the chapters below that fail checks of their own, for where there was no second run.
 
     Nobody can then tell which failures are inherited; that some may be is worth saying.
     """
-    below = [other for other in chapters_below(chapter) if other not in given]
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
         return []
@@ -102,9 +109,16 @@ def suspects(
         for other in below
         if any(
             verdict.status != "passed" and not _is_unwritten(verdict)
-            for verdict in run_checks(other, engine, seed=seed)
+            for verdict in run(other, engine)
         )
     ]
+
+
+def below_and_not_given(
+    chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
+) -> list[Chapter]:
+    """Return the chapters below that are the student's own."""
+    return [other for other in chapters_below(chapter, root) if other not in given]
 
 
 def _is_unwritten(verdict: Verdict) -> bool:

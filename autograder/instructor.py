@@ -11,11 +11,18 @@ from autograder.manifest import ROOT, select_chapters, split_given
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add grade, handout and stubs. What they need is loaded when they run: check must be fast."""
     command = commands.add_parser("grade", help="grade a folder of submissions")
-    command.add_argument("folder", type=Path, help="a folder with a folder for each student")
+    command.add_argument("folder", type=Path, help="with a folder, or a .zip, for each student")
     command.add_argument("--out", type=Path, required=True, help="where the results go")
     command.add_argument("--seed", help="seed of the numbers (default: a new one, reported)")
     command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
+    command.add_argument("--jobs", type=int, help="submissions at a time (default: one a core)")
+    command.add_argument("--checks", type=Path, help="a folder of hidden checks: chNN_name/test_*")
+    command.add_argument(
+        "--unsafe-no-sandbox",
+        action="store_true",
+        help="where no wall can be put up, grade a class that you trust without one",
+    )
     command.set_defaults(run=run_grade)
 
     command = commands.add_parser("handout", help="make what students get")
@@ -34,7 +41,16 @@ def run_grade(arguments: argparse.Namespace) -> int:
     from autograder.cohort import grade
 
     given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
-    return grade(arguments.folder, arguments.out, chapters, arguments.seed, given)
+    return grade(
+        arguments.folder,
+        arguments.out,
+        chapters,
+        arguments.seed,
+        given,
+        jobs=arguments.jobs,
+        hidden=arguments.checks,
+        unsafe=arguments.unsafe_no_sandbox,
+    )
 
 
 def run_handout(arguments: argparse.Namespace) -> int:

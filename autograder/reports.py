@@ -1,83 +1,105 @@
-"""Write what a graded class leaves: a JSON file a student, and the gradebook."""
+"""Keep what a graded class leaves: a file of results a student, and all that is made from them."""
 
 from __future__ import annotations
 
-import csv
-import io
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from autograder.feedback import write_feedback, write_index
+from autograder.gradebook import write_gradebook
+from autograder.gradescope import write_gradescope
 from autograder.manifest import Chapter
-from autograder.scores import Result, total
+from autograder.submissions import file_name
+from autograder.texts import Report, replace_file
+
+__all__ = ["Report", "read_result", "replace_file", "write_all", "write_result"]
+
+NUMBER = (int, float)
+SCORE = (int, float, type(None))
+# The form of a report and its parts: each key with the types that its value may have. Reports
+# may have other keys.
+REPORT = {
+    "student": str,
+    "status": str,
+    "seed": str,
+    "isolation": str,
+    "score": SCORE,
+    "score_on_given": SCORE,
+    "points": NUMBER,
+    "by_hand": SCORE,
+    "waiting": NUMBER,
+    "notes": list,
+    "exercises": list,
+}
+EXERCISE = {
+    "chapter": int,
+    "id": str,
+    "title": str,
+    "kind": str,
+    "points": NUMBER,
+    "score": SCORE,
+    "score_on_given": SCORE,
+    "status": str,
+    "comment": str,
+    "checks": list,
+}
+CHECK = {"name": str, "status": str, "message": str, "weight": NUMBER, "hidden": bool}
+REPORT_STATES = {"graded", "error, retry"}
+CHECK_STATES = {"passed", "failed", "blocked", "inherited", "error"}
+EXERCISE_STATES = CHECK_STATES | {"waiting", "marked"}
 
 
-def write_result(out: Path, student: str, seed: str, isolation: str, results: list[Result]) -> None:
-    """Write results/<student>.json, moved into place whole."""
-    score, points = total(results)
-    report = {
-        "student": student,
-        "seed": seed,
-        "isolation": isolation,
-        "status": overall_status(results),
-        "score": score,
-        "points": points,
-        "exercises": [_exercise(result) for result in results],
-    }
-    text = json.dumps(report, indent=1, ensure_ascii=False) + "\n"
-    _replace(out / "results" / f"{student}.json", text)
+def write_result(out: Path, report: Report) -> Path:
+    """Write results/<student>.json, moved into place whole, and return its path."""
+    path = out / "results" / f"{file_name(report['student'])}.json"
+    text = json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False)
+    replace_file(path, text + "\n")
+    return path
 
 
-def write_gradebook(out: Path, chapters: list[Chapter], grades: dict[str, list[Result]]) -> Path:
-    """Write gradebook.csv: a row a student, a column an exercise, first the points possible.
-
-    A cell without a number is not graded: a written answer, or a fault of the grader.
-    """
-    exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
-    possible = sum(exercise.points for exercise in exercises if exercise.kind != "written")
-    rows: list[list[str]] = [
-        ["student", "status", "score", *(exercise.id for exercise in exercises)],
-        ["points possible", "", str(possible), *(str(exercise.points) for exercise in exercises)],
-    ]
-    for student, results in grades.items():
-        scores = [total(results)[0], *(result.score for result in results)]
-        cells = ["" if score is None else f"{score:g}" for score in scores]
-        rows.append([_harmless(student), overall_status(results), *cells])
-    text = io.StringIO(newline="")
-    csv.writer(text).writerows(rows)
-    _replace(out / "gradebook.csv", text.getvalue())
-    return out / "gradebook.csv"
+def read_result(path: Path) -> Report | None:
+    """Return the report in a file; None where it is missing, cut off or of another form."""
+    try:
+        report = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
+    except (OSError, ValueError, RecursionError):
+        return None
+    return report if _is_report(report) else None
 
 
-def overall_status(results: list[Result]) -> str:
-    """Return "graded", or "error, retry" where the grader itself failed on an exercise."""
-    return "error, retry" if any(result.status == "error" for result in results) else "graded"
+def write_all(out: Path, chapters: list[Chapter], reports: Sequence[Report]) -> list[Path]:
+    """Write everything that a class leaves, and return the places to look at."""
+    for report in reports:
+        write_result(out, report)
+        write_gradescope(out, report)
+        write_feedback(out, report)
+    index = write_index(out, chapters, reports)
+    gradebook = write_gradebook(out, chapters, reports)
+    return [index, gradebook, *(out / name for name in ("feedback", "gradescope", "results"))]
 
 
-def _exercise(result: Result) -> dict[str, Any]:
-    exercise = result.exercise
-    return {
-        "id": exercise.id,
-        "title": exercise.title,
-        "points": exercise.points,
-        "score": result.score,
-        "status": result.status,
-        "checks": [
-            {"name": check.name, "status": check.status, "message": check.message}
-            for check in result.checks
-        ],
-    }
+def _is_report(value: Any) -> bool:
+    return (
+        _has(value, REPORT, REPORT_STATES)
+        and all(isinstance(note, str) for note in value["notes"])
+        and all(_is_exercise(exercise) for exercise in value["exercises"])
+    )
 
 
-def _harmless(text: str) -> str:
-    """Keep a spreadsheet from taking a name for a formula."""
-    return "'" + text if text.startswith(("=", "+", "-", "@", "\t", "\r")) else text
+def _is_exercise(value: Any) -> bool:
+    return _has(value, EXERCISE, EXERCISE_STATES) and all(
+        _has(check, CHECK, CHECK_STATES) for check in value["checks"]
+    )
 
 
-def _replace(path: Path, text: str) -> None:
-    """Write a file beside its place and move it there, so that it is never half written."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(path.name + ".tmp")
-    # What is no character, in a student's message or name, is written as an escape.
-    temporary.write_bytes(text.encode("utf-8", errors="backslashreplace"))
-    temporary.replace(path)
+def _has(value: Any, form: dict[str, Any], states: set[str]) -> bool:
+    return (
+        isinstance(value, dict)
+        and all(key in value and isinstance(value[key], kind) for key, kind in form.items())
+        and value["status"] in states
+    )
+
+
+def _refuse(constant: str) -> float:
+    raise ValueError(f"{constant} is no number of points")

@@ -11,6 +11,7 @@ import json
 import os
 import queue
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -18,7 +19,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import IO, Any
 
@@ -40,6 +41,21 @@ class Verdict:
     weight: float
     status: str
     message: str
+    hidden: bool = False
+
+
+@dataclass(frozen=True)
+class Behind:
+    """Where untrusted code runs: in workers, and behind which walls (sandbox.Level as a dict).
+
+    ``fresh`` starts an interpreter for each check; ``missing`` says of modules why they were not
+    taken; ``hidden`` is a folder of further checks, of which only the rationale is told.
+    """
+
+    level: dict[str, bool]
+    fresh: bool = False
+    missing: dict[str, str] = field(default_factory=dict)
+    hidden: Path | None = None
 
 
 class GraderError(Exception):
@@ -55,15 +71,20 @@ def run_checks(
     exercises: list[str] | None = None,
     on_verdict: Callable[[int, int], None] | None = None,
     time_limit: float = TIME_LIMIT,
+    run_limit: float = RUN_LIMIT,
+    behind: Behind | None = None,
 ) -> list[Verdict]:
     """Run the checks of a chapter on an engine and return a verdict for each.
 
     ``engine`` is folders of chapters, the first on top; ``exercises`` limits the run to some and
-    what they need; ``on_verdict`` hears how many verdicts there are, of how many checks.
+    what they need; ``on_verdict`` hears how many verdicts there are, of how many checks; the
+    engine's code runs ``behind`` walls, or beside the checks where they are None.
     Raises GraderError where the checks themselves cannot be run.
     """
     wanted = with_needs(chapter, exercises)
-    run = _Run(chapter, engine, wanted, seed, root, time_limit, on_verdict or (lambda *_: None))
+    hear = on_verdict or (lambda *_: None)
+    run = _Run(chapter, engine, wanted, seed, root, time_limit, run_limit, hear, behind)
+    run.broken |= behind.missing if behind else {}
     while not run.finished:
         before = run.progress
         run.one_process()
@@ -84,16 +105,21 @@ class _Run:
     seed: str
     root: Path
     time_limit: float
+    run_limit: float
     on_verdict: Callable[[int, int], None]
+    behind: Behind | None
     checks: dict[str, dict[str, Any]] = field(default_factory=dict)
     verdicts: dict[str, Verdict] = field(default_factory=dict)
     broken: dict[str, str] = field(default_factory=dict)  # modules whose import hung or left
-    deadline: float = field(default_factory=lambda: time.monotonic() + RUN_LIMIT)
+    deadline: float = 0.0
     finished: bool = False
     silent: bool = False
     hung: set[str] = field(default_factory=set)  # exercises of which a check did not end
     loops: list[str] = field(default_factory=list)  # the functions in which they did not
     stderr: str = ""
+
+    def __post_init__(self) -> None:
+        self.deadline = time.monotonic() + self.run_limit
 
     def reason(self) -> str:
         """Return why there are no verdicts."""
@@ -120,13 +146,14 @@ class _Run:
         with tempfile.TemporaryDirectory(prefix="checks-") as folder:
             stack_file = Path(folder) / "stack.txt"
             stack_file.touch()
-            command = [sys.executable, "-m", "autograder.verdicts", self._config(stack_file)]
+            command = [sys.executable, "-m", "autograder.verdicts", self._config(Path(folder))]
             with (Path(folder) / "stderr.txt").open("w+b") as stderr:
                 process = subprocess.Popen(
                     command,
-                    cwd=self.root,
+                    cwd=self._root(Path(folder)),
                     env=_environment(),
-                    stdin=subprocess.DEVNULL,
+                    # A judge that outlives us would judge for nobody: it sees the pipe end.
+                    stdin=subprocess.PIPE if self.behind else subprocess.DEVNULL,
                     stdout=subprocess.PIPE,
                     stderr=stderr,
                     encoding="utf-8",
@@ -155,24 +182,61 @@ class _Run:
                 self._note_hang(self.checks[name]["exercise"])
                 self.loops.append(why.rpartition("in ")[2])
 
-    def _config(self, stack_file: Path) -> str:
+    def _config(self, folder: Path) -> str:
+        """Return what the process of the checks is told, in the form that it reads."""
         chapters = [c for c in load_chapters(self.root) if c.number <= self.chapter.number]
         return json.dumps(
             {
-                "root": str(self.root),
+                "root": str(self._root(folder)),
                 "engine": [str(folder) for folder in self.engine],
                 # Below root, since pytest takes no path with brackets.
-                "tests": f"tests/{self.chapter.name}",
+                "tests": [f"tests/{self.chapter.name}", *self._hidden(folder)],
+                "known": [exercise.id for exercise in self.chapter.exercises],
                 "modules": self._modules(chapters),
                 "complete": [f"{c.name}/{file}" for c in chapters for file in c.complete],
                 "exercises": self.wanted,
                 "seed": self.seed,
                 "time_limit": self.limit,
-                "stack_file": str(stack_file),
+                "stack_file": str(folder / "stack.txt"),
                 "broken": self.broken,
                 "done": list(self.verdicts),
+                "worker": self._worker(folder),
             }
         )
+
+    def _root(self, folder: Path) -> Path:
+        """Return where the checks are: a folder of our own, where hidden ones join the others."""
+        return folder / "root" if self.behind and self.behind.hidden else self.root
+
+    def _hidden(self, folder: Path) -> list[str]:
+        """Put the hidden checks of this chapter beside the others; return where, from the root."""
+        if not self.behind or not self.behind.hidden:
+            return []
+        tests = folder / "root" / "tests"
+        shutil.copytree(self.root / "tests" / self.chapter.name, tests / self.chapter.name)
+        shutil.copyfile(self.root / "pyproject.toml", folder / "root" / "pyproject.toml")
+        for file in (self.root / "tests").glob("*.py"):
+            shutil.copyfile(file, tests / file.name)
+        hidden = self.behind.hidden / self.chapter.name
+        if not hidden.is_dir():
+            return []
+        shutil.copytree(hidden, tests / "hidden" / self.chapter.name)
+        return [f"tests/hidden/{self.chapter.name}"]
+
+    def _worker(self, folder: Path) -> dict[str, Any] | None:
+        """Return what the workers are told, whose probes lie in this folder."""
+        if self.behind is None:
+            return None
+        probes = folder / "probes" / self.chapter.name
+        probes.mkdir(parents=True)
+        for tests in (self.root / "tests", self.behind.hidden):
+            for file in (tests / self.chapter.name).glob("*probes.py") if tests else ():
+                shutil.copyfile(file, probes / file.name)
+        return {
+            "level": self.behind.level,
+            "fresh": self.behind.fresh,
+            "probes": str(probes.parent),
+        }
 
     def _modules(self, chapters: list[Chapter]) -> list[str]:
         """Return the modules to import before the checks do, so that a bad one stops no other.
@@ -228,17 +292,22 @@ class _Run:
 
     def _decide(self, name: str, status: str, message: str) -> None:
         check = self.checks[name]
-        verdict = Verdict(name, check["exercise"], check["weight"], status, message)
+        hidden = check["rationale"] is not None
+        if hidden and status == "failed":  # any other word could tell what is checked, and how
+            message = check["rationale"]
+        verdict = Verdict(name, check["exercise"], check["weight"], status, message, hidden)
         self.verdicts[name] = verdict
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def give_up(self) -> None:
         """Decide the checks that are left when the time for all of them is used up."""
         if not self.checks:
-            raise GraderError(f"no check began within {RUN_LIMIT:g} seconds:\n{self.stderr}")
+            raise GraderError(f"no check began within {self.run_limit:g} seconds:\n{self.stderr}")
         for name in self.checks:
             if name not in self.verdicts:
-                self._decide(name, "failed", f"not run: the {RUN_LIMIT:g} seconds were used up")
+                self._decide(
+                    name, "failed", f"not run: the {self.run_limit:g} seconds were used up"
+                )
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
@@ -308,6 +377,6 @@ def _mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
         if needs and verdict.status == "failed":
             titles = ", ".join(f"{need} ({chapter.exercise(need).title})" for need in needs)
             message = f"blocked until {titles} passes\n{verdict.message}"
-            verdict = Verdict(verdict.name, verdict.exercise, verdict.weight, "blocked", message)
+            verdict = replace(verdict, status="blocked", message=message)
         marked.append(verdict)
     return marked

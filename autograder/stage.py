@@ -2,27 +2,108 @@
 
 from __future__ import annotations
 
-import shutil
+import hashlib
+import itertools
+import stat
+from dataclasses import dataclass
 from pathlib import Path
 
+from autograder.folders import Found, NotTakenError, refuse_all, search_folder
 from autograder.manifest import ROOT, Chapter
+from autograder.submissions import printable
+from autograder.zips import search_zip
 
 LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thousand
 
 
-def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> None:
+@dataclass(frozen=True)
+class Staged:
+    """What became of a submission.
+
+    ``missing`` has, for a module such as ch02_vectors.vector, why its file was not taken although
+    it was handed in; ``notes`` are for the instructor; ``digest`` stands for all that was taken
+    or refused, so that equal ones are graded alike.
+    """
+
+    missing: dict[str, str]
+    notes: list[str]
+    digest: str
+
+
+def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
     """Fill the box with an engine: the student's edited files, and the parts nobody edits.
 
-    A file that is missing, linked, no regular file or too large is left out; its import then says
-    that it was not handed in. Nothing falls back on the stubs or on the solutions.
+    The submission is a folder or a zip file, and may hold anything: what is wrong with it is told
+    in what is returned. Nothing falls back on the stubs or on the solutions.
+    Raises OSError only where the box cannot be written or our own files cannot be read.
     """
+    found, notes = _search(submission, chapters)
+    missing: dict[str, str] = {}
+    digest = hashlib.sha256()
     for chapter in chapters:
         target = box / chapter.name
         target.mkdir(parents=True)
+        target.chmod(0o755)  # whatever the umask: another user is to run what is in it
         for name in chapter.complete:
-            shutil.copyfile(root / "chapters" / chapter.name / name, target / name)
+            _write(target / name, (root / "chapters" / chapter.name / name).read_bytes())
+        files, more_notes = _choose(chapter, found)
+        notes += more_notes
         for name in chapter.edited_files:
-            file = submission / chapter.name / name
-            linked = file.is_symlink() or file.parent.is_symlink()
-            if file.is_file() and not linked and file.stat().st_size <= LARGEST_FILE:
-                shutil.copyfile(file, target / name)
+            if name not in files:
+                continue
+            content, reason = b"", ""
+            try:
+                content = _text(files[name].read(LARGEST_FILE))
+                _write(target / name, content)
+            except NotTakenError as error:
+                reason = f"{chapter.name}/{name} was not taken: {error}"
+                missing[f"{chapter.name}.{name.removesuffix('.py')}"] = reason
+            digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode() + content)
+    return Staged(missing, [printable(note) for note in notes], digest.hexdigest())
+
+
+def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
+    """Return the chapters' files in a submission, of whatever kind, and notes."""
+    wanted = {chapter.name: chapter.edited_files for chapter in chapters}
+    try:
+        mode = submission.lstat().st_mode
+        if stat.S_ISLNK(mode):
+            raise NotTakenError("the submission is a symbolic link")
+        return (search_folder if stat.S_ISDIR(mode) else search_zip)(submission, wanted)
+    except OSError as error:
+        refused = NotTakenError(f"the submission cannot be read: {error.strerror}")
+    except NotTakenError as error:
+        refused = error
+    everything = [refuse_all((name,), files, str(refused)) for name, files in wanted.items()]
+    return list(itertools.chain(*everything)), [f"nothing was taken: {refused}"]
+
+
+def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
+    """Return the files of the chapter's shallowest folder, then the first by name, and notes."""
+    mine = [file for file in found if file.place[-1] == chapter.name]
+    places = sorted({(file.doubtful, len(file.place), file.place) for file in mine})
+    if not places:
+        return {}, []
+    doubtful, _, place = places[0]
+    notes = []
+    if (several := sum(not place[0] for place in places)) > 1:
+        path = "/".join(place)
+        notes.append(f"there are {several} folders called {chapter.name}: {path} was taken")
+    chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]
+    return {file.file: file for file in chosen}, notes
+
+
+def _text(content: bytes) -> bytes:
+    """Return the content of a text file. Raises NotTakenError for any other."""
+    try:
+        content.decode()
+    except UnicodeDecodeError as error:
+        raise NotTakenError("it is not UTF-8: save it as UTF-8 in your editor") from error
+    if b"\0" in content:
+        raise NotTakenError("it has NUL bytes in it: it is no text")
+    return content
+
+
+def _write(path: Path, content: bytes) -> None:
+    path.write_bytes(content)
+    path.chmod(0o644)

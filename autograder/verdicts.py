@@ -7,19 +7,20 @@ reports, never from text.
 
 from __future__ import annotations
 
-import faulthandler
-import importlib
 import json
 import os
 import sys
 from collections.abc import Callable, Generator
-from pathlib import Path
-from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from autograder.explain import explain_exception, explain_import
+from autograder.explain import explain_exception
+from autograder.faults import CheckEnded, clean
+from autograder.in_process import InProcess
+
+if TYPE_CHECKING:
+    from autograder.in_worker import InWorker
 
 Report = Callable[..., None]
 # Built-in plugins that no check uses; leaving them out saves a sixth of the time to the answer.
@@ -35,33 +36,15 @@ class Recorder:
     def __init__(self, config: dict[str, Any], report: Report) -> None:
         self.config = config
         self.report = report
-        self.engine_folders = [Path(folder).resolve() for folder in config["engine"]]
-        self.stack_file = Path(config["stack_file"]).open("w")  # noqa: SIM115 - lives as long as we
+        self.engine = _engine(config)
 
     def pytest_sessionstart(self) -> None:
-        """Import the student's modules before any check does, so that a bad one stops no other."""
-        for module, message in self.config["broken"].items():
-            sys.modules[module] = _BrokenModule(module, message)
-        for module in self.config["modules"]:
-            if module not in sys.modules:
-                self._import(module)
-
-    def _import(self, module: str) -> None:
-        self.report(event="import", module=module)
-        self._start_clock()
-        # A source edited twice within a second would be taken for its own stale bytecode.
-        sys.dont_write_bytecode = True
-        try:
-            imported = importlib.import_module(module)
-            imported.__dict__.setdefault("__getattr__", _missing_from(imported))
-        except pytest.fail.Exception as error:  # it uses another module that is broken
-            sys.modules[module] = _BrokenModule(module, str(error))
-        except BaseException as error:  # SystemExit among them
-            message = explain_import(error, module, self.engine_folders)
-            sys.modules[module] = _BrokenModule(module, message)
-        finally:
-            sys.dont_write_bytecode = False
-            faulthandler.cancel_dump_traceback_later()
+        """Import the student's modules, or find out whether they can be."""
+        self.engine.open(
+            self.config["modules"],
+            self.config["broken"],
+            lambda module: self.report(event="import", module=module),
+        )
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
         """Leave the reason where the runner looks for it when the checks cannot be collected."""
@@ -73,13 +56,21 @@ class Recorder:
     ) -> None:
         """Sort the checks by the manifest's order, tell the runner, and leave out what is done."""
         order = {exercise: place for place, exercise in enumerate(self.config["exercises"])}
+        for item in items:
+            if _marker(item).args[0] not in self.config["known"]:
+                raise pytest.UsageError(f"{item.nodeid} is of an exercise that there is not")
         items[:] = [item for item in items if _marker(item).args[0] in order]
         items.sort(key=lambda item: order[_marker(item).args[0]])
+        hidden = [item for item in items if "/hidden/" in item.path.as_posix()]
+        for number, item in enumerate(hidden, 1):
+            item.user_properties.append(("rationale", _rationale(item)))
+            item.name = f"hidden check {number}"  # its own name may say what it looks for
         checks = [
             {
                 "name": item.name,
                 "exercise": _marker(item).args[0],
                 "weight": _marker(item).kwargs.get("weight", 1),
+                "rationale": dict(item.user_properties).get("rationale"),
             }
             for item in items
         ]
@@ -90,9 +81,9 @@ class Recorder:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
-        """Hold the check itself to the time limit."""
+        """Start the time limit of the check itself, and its worker if it has one."""
         self.report(event="start", name=item.name)
-        self._start_clock()  # until its report is made: a student's exception may hang in its str
+        self.engine.start()  # until its report is made: a student's exception may hang in its str
         return (yield)
 
     @pytest.hookimpl(wrapper=True)
@@ -104,19 +95,21 @@ class Recorder:
         # as long as all the rest.
         setattr(item, "repr_failure", str)  # noqa: B010
         report = yield
-        if report.when == "call" and report.passed:
-            self.report(event="verdict", name=item.name, status="passed", message="")
-        elif call.excinfo is not None:
-            status = "failed" if report.when == "call" else "error"
+        status, message = "passed", ""
+        if call.excinfo is not None:
             error = call.excinfo.value
-            if isinstance(error, pytest.fail.Exception):
+            ours = report.when != "call" or type(error).__name__ == "TemplateError"
+            status = "error" if ours else "failed"
+            if isinstance(error, (pytest.fail.Exception, CheckEnded)):
                 message = str(error)
             else:
-                message = explain_exception(error, self.engine_folders, self.config["complete"])
-            if printed := report.capstdout.strip():
-                message += f"\nprinted   {printed[:2000]}"
+                message = explain_exception(error, self.engine.engine, self.config["complete"])
+        if report.when == "call":
+            printed = report.capstdout.strip() + self.engine.stop()
+            if printed and message:
+                message += f"\nprinted   {clean(printed[:2000])}"
+        if report.when == "call" or status == "error":
             self.report(event="verdict", name=item.name, status=status, message=message)
-        faulthandler.cancel_dump_traceback_later()
         return report
 
     def pytest_sessionfinish(self, exitstatus: int) -> None:
@@ -124,42 +117,21 @@ class Recorder:
         if exitstatus in (code.OK, code.TESTS_FAILED, code.NO_TESTS_COLLECTED):
             self.report(event="end")
 
-    def _start_clock(self) -> None:
-        """Write the stack and end the process when the time is up, whatever the code is doing."""
-        faulthandler.dump_traceback_later(
-            self.config["time_limit"], exit=True, file=self.stack_file
-        )
+
+def _engine(config: dict[str, Any]) -> InProcess | InWorker:
+    """Return what holds the student's code: this process, or workers."""
+    where = config["engine"], config["time_limit"], config["stack_file"]
+    if config["worker"] is None:
+        return InProcess(*where)
+    from autograder.in_worker import InWorker  # hand-outs lack it
+
+    return InWorker(*where, config["worker"])
 
 
-class _BrokenModule(ModuleType):
-    """Stands for a module that cannot be imported: whatever is used of it fails the check."""
-
-    def __init__(self, name: str, message: str) -> None:
-        super().__init__(name)
-        self._message = message
-
-    def __getattr__(self, name: str) -> Any:
-        return _broken_name(name, self._message)
-
-
-def _missing_from(module: ModuleType) -> Callable[[str], Any]:
-    """Return what answers for the names that a student's module does not define."""
-    file = module.__name__.replace(".", "/") + ".py"
-    empty = all(name.startswith("__") for name in vars(module))
-    says = f"{file} is empty and" if empty else file
-    return lambda name: _broken_name(name, f"{says} does not define {name}")
-
-
-def _broken_name(name: str, message: str) -> Any:
-    """Return what stands for a name that is not there: a class, or a function, that fails."""
-    if name.startswith("__"):
-        raise AttributeError(name)
-
-    class BrokenMeta(type):
-        def __call__(cls, *args: Any, **kwargs: Any) -> Any:  # noqa: ARG002
-            pytest.fail(message, pytrace=False)
-
-    return BrokenMeta(name, (), {})
+def _rationale(item: pytest.Item) -> str:
+    """Return the one sentence that students are told of a hidden check: its docstring's first."""
+    words = (getattr(item, "obj", None).__doc__ or "").strip()
+    return words.splitlines()[0] if words else "a hidden check of this exercise fails"
 
 
 def _marker(item: pytest.Item) -> pytest.Mark:
@@ -179,7 +151,7 @@ def main() -> int:
         wire.write(json.dumps(event) + "\n")
         wire.flush()
 
-    arguments = [config["tests"], "--capture=sys", f"--rootdir={config['root']}"]
+    arguments = [*config["tests"], "--capture=sys", f"--rootdir={config['root']}"]
     arguments += [f"--seed={config['seed']}", *(f"--engine={path}" for path in config["engine"])]
     for plugin in UNUSED_PLUGINS.split():
         arguments += ["-p", f"no:{plugin}"]

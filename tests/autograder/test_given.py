@@ -6,11 +6,18 @@ import re
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from autograder.given import mark_inherited, with_given
+from autograder.given import (
+    mark_inherited,
+    run_on_given,
+    told_on_given,
+    with_given,
+)
 from autograder.handout import make_handout
 from autograder.manifest import ROOT, select_chapters
 from autograder.runner import GraderError, Verdict, run_checks
@@ -42,9 +49,10 @@ def edit(engine: Path, file: str, old: str, new: str) -> None:
 
 def verdicts(engine: Path) -> dict[str, Verdict]:
     folders = [engine, ROOT / "chapters"]
-    every = [exercise.id for exercise in CH03.exercises]
-    before = run_checks(CH03, folders, seed="1")
-    marked, _ = mark_inherited(CH03, before, folders, "1", every)
+    run = partial(run_checks, seed="1")
+    before = run(CH03, folders)
+    again = run_on_given(CH03, before, folders, [CH02], run)
+    marked = told_on_given(mark_inherited(before, again), again)
     return {verdict.name: verdict for verdict in marked}
 
 
@@ -156,27 +164,33 @@ def test_whatever_is_wrong_below_is_inherited(engine: Path, old: str, new: str, 
     assert words in lost[0].message
 
 
-def test_a_chapter_that_is_not_written_yet_is_not_run_a_second_time(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def never(*_: object) -> list[Verdict]:
+    pytest.fail("ran again")
+
+
+def test_a_chapter_that_is_not_written_yet_is_not_run_a_second_time() -> None:
     before = [Verdict("a", "B3.1", 1, "failed", "not written yet: Exercise B3.1: Mass")]
-    monkeypatch.setattr("autograder.given.run_checks", lambda *_, **__: pytest.fail("ran again"))
-    assert mark_inherited(CH03, before, REFERENCE, "1", ["B3.1"]) == (before, [])
-    first = [Verdict("a", "B2.1", 1, "failed", "wrong")]
-    assert mark_inherited(CH02, first, REFERENCE, "1", ["B2.1"]) == (first, []), "the first chapter"
+    assert run_on_given(CH03, before, REFERENCE, [CH02], never) == []
     wrong = [Verdict("a", "B3.1", 1, "failed", "wrong")]
-    assert mark_inherited(CH03, wrong, REFERENCE, "1", ["B3.1"], [CH02]) == (wrong, []), "is given"
+    assert run_on_given(CH03, wrong, REFERENCE, [], never) == [], "all below is given"
 
 
-def test_a_fault_of_the_second_run_leaves_the_first_as_it_is(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    def fails(*_: object, **__: object) -> None:
+def test_a_fault_of_the_second_run_leaves_the_first_as_it_is() -> None:
+    def fails(*_: object) -> list[Verdict]:
         raise GraderError("the disk is full")
 
-    monkeypatch.setattr("autograder.given.run_checks", fails)
     wrong = [Verdict("a", "B3.1", 1, "failed", "wrong")]
-    assert mark_inherited(CH03, wrong, REFERENCE, "1", ["B3.1"]) == (wrong, [])
+    assert run_on_given(CH03, wrong, REFERENCE, [CH02], fails) == []
+    assert mark_inherited(wrong, []) == wrong
+
+
+def test_a_check_that_fails_both_times_is_told_as_it_fails_on_the_reference() -> None:
+    lost = Verdict("a", "B3.1", 1, "failed", "as it fails on chapter 2")
+    first = [lost, replace(lost, name="b")]
+    again = [replace(lost, message="by itself"), replace(lost, name="b", status="passed")]
+    one, two = told_on_given(mark_inherited(first, again), again)
+    assert (one.status, one.message) == ("failed", "by itself")
+    assert (two.status, two.message) == ("inherited", lost.message)
 
 
 def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:

@@ -260,13 +260,10 @@ def test_what_builds_on_a_hang_waits_for_it_once(root: Path, chapter: Chapter) -
     assert "not run: another check of it did not end" in verdicts["test_quadruple_of_zero"].message
 
 
-def test_the_time_for_all_checks_is_limited(
-    root: Path, chapter: Chapter, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(runner, "RUN_LIMIT", 2.0)
+def test_the_time_for_all_checks_is_limited(root: Path, chapter: Chapter) -> None:
     start = time.monotonic()
     code = RIGHT.replace("return 4 * x", "import time; time.sleep(3)")
-    verdicts = run(root, chapter, code, time_limit=60.0)
+    verdicts = run(root, chapter, code, time_limit=60.0, run_limit=2.0)
     assert time.monotonic() - start < 30.0  # two seconds, and much for a busy machine
     assert statuses(verdicts) == ["passed", "passed", "failed", "failed"]
     assert "the 2 seconds were used up" in verdicts["test_quadruple"].message

@@ -1,0 +1,89 @@
+"""What an instructor asks of a graded class: who passes what, and how the scores lie."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from autograder.manifest import Chapter, Exercise
+from autograder.texts import Report, check_title
+
+MOST_MISSED = 5
+BINS = 10
+
+
+@dataclass(frozen=True)
+class ExerciseRate:
+    """One exercise over a class. ``counted`` are those with points in it: no error, no waiting."""
+
+    exercise: Exercise
+    counted: int
+    passed: int
+    mean: float | None
+    first_lost: str  # the check that most students lose
+
+    @property
+    def share(self) -> float | None:
+        """The share of the counted that pass; None for a written one, where nobody passes."""
+        if self.exercise.kind == "written" or not self.counted:
+            return None
+        return self.passed / self.counted
+
+
+@dataclass(frozen=True)
+class Bin:
+    """How many students have a score from ``low`` per cent on and below ``high``."""
+
+    low: int
+    high: int
+    count: int
+
+
+def exercise_rates(chapters: list[Chapter], reports: Sequence[Report]) -> list[ExerciseRate]:
+    """Return a rate for every exercise, in the order of the manifests."""
+    results: dict[str, list[dict[str, Any]]] = {}
+    for report in reports:
+        for exercise in report["exercises"]:
+            results.setdefault(exercise["id"], []).append(exercise)
+    exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
+    return [_rate(exercise, results.get(exercise.id, [])) for exercise in exercises]
+
+
+def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
+    """Return the exercises that the fewest pass, the worst first; none that everybody passes."""
+    missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
+    return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
+
+
+def histogram(reports: Sequence[Report]) -> list[Bin]:
+    """Return the scores in tenths of the points possible; full marks are in the last."""
+    counts: Counter[int] = Counter()
+    for report in reports:
+        if report["score"] is not None and report["points"]:
+            tenths = round(BINS * report["score"] / report["points"], 6)
+            counts[min(int(tenths), BINS - 1)] += 1
+    step = 100 // BINS
+    return [Bin(step * i, step * (i + 1), counts[i]) for i in range(BINS)]
+
+
+def _pass_share_then_points(rate: ExerciseRate) -> tuple[float, float]:
+    return rate.share or 0.0, (rate.mean or 0.0) / rate.exercise.points
+
+
+def _rate(exercise: Exercise, results: list[dict[str, Any]]) -> ExerciseRate:
+    scores = [result["score"] for result in results if result["score"] is not None]
+    lost = Counter(
+        "a hidden check" if check["hidden"] else check_title(check["name"])
+        for result in results
+        for check in result["checks"]
+        if check["status"] in ("failed", "blocked", "inherited")
+    )
+    return ExerciseRate(
+        exercise,
+        len(scores),
+        sum(result["status"] == "passed" for result in results),
+        round(sum(scores) / len(scores), 2) if scores else None,
+        lost.most_common(1)[0][0] if lost else "",
+    )

@@ -1,0 +1,147 @@
+"""Write the pages of a graded class: one for each student, and an index for the instructor.
+
+They need no network and no script, and show what others wrote as text alone.
+"""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Sequence
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from autograder.class_stats import exercise_rates, histogram, most_missed
+from autograder.manifest import Chapter
+from autograder.submissions import file_name
+from autograder.texts import Report, check_title, clean_all, number, replace_file
+
+SYMBOLS = {  # beside the word, so that no status is told by colour alone
+    "passed": "✓",
+    "failed": "✗",
+    "blocked": "⊘",
+    "inherited": "↑",
+    "error": "!",
+    "waiting": "…",
+    "marked": "✎",
+    "graded": "✓",
+    "error, retry": "!",
+}
+MEANINGS = {
+    "passed": "every check passes",
+    "failed": "a check found a mistake in it",
+    "blocked": "an exercise that it builds on fails: mend that one first",
+    "inherited": "the mistake lies in an earlier chapter: on the given ones it passes",
+    "error": "the grader failed: no zero, it will be graded again",
+    "waiting": "a person will read it",
+    "marked": "a person has given the points",
+}
+TO_MEND = ("failed", "inherited", "blocked")  # in the order in which to mend them
+
+
+def write_feedback(out: Path, report: Report) -> Path:
+    """Write feedback/<student>.html, the page for one student, and return its path."""
+    path = out / "feedback" / f"{file_name(report['student'])}.html"
+    report = clean_all(report)
+    exercises = [_exercise(i, e) for i, e in enumerate(report["exercises"], start=1)]
+    states = {e["status"] for e in exercises} | {g["status"] for e in exercises for g in e["lost"]}
+    own, given = report["score"], report["score_on_given"]
+    page = _render(
+        "student.html",
+        report=report,
+        chapters=[(n, list(group)) for n, group in groupby(exercises, lambda e: e["chapter"])],
+        inherited=None if own is None or given is None else round(given - own, 2),
+        by_hand_points=sum(e["points"] for e in exercises if e["kind"] == "written"),
+        waiting=[e["id"] for e in exercises if e["status"] == "waiting"],
+        next=next((e for state in TO_MEND for e in exercises if e["status"] == state), None),
+        meanings=[(state, text) for state, text in MEANINGS.items() if state in states],
+    )
+    replace_file(path, page)
+    return path
+
+
+def write_index(out: Path, chapters: list[Chapter], reports: Sequence[Report]) -> Path:
+    """Write index.html, the class for its instructor, and return its path."""
+    path = out / "index.html"
+    links = [f"feedback/{quote(file_name(report['student']))}.html" for report in reports]
+    shown = [
+        clean_all(report) | {"link": link} for report, link in zip(reports, links, strict=True)
+    ]
+    rates = exercise_rates(chapters, shown)
+    exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
+    by_hand_points = sum(e.points for e in exercises if e.kind == "written")
+    scores = [report["score"] for report in shown if report["score"] is not None]
+    page = _render(
+        "index.html",
+        reports=shown,
+        chapters=chapters,
+        errors=sum(report["status"] != "graded" for report in shown),
+        points=sum(e.points for e in exercises) - by_hand_points,
+        by_hand_points=by_hand_points,
+        median=statistics.median(scores) if scores else None,
+        waiting=sum(report["waiting"] for report in shown),
+        seeds=_distinct(shown, "seed"),
+        isolations=_distinct(shown, "isolation"),
+        bins=histogram(shown),
+        missed=most_missed(rates),
+        rates_of_chapters=[(c, [r for r in rates if r.exercise in c.exercises]) for c in chapters],
+    )
+    replace_file(path, page)
+    return path
+
+
+def _exercise(number_on_page: int, exercise: dict[str, Any]) -> dict[str, Any]:
+    """Return an exercise as its page shows it: what is lost in full, what passes in short."""
+    checks = exercise["checks"]
+    own, given = exercise["score"], exercise["score_on_given"]
+    return exercise | {
+        "anchor": f"exercise-{number_on_page}",
+        "gains": own is not None and given is not None and given > own,
+        "comment": exercise.get("comment") or "",
+        "lost": _groups([check for check in checks if check["status"] != "passed"]),
+        "passed": [
+            "hidden check" if check["hidden"] else check_title(check["name"])
+            for check in checks
+            if check["status"] == "passed"
+        ],
+    }
+
+
+def _groups(checks: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return lost checks, those with the same message as one: a file that cannot be read."""
+    groups: dict[tuple[Any, ...], dict[str, Any]] = {}
+    for check in checks:
+        key = check["status"], check["message"], check["hidden"]
+        group = groups.setdefault(
+            key,
+            {
+                "status": check["status"],
+                "message": check["message"],
+                "hidden": check["hidden"],
+                "titles": [],
+                "count": 0,
+            },
+        )
+        group["count"] += 1
+        if not check["hidden"]:  # its name may tell what is hidden
+            group["titles"].append(check_title(check["name"]))
+    return list(groups.values())
+
+
+def _distinct(reports: Sequence[Report], key: str) -> list[str]:
+    return list(dict.fromkeys(report[key] for report in reports))
+
+
+def _render(template: str, **values: Any) -> str:
+    environment = Environment(
+        loader=FileSystemLoader(Path(__file__).parent / "templates"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["number"] = number
+    return environment.get_template(template).render(symbols=SYMBOLS, **values)

@@ -1,0 +1,171 @@
+"""Search a folder that nobody vouches for, and read files from it without being led astray."""
+
+from __future__ import annotations
+
+import errno
+import itertools
+import os
+import stat
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+DEEPEST = 3  # levels below the submission on which a chapter's folder may stand
+MOST_ENTRIES = 5_000  # looked at in one submission
+
+
+class NotTakenError(Exception):
+    """Something handed in is not taken; the text says why, as a clause."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """A file of a chapter in a submission.
+
+    ``place`` are the folders down to the chapter's own. ``read`` takes the largest size allowed,
+    and returns the content or raises NotTakenError. A ``doubtful`` place, which could not be
+    looked into, counts only if there is no other.
+    """
+
+    place: tuple[str, ...]
+    file: str
+    read: Callable[[int], bytes]
+    doubtful: bool = False
+
+
+def search_folder(
+    submission: Path, wanted: Mapping[str, Sequence[str]]
+) -> tuple[list[Found], list[str]]:
+    """Find the wanted files of each chapter; return them and notes for the instructor.
+
+    Raises NotTakenError where the submission's folder cannot be read at all.
+    """
+    found: list[Found] = []
+    notes: list[str] = []
+    left = MOST_ENTRIES
+    level: list[tuple[str, ...]] = [()]
+    for depth in range(1, DEEPEST + 1):
+        deeper: list[tuple[str, ...]] = []
+        for place in level:
+            folder = submission.joinpath(*place)
+            # Asked for by name, so that no number of other files can hide a chapter.
+            for chapter, files in wanted.items():
+                found += _search_chapter(folder / chapter, (*place, chapter), files)
+            if depth == DEEPEST or left < 0:
+                continue
+            try:
+                names, seen = _subfolders(folder, left + 1)
+            except OSError as error:
+                if not place:
+                    raise NotTakenError(
+                        f"the submission cannot be read: {_cause(error)}"
+                    ) from error
+                notes.append(f"{'/'.join(place)} was not searched: {_cause(error)}")
+                continue
+            left -= seen
+            deeper += [(*place, name) for name in names]
+        level = deeper
+    if left < 0:
+        notes.append(f"the search stopped after {MOST_ENTRIES:,} files and folders")
+        reason = f"it is not among the first {MOST_ENTRIES:,} files and folders handed in"
+        for chapter, files in wanted.items():
+            found += refuse_all((chapter,), files, reason)
+    return found, notes
+
+
+def read_file(path: Path, largest: int, what: str = "it") -> bytes:
+    """Return what is in a regular file of at most so many bytes.
+
+    Raises NotTakenError, with ``what`` for a subject, for a link, a pipe or anything else.
+    """
+    try:
+        _check_kind(path.lstat(), largest, what)
+        with open(path, "rb", opener=_open) as file:
+            # It may be another one by now.
+            _check_kind(os.fstat(file.fileno()), largest, what)
+            content = file.read(largest + 1)
+    except OSError as error:
+        if error.errno == errno.ELOOP:
+            raise NotTakenError(f"{what} is a symbolic link") from error
+        raise NotTakenError(f"{what} cannot be read: {_cause(error)}") from error
+    if len(content) > largest:
+        raise too_large(what, largest)
+    return content
+
+
+def refuse(reason: str) -> Callable[[int], bytes]:
+    """Return a way to read a file that is none: it raises NotTakenError."""
+
+    def read(_: int) -> bytes:
+        raise NotTakenError(reason)
+
+    return read
+
+
+def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
+    """Return the files of a place that cannot be looked into."""
+    return [Found(place, file, refuse(reason), doubtful=True) for file in files]
+
+
+def too_large(what: str, largest: int) -> NotTakenError:
+    """Return the exception for something larger than so many bytes."""
+    return NotTakenError(f"{what} is larger than {largest:,} bytes")
+
+
+def is_skipped(name: str) -> bool:
+    """Say whether a folder is hidden, or one that a system leaves behind."""
+    return name.startswith(".") or name in ("__MACOSX", "__pycache__")
+
+
+def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
+    """Return the files that a chapter's folder has, whatever they are."""
+    found: list[Found] = []
+    try:
+        mode = _mode(folder)
+        if stat.S_ISLNK(mode):
+            return refuse_all(place, files, "its folder is a symbolic link")
+        if stat.S_ISDIR(mode):
+            for file in files:
+                if _mode(folder / file):
+                    found.append(Found(place, file, partial(read_file, folder / file)))
+    except OSError as error:
+        reason = f"a folder of the submission cannot be read: {_cause(error)}"
+        return refuse_all(place, files, reason)
+    return found
+
+
+def _mode(path: Path) -> int:
+    """Return the mode of what is there, or 0 for nothing."""
+    try:
+        return path.lstat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return 0
+
+
+def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
+    """Return the folders to search among the first so many entries, and how many were seen."""
+    with os.scandir(folder) as entries:
+        seen = list(itertools.islice(entries, most))
+        names = [entry.name for entry in seen if entry.is_dir(follow_symlinks=False)]
+    return sorted(name for name in names if not is_skipped(name)), len(seen)
+
+
+def _open(path: str, flags: int) -> int:
+    """Open a file such that no link leads elsewhere and no pipe holds us up."""
+    return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
+
+
+def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
+    if stat.S_ISLNK(status.st_mode):
+        raise NotTakenError(f"{what} is a symbolic link")
+    if stat.S_ISDIR(status.st_mode):
+        raise NotTakenError(f"{what} is a folder")
+    if not stat.S_ISREG(status.st_mode):
+        raise NotTakenError(f"{what} is no regular file")
+    if status.st_size > largest:
+        raise too_large(what, largest)
+
+
+def _cause(error: OSError) -> str:
+    return error.strerror or type(error).__name__

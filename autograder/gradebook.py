@@ -1,0 +1,49 @@
+"""Write gradebook.csv: a row a student, a column an exercise."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from autograder.manifest import Chapter
+from autograder.texts import Report, clean_line, number, replace_file
+
+COLUMNS = ["student", "status", "score", "score on given chapters", "by hand", "waiting"]
+# What begins a formula, in full width as well, at the start or behind spaces. A spreadsheet that
+# parts columns by semicolons would begin a cell behind one.
+FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
+
+
+def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[Report]) -> Path:
+    """Write gradebook.csv with the points possible in its second row, and return its path.
+
+    A cell without a number is not graded: an answer that waits, or a fault of the grader.
+    """
+    exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
+    written = sum(exercise.points for exercise in exercises if exercise.kind == "written")
+    points = [exercise.points for exercise in exercises]
+    checked = sum(points) - written
+    rows = [
+        [*COLUMNS, *(as_cell(exercise.id) for exercise in exercises)],
+        ["points possible", "", *map(str, (checked, checked, written)), "", *map(str, points)],
+    ]
+    for report in reports:
+        scores = {exercise["id"]: exercise["score"] for exercise in report["exercises"]}
+        cells = [
+            *(report[key] for key in ("score", "score_on_given", "by_hand", "waiting")),
+            *(scores.get(exercise.id) for exercise in exercises),
+        ]
+        rows.append([*map(as_cell, (report["student"], report["status"])), *map(number, cells)])
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows(rows)
+    path = out / "gradebook.csv"
+    replace_file(path, text.getvalue())
+    return path
+
+
+def as_cell(text: str) -> str:
+    """Return a text in one line that no spreadsheet takes for a formula."""
+    return FORMULA.sub(r"\1\2'", clean_line(text))

@@ -1,0 +1,93 @@
+"""Write a student's report as the results.json that Gradescope takes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from autograder.submissions import file_name
+from autograder.texts import Report, check_title, clean, clean_line, number, replace_file
+
+OURS = "error of the grader, retry: this is no fault of the submission, and it is no zero"
+
+
+def write_gradescope(out: Path, report: Report) -> Path:
+    """Write gradescope/<student>/results.json and return its path."""
+    path = out / "gradescope" / file_name(report["student"]) / "results.json"
+    text = json.dumps(gradescope_results(report), indent=1, ensure_ascii=False, allow_nan=False)
+    replace_file(path, text + "\n")
+    return path
+
+
+def gradescope_results(report: Report) -> dict[str, Any]:
+    """Return the report in Gradescope's form: a test an exercise, written ones with them.
+
+    Where the grader failed there is no score at all: no zero, and no full marks.
+    """
+    failed = report["status"] != "graded" or report["score"] is None
+    results: dict[str, Any] = {
+        "output": _summary(report, failed),
+        "output_format": "text",
+        "test_output_format": "text",
+        "test_name_format": "text",
+        "visibility": "visible",
+        "stdout_visibility": "hidden",
+        "tests": [_test(exercise) for exercise in report["exercises"]],
+    }
+    if not failed:
+        results["score"] = round(report["score"] + (report["by_hand"] or 0), 2)
+    return results
+
+
+def _summary(report: Report, failed: bool) -> str:
+    lines = [OURS] if failed else []
+    if not failed:
+        lines.append(f"checks: {number(report['score'])} of {report['points']} points")
+    if report["score_on_given"] is not None:
+        lines.append(
+            f"on given chapters: {number(report['score_on_given'])} points, with the reference's "
+            "earlier chapters in place of your own"
+        )
+    if report["by_hand"] is not None:
+        lines.append(f"by hand: {number(report['by_hand'])} points")
+    if report["waiting"]:
+        lines.append(f"waiting for a person: {number(report['waiting'])} points")
+    lines += [f"note: {clean_line(note)}" for note in report["notes"]]
+    lines.append(f"seed: {clean_line(report['seed'])}")
+    lines.append(f"isolation: {clean_line(report['isolation'])}")
+    return "\n".join(lines)
+
+
+def _test(exercise: dict[str, Any]) -> dict[str, Any]:
+    test: dict[str, Any] = {
+        "number": clean_line(exercise["id"]),
+        "name": clean_line(exercise["title"]),
+        "max_score": exercise["points"],
+        "output": _output(exercise),
+        "visibility": "visible",
+    }
+    status = exercise["status"]
+    if exercise["score"] is not None and status not in ("error", "waiting"):
+        test["score"] = exercise["score"]
+        if status != "marked":  # a person gives points, and no verdict
+            test["status"] = "passed" if status == "passed" else "failed"
+    return test
+
+
+def _output(exercise: dict[str, Any]) -> str:
+    """Return what a student reads about one exercise: the messages of the checks that are lost."""
+    status, checks = exercise["status"], exercise["checks"]
+    if status == "waiting":
+        return f"waits for a person, who gives up to {exercise['points']} points"
+    if status == "marked":
+        return f"marked by a person\n{clean(exercise['comment'])}".strip()
+    lost = [check for check in checks if check["status"] != "passed"]
+    blocks = [OURS] if status == "error" else []
+    blocks.append(f"{status}: {len(checks) - len(lost)} of {len(checks)} checks passed")
+    if status == "inherited":
+        blocks.append("the mistake lies in an earlier chapter: on the given ones this passes")
+    for check in lost:
+        title = "a hidden check" if check["hidden"] else check_title(check["name"])
+        blocks.append(f"{check['status']}: {title}\n{clean(check['message'])}".strip())
+    return "\n\n".join(blocks)

@@ -1,0 +1,161 @@
+"""Grade one submission: stage it, run its checks behind walls, and make its report."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from autograder.given import below_and_not_given, mark_inherited, run_on_given, with_given
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.reports import Report
+from autograder.runner import RUN_LIMIT, TIME_LIMIT, Behind, GraderError, Verdict, run_checks
+from autograder.sandbox import Level
+from autograder.scores import Result, results_of, total
+from autograder.stage import Staged, stage
+from autograder.submissions import Submission
+
+SUBMISSION_LIMIT = 300.0  # seconds for all the chapters of a submission, which take about two each
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """What a class is graded on, the same for each submission.
+
+    The ``given`` chapters are the reference's, whatever is handed in; ``hidden`` is a folder of
+    further checks; ``level`` names the walls.
+    """
+
+    chapters: list[Chapter]
+    seed: str
+    level: Level
+    given: Sequence[Chapter] = ()
+    hidden: Path | None = None
+    root: Path = ROOT
+    time_limit: float = TIME_LIMIT
+    fresh: bool = False
+
+
+def grade_submission(assignment: Assignment, submission: Submission) -> Report:
+    """Grade one submission and return its report. Whatever goes wrong is told in the report."""
+    try:
+        with tempfile.TemporaryDirectory(prefix="submission-") as folder:
+            box = Path(folder)
+            chapters = load_chapters(assignment.root)
+            staged = stage(submission.path, chapters, box, assignment.root)
+            with with_given(assignment.given, [box], assignment.root) as engine:
+                pairs = _all_results(assignment, engine, staged)
+        notes, digest = staged.notes, staged.digest
+    except Exception as error:  # ours, whatever it is: the class goes on
+        failed = [_errors(chapter, repr(error)) for chapter in assignment.chapters]
+        pairs, notes, digest = [(results, results) for results in failed], [], ""
+    return _report(assignment, submission.student, pairs, notes) | {"submission": digest}
+
+
+def digest_of(assignment: Assignment, submission: Submission) -> str:
+    """Return the digest of what would be graded, without grading it."""
+    with tempfile.TemporaryDirectory(prefix="submission-") as folder:
+        chapters = load_chapters(assignment.root)
+        return stage(submission.path, chapters, Path(folder), assignment.root).digest
+
+
+def _all_results(
+    assignment: Assignment, engine: list[Path], staged: Staged
+) -> list[tuple[list[Result], list[Result]]]:
+    """Return the results of each chapter, on the student's own and on the reference's earlier ones.
+
+    The reports have words of the first run alone: in the second the student's code could read the
+    reference, and tell it.
+    """
+    deadline = time.monotonic() + SUBMISSION_LIMIT
+    level = asdict(assignment.level)
+    behind = Behind(level, assignment.fresh, staged.missing, assignment.hidden)
+
+    def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
+        return run_checks(
+            chapter,
+            engine,
+            seed=assignment.seed,
+            root=assignment.root,
+            time_limit=assignment.time_limit,
+            run_limit=max(1.0, min(RUN_LIMIT, deadline - time.monotonic())),
+            behind=behind,
+        )
+
+    pairs = []
+    for chapter in assignment.chapters:
+        results = partial(results_of, chapter)
+        try:
+            verdicts = run(chapter, engine)
+        except GraderError as error:
+            pairs.append((_errors(chapter, str(error)),) * 2)
+            continue
+        below = below_and_not_given(chapter, assignment.given, assignment.root)
+        again = run_on_given(chapter, verdicts, engine, below, run, assignment.root)
+        own = results(mark_inherited(verdicts, again))
+        pairs.append((own, results(again) if again else own))
+    return pairs
+
+
+def _errors(chapter: Chapter, reason: str) -> list[Result]:
+    """Return results for checks that could not be run: our error, and not a zero."""
+    ours = [Verdict("every check", e.id, 1, "error", reason) for e in chapter.exercises]
+    return results_of(chapter, ours)
+
+
+def _report(
+    assignment: Assignment,
+    student: str,
+    pairs: list[tuple[list[Result], list[Result]]],
+    notes: list[str],
+) -> Report:
+    own = [result for results, _ in pairs for result in results]
+    given = [result for _, results in pairs for result in results]
+    score, points = total(own)
+    failed = any(result.status == "error" for result in own)
+    return {
+        "student": student,
+        "status": "error, retry" if failed else "graded",
+        "seed": assignment.seed,
+        "isolation": str(assignment.level),
+        "score": score,
+        "score_on_given": total(given)[0],
+        "points": points,
+        "by_hand": None,
+        "waiting": sum(result.exercise.points for result in own if result.status == "waiting"),
+        "notes": notes,
+        "exercises": [
+            _exercise(chapter, result, better)
+            for chapter, (results, betters) in zip(assignment.chapters, pairs, strict=True)
+            for result, better in zip(results, betters, strict=True)
+        ],
+    }
+
+
+def _exercise(chapter: Chapter, result: Result, better: Result) -> dict[str, Any]:
+    exercise = result.exercise
+    return {
+        "chapter": chapter.number,
+        "id": exercise.id,
+        "title": exercise.title,
+        "kind": exercise.kind,
+        "points": exercise.points,
+        "score": result.score,
+        "score_on_given": better.score,
+        "status": result.status,
+        "comment": "",
+        "checks": [
+            {
+                "name": check.name,
+                "status": check.status,
+                "message": check.message,
+                "weight": check.weight,
+                "hidden": check.hidden,
+            }
+            for check in result.checks
+        ],
+    }

@@ -1,0 +1,249 @@
+"""Handles: what trusted checks hold of the student's objects, which live in a worker.
+
+Using a handle asks the worker. Comparing, truth-testing or converting one is refused: a check reads
+plain numbers and compares those, so that an object that lies about itself gains nothing.
+"""
+
+from __future__ import annotations
+
+import builtins
+import re
+from collections.abc import Callable, Iterator
+from typing import Any, NoReturn
+
+from autograder.faults import CheckEnded, Fault, Frame, clean
+from autograder.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
+
+LEFT = "the process ended in the middle: does the code call os._exit, or crash Python?"
+BROKEN = "the code broke the protocol between its process and the checks"
+FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
+
+
+class WorkerFailure(CheckEnded):
+    """The worker is gone, or sent what it must not."""
+
+
+class StudentLeft(BaseException):
+    """The student's code raised what is no Exception, such as SystemExit; its fault says what."""
+
+
+class Session:
+    """A conversation with one worker, from its start to its end."""
+
+    def __init__(self, wire: Wire, deadline: float, on_hang: Callable[[], NoReturn]) -> None:
+        self.wire = wire
+        self.deadline = deadline
+        self.on_hang = on_hang
+        self.dead = ""
+        self._last = 0
+        self._callbacks: list[Callable[..., Any]] = []
+
+    def ask(self, what: str, *operands: Any) -> Any:
+        """Ask the worker and return what it answers.
+
+        Raises the student's exception as a built-in one, StudentLeft for one that is no Exception,
+        and WorkerFailure.
+        """
+        if self.dead:
+            raise WorkerFailure(self.dead)
+        self._last += 1
+        message = {"id": self._last, "do": what}
+        message["with"] = [pack(operand, self._refer) for operand in operands]
+        try:
+            return self._answer(self._exchange(message))
+        except BrokenProtocolError as error:
+            self._fail(f"{BROKEN}: {error}")
+
+    def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
+        """Send a question, run the call-backs that it leads to, and return the reply."""
+        try:
+            self.wire.send(message, self.deadline)
+            while "callback" in (reply := self.wire.receive(self.deadline)):
+                self.wire.send(self._call_back(reply), self.deadline)
+        except TimeoutError:
+            self.on_hang()
+        except (EOFError, OSError):
+            self._fail(LEFT)
+        if reply.get("id") != message["id"]:
+            raise BrokenProtocolError("an answer to another question")
+        return reply
+
+    def _answer(self, reply: dict[str, Any]) -> Any:
+        if "value" in reply:
+            return unpack(reply["value"], self._find)
+        if "missing" in reply:
+            raise WorkerFailure(_text(reply["missing"], 2000))
+        if "unsendable" in reply:
+            raise WorkerFailure(f"what came back is no result: {_text(reply['unsendable'], 200)}")
+        raise _exception(reply.get("raised"))
+
+    def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
+        """Run a function of the check for the worker; its Exceptions go back, others end all."""
+        number = message["callback"]
+        if type(number) is not int or not 0 <= number < len(self._callbacks):
+            raise BrokenProtocolError("a call-back that there is not")
+        arguments = unpack({"list": message.get("with")}, self._find)
+        if type(arguments) is not list:
+            raise BrokenProtocolError("a call-back without arguments")
+        try:
+            return {"value": pack(self._callbacks[number](*arguments), self._refer)}
+        except Exception as error:
+            return {"error": [type(error).__name__, str(error)]}
+        except BaseException:
+            self.dead = "a call-back of the check failed"
+            raise
+
+    def _refer(self, value: Any) -> dict[str, Any]:
+        if isinstance(value, Handle):
+            return value._reference(self)
+        if callable(value):
+            self._callbacks.append(value)
+            return {"callback": len(self._callbacks) - 1}
+        raise TypeError(
+            f"only plain data, handles and functions cross to the student, not {value!r}"
+        )
+
+    def _find(self, data: dict[str, Any]) -> Handle:
+        number = data.get("object")
+        if type(number) is not int:
+            raise BrokenProtocolError("a value of no known kind")
+        return ObjectHandle(self, number, _text(data.get("type"), 100))
+
+    def _fail(self, why: str) -> NoReturn:
+        self.dead = why
+        raise WorkerFailure(why) from None
+
+
+def _exception(data: Any) -> BaseException:
+    """Return the exception that stands for the student's, with its fault."""
+    try:
+        frames = [
+            Frame(file, line, _text(function, 100))
+            for file, line, function in data["frames"][-50:]
+            if type(file) is str and FILE.fullmatch(file) and type(line) is int
+        ]
+        syntax = data["syntax"]
+        if syntax is not None:
+            file, line, text = syntax
+            syntax = (_text(file, 200), int(line), _text(text, 200))
+        fault = Fault(
+            _text(data["type"], 100),
+            _text(data["text"], 2000),
+            frames,
+            syntax,
+            _text(data["missing_module"], 200),
+        )
+        name = data["as"]
+        kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
+    except (KeyError, TypeError, ValueError) as error:
+        raise BrokenProtocolError("an exception of no known form") from error
+    exception: BaseException = kind(fault.text)
+    exception.fault = fault  # type: ignore[attr-defined]
+    return exception
+
+
+def _text(value: Any, longest: int) -> str:
+    """Return text from the worker, cut, with what is no plain character made visible."""
+    if type(value) is not str:
+        raise BrokenProtocolError("a text that is none")
+    return clean(value[:longest])
+
+
+class Handle:
+    """What a check holds in place of an object of the student's."""
+
+    __slots__ = ()
+
+    def _session(self) -> Session:
+        raise NotImplementedError
+
+    def _reference(self, session: Session) -> dict[str, Any]:
+        raise NotImplementedError
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self._session().ask("get", self, name)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        self._session().ask("set", self, name, value)
+
+    def __call__(self, *arguments: Any, **keywords: Any) -> Any:
+        return self._session().ask("call", self, list(arguments), keywords)
+
+    def __len__(self) -> int:
+        length = self._session().ask("length", self)
+        if type(length) is not int or not 0 <= length < 1 << 31:
+            raise WorkerFailure(f"{BROKEN}: a length that is none")
+        return length
+
+    def __iter__(self) -> Iterator[Any]:
+        iterator = self._session().ask("iterate", self)
+        while item := self._session().ask("next", iterator):
+            yield item[0]
+
+    def __instancecheck__(self, value: Any) -> bool:
+        return self._session().ask("is_instance", value, self) is True
+
+    def __repr__(self) -> str:
+        shown = self._session().ask("show", self)
+        return clean(shown) if type(shown) is str else "an object that does not show itself"
+
+
+def _operation(name: str) -> Callable[..., Any]:
+    def operate(self: Handle, *others: Any) -> Any:
+        return self._session().ask("operate", name, [self, *others])
+
+    return operate
+
+
+def _reflected(name: str) -> Callable[..., Any]:
+    def operate(self: Handle, other: Any) -> Any:
+        return self._session().ask("operate", name, [other, self])
+
+    return operate
+
+
+def _refused(name: str) -> Callable[..., Any]:
+    def refuse(self: Handle, *_: Any) -> NoReturn:
+        raise WorkerFailure(
+            f"an object came back where a plain value is wanted: {self!r} (checks compare numbers "
+            f"that they have read from it, {name} of the object itself is not asked)"
+        )
+
+    return refuse
+
+
+UNARY = "neg pos abs invert getitem setitem delitem"
+BINARY = "add sub mul truediv floordiv mod pow matmul and or xor"
+REFUSED = "eq ne lt le gt ge bool float int complex index contains"
+for _name in UNARY.split():
+    setattr(Handle, f"__{_name}__", _operation(_name))
+for _name in BINARY.split():
+    _function = _name + "_" if _name in ("and", "or") else _name
+    setattr(Handle, f"__{_name}__", _operation(_function))
+    setattr(Handle, f"__r{_name}__", _reflected(_function))
+    setattr(Handle, f"__i{_name}__", _operation("i" + _name))
+for _name in REFUSED.split():
+    setattr(Handle, f"__{_name}__", _refused(f"__{_name}__"))
+setattr(Handle, "__hash__", object.__hash__)  # noqa: B010
+
+
+class ObjectHandle(Handle):
+    """An object that came back in this session."""
+
+    __slots__ = ("_number", "_of", "_type_name")
+
+    def __init__(self, session: Session, number: int, type_name: str) -> None:
+        object.__setattr__(self, "_of", session)
+        object.__setattr__(self, "_number", number)
+        object.__setattr__(self, "_type_name", type_name)
+
+    def _session(self) -> Session:
+        session: Session = self._of
+        return session
+
+    def _reference(self, session: Session) -> dict[str, Any]:
+        if session is not self._of:
+            raise WorkerFailure("an object of another check is used: its process is gone")
+        return {"object": self._number}

@@ -1,0 +1,179 @@
+"""Checks in this process and the student's code in a worker, a fresh one for each check.
+
+Imports of chapters are served with names. A name asks the worker that is there when it is used, so
+that a check's imports, which come once, serve all of its workers.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.abc
+import os
+import re
+import sys
+import threading
+from collections.abc import Callable, Sequence
+from importlib.machinery import ModuleSpec
+from pathlib import Path
+from types import ModuleType
+from typing import Any, NoReturn
+
+from autograder.explain import explain_import
+from autograder.faults import Fault
+from autograder.handles import Handle, Session, StudentLeft, WorkerFailure
+from autograder.sandbox import Level
+from autograder.template import Template
+
+CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
+
+
+class InWorker:
+    """The student's modules, each imported by the workers of the checks that use it."""
+
+    session: Session | None = None
+
+    def __init__(
+        self,
+        engine: list[str],
+        time_limit: float,
+        stack_file: str,
+        worker: dict[str, Any],
+    ) -> None:
+        self.engine = [Path(folder).resolve() for folder in engine]
+        self.stack_file = Path(stack_file)
+        level = Level(**worker["level"])
+        folders = [str(folder) for folder in self.engine]
+        self.probes = Path(worker["probes"])
+        self.template = Template(
+            level,
+            folders,
+            worker["probes"],
+            self.stack_file.parent,
+            time_limit,
+            fresh=worker["fresh"],
+        )
+        self.broken: dict[str, str] = {}
+
+    def open(
+        self, modules: list[str], broken: dict[str, str], announce: Callable[[str], None]
+    ) -> None:
+        """Find out which modules can be imported, so that no check pays for a bad one."""
+        threading.Thread(target=_leave_with_our_parent, daemon=True).start()
+        sys.meta_path.insert(0, ChapterFinder(self))
+        self.broken |= broken
+        self._compile([*self.engine, self.probes])
+        for module in modules:
+            if module in self.broken:
+                continue
+            announce(module)
+            if self.session is None or self.session.dead:
+                self.start()
+            assert self.session is not None
+            try:
+                self.session.ask("import", module)
+            except WorkerFailure as error:
+                file = module.replace(".", "/") + ".py"
+                left = f"{file}, while it is imported: " if self.session.dead else ""
+                self.broken[module] = f"{left}{error}"
+            except (Exception, StudentLeft) as error:
+                if not isinstance(fault := getattr(error, "fault", None), Fault):
+                    raise
+                self.broken[module] = explain_import(fault, module, self.engine)
+            if module in self.broken:
+                self.stop()
+        self.stop()
+
+    def _compile(self, folders: list[Path]) -> None:
+        """Have a worker that has run none of the student's code compile it, once for all."""
+        for file in (file for folder in folders for file in folder.glob("ch??_*/*.py")):
+            if self.session is None or self.session.dead:
+                self.start()
+            assert self.session is not None
+            with contextlib.suppress(WorkerFailure):  # a file on which Python itself fails
+                code = self.session.ask("compile", str(file))
+                if type(code) is str:
+                    self.template.keep_bytecode(file, code)
+
+    def start(self) -> None:
+        """Start the worker of a check. Raises TemplateError."""
+        self.session = self.template.start_worker(self._on_hang)
+        if self.broken:
+            self.session.ask("begin", self.broken)
+
+    def stop(self) -> str:
+        """End the worker and return what it has printed."""
+        self.session = None
+        self.template.stop_worker()
+        return self.template.printed()
+
+    def _on_hang(self) -> NoReturn:
+        """Leave the stack where the runner looks for it, and end: it goes on in a new process."""
+        self.stack_file.write_text(self.template.stack() or "it did not say where")
+        os._exit(1)  # the template ends with us, and its worker with it
+
+
+class Name(Handle):
+    """A name of a student's module, such as Vector3, for whichever worker is there."""
+
+    __slots__ = ("_module", "_name", "_workers")
+
+    def __init__(self, workers: InWorker, module: str, name: str) -> None:
+        object.__setattr__(self, "_workers", workers)
+        object.__setattr__(self, "_module", module)
+        object.__setattr__(self, "_name", name)
+
+    def _session(self) -> Session:
+        if self._workers.session is None:
+            raise AttributeError(f"{self._module}.{self._name} is used while no check runs")
+        session: Session = self._workers.session
+        return session
+
+    def _reference(self, session: Session) -> dict[str, Any]:  # noqa: ARG002
+        return {"name": [self._module, self._name]}
+
+
+class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    """Serves the imports of chapters: chNN_name is a package, and its modules are full of names."""
+
+    def __init__(self, workers: InWorker) -> None:
+        self.workers = workers
+
+    def find_spec(
+        self,
+        name: str,
+        path: Sequence[str] | None,  # noqa: ARG002
+        target: ModuleType | None = None,  # noqa: ARG002
+    ) -> ModuleSpec | None:
+        if CHAPTER_MODULE.fullmatch(name):
+            return ModuleSpec(name, self, is_package="." not in name)
+        return None
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        if spec.submodule_search_locations is None:
+            return ChapterModule(self.workers, spec.name)
+        return ModuleType(spec.name)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """There is nothing to run here."""
+
+
+class ChapterModule(ModuleType):
+    """Gives a name while checks are collected, and what the name stands for while one runs."""
+
+    def __init__(self, workers: InWorker, name: str) -> None:
+        super().__init__(name)
+        self._workers = workers
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        if self._workers.session is None:
+            return Name(self._workers, self.__name__, name)
+        return self._workers.session.ask("name", self.__name__, name)
+
+
+def _leave_with_our_parent() -> None:
+    """End when standard input does: the runner is gone, and nobody waits for our verdicts."""
+    while os.read(0, 1024):
+        pass
+    os._exit(1)

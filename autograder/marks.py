@@ -1,0 +1,151 @@
+"""Marks that people give by hand: read marks.csv, and merge them into reports."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+import unicodedata
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from autograder.gradebook import as_cell
+from autograder.manifest import Chapter, Exercise
+from autograder.texts import Report
+
+HEADER = ["student", "exercise", "points", "comment"]
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What a person gave for one written exercise, and said about it."""
+
+    points: float
+    comment: str
+
+
+Marks = dict[tuple[str, str], Mark]  # by student and exercise
+
+
+def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
+    """Read marks.csv: student,exercise,points,comment. A file that is missing has no marks.
+
+    Columns may be parted by semicolons, as European spreadsheets do; decimals may then have a
+    comma. Raises ValueError that names the line, what stands there and what is wanted.
+    """
+    if not path.exists():
+        return {}
+    exercises = {exercise.id: exercise for chapter in chapters for exercise in chapter.exercises}
+    names = _names(students)
+    marks: Marks = {}
+    separator, rows = _rows(path)
+    for line, row in rows:
+        where = f"{path}, line {line}"
+        student_given, exercise_given, points_given, comment = row
+        student = names.get(student_given) or names.get(_key(student_given))
+        if student is None:
+            raise ValueError(
+                f"{where}: student {student_given!r} handed nothing in; wanted is a name as the "
+                "gradebook has it"
+            )
+        exercise = _written(where, exercise_given, exercises)
+        if (student, exercise.id) in marks:
+            raise ValueError(
+                f"{where}: a second mark for {student!r} in {exercise.id}; wanted is one"
+            )
+        decimal = points_given.replace(",", ".") if separator == ";" else points_given
+        points = float(decimal) if re.fullmatch(r"[0-9]+(\.[0-9]+)?", decimal) else None
+        if points is None or points > exercise.points:
+            raise ValueError(
+                f"{where}: points {points_given!r} for {exercise.id}; wanted is a number from 0 to "
+                f"{exercise.points}"
+            )
+        marks[student, exercise.id] = Mark(points, comment)
+    return marks
+
+
+def apply_marks(report: Report, marks: Marks) -> Report:
+    """Return the report with these marks, and with no others, in it.
+
+    A written exercise without a mark waits for a person.
+    """
+    exercises = []
+    given: list[float] = []
+    waiting = 0
+    for exercise in report["exercises"]:
+        merged = dict(exercise)
+        if exercise["kind"] == "written":
+            mark = marks.get((report["student"], exercise["id"]))
+            if mark is None:
+                merged |= {"status": "waiting", "score": None, "score_on_given": None}
+                merged["comment"] = ""
+                waiting += exercise["points"]
+            else:
+                merged |= {"status": "marked", "score": mark.points, "score_on_given": mark.points}
+                merged["comment"] = mark.comment
+                given.append(mark.points)
+        exercises.append(merged)
+    by_hand = round(sum(given), 2) if given else None
+    return report | {"exercises": exercises, "by_hand": by_hand, "waiting": waiting}
+
+
+def _rows(path: Path) -> tuple[str, Iterator[tuple[int, list[str]]]]:
+    """Return the separator, and the rows below the header with the lines where they begin."""
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = error.object[: error.start].count(b"\n") + 1
+        raise ValueError(f"{path}, line {line}: wanted is UTF-8: save it as CSV UTF-8") from error
+    first = (text.splitlines() or [""])[0]
+    separator = ";" if ";" in first else ","
+    header = [cell.strip(' "').lower() for cell in first.rstrip(separator).split(separator)]
+    if header != HEADER:
+        raise ValueError(f"{path}, line 1: {first.strip()!r}; wanted is {','.join(HEADER)}")
+    return separator, _cells(path, text, separator)
+
+
+def _cells(path: Path, text: str, separator: str) -> Iterator[tuple[int, list[str]]]:
+    # Without strict, a quote that is never closed would swallow the marks below it.
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
+    line = 1
+    try:
+        for row in reader:
+            cells = [cell.strip() for cell in row]
+            while cells and not cells[-1]:
+                cells.pop()  # spreadsheets fill rows up
+            if line > 1 and len(cells) > len(HEADER):
+                raise ValueError(
+                    f"{path}, line {line}: {len(cells)} cells; wanted are {len(HEADER)}: put a "
+                    f"comment that has a {separator!r} in quotes"
+                )
+            if line > 1 and cells:
+                yield line, cells + [""] * (len(HEADER) - len(cells))
+            line = reader.line_num + 1
+    except csv.Error as error:
+        raise ValueError(f"{path}, line {line}: {error}; wanted is a quote that ends") from error
+
+
+def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise:
+    written = [exercise.id for exercise in exercises.values() if exercise.kind == "written"]
+    wanted = f"wanted is a written one: {', '.join(written) or 'there is none'}"
+    if given not in exercises:
+        raise ValueError(f"{where}: there is no exercise {given!r}; {wanted}")
+    if exercises[given].kind != "written":
+        raise ValueError(f"{where}: exercise {given!r} has checks, which give its points; {wanted}")
+    return exercises[given]
+
+
+def _names(students: Iterable[str]) -> dict[str, str]:
+    """Return the students by their names, and by other forms that name one of them alone."""
+    forms: dict[str, set[str]] = {}
+    for name in students:
+        for form in (name, _key(name), _key(as_cell(name))):
+            forms.setdefault(form, set()).add(name)
+    exact = {form: form for form, names in forms.items() if form in names}
+    return {form: min(names) for form, names in forms.items() if len(names) == 1} | exact
+
+
+def _key(name: str) -> str:
+    """Return a name in which an accent is one character, however the keyboard made it."""
+    return unicodedata.normalize("NFC", name.strip())

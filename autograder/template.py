@@ -1,0 +1,251 @@
+"""The trusted end of a template process: starts it, has it fork workers, and ends them."""
+
+from __future__ import annotations
+
+import base64
+import contextlib
+import importlib.util
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple, NoReturn
+
+from autograder.handles import Session, WorkerFailure
+from autograder.manifest import ROOT
+from autograder.sandbox import Level, SandboxError, landlock_version, seccomp_works_here
+from autograder.wire import Wire
+
+START_LIMIT = 20.0  # seconds for a process of our own to come up, on a busy machine
+SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/dev/null")
+# What must not get through each wall.
+HELD_BY_LANDLOCK = ("reading a file", "writing a file")
+HELD_BY_SECCOMP = ("reaching the network", "starting a process", "sending a signal")
+HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network")
+
+
+class TemplateError(Exception):
+    """A worker did not come up, and that is no fault of the code that it would have run."""
+
+
+class _Worker(NamedTuple):
+    number: int
+    socket: socket.socket
+
+
+class Template:
+    """A process without student code that forks a worker for each check.
+
+    ``engine`` is folders of chapters, which go on the worker's path with the folder of the probes,
+    behind the standard library. What it keeps goes into ``folder``. A worker has ``seconds`` for
+    all that it is asked. ``fresh`` starts a new template for each worker: slower, but nothing of
+    one worker can be left for the next, which is what a wall without seccomp needs.
+    """
+
+    def __init__(
+        self,
+        level: Level,
+        engine: Sequence[str],
+        probes: str,
+        folder: Path,
+        seconds: float,
+        *,
+        fresh: bool = False,
+    ) -> None:
+        self.level = level
+        self.engine = engine
+        self.folders = [*engine, probes]
+        self.seconds = seconds
+        self.fresh = fresh or (not level.seccomp and level.is_wall)
+        self._own = folder
+        (self._own / "bytecode").mkdir()
+        flags = os.O_RDWR | os.O_CREAT | os.O_APPEND
+        self._log = os.open(self._own / "log", flags, 0o600)
+        self._stack = os.open(self._own / "stack", flags, 0o600)
+        self._process: subprocess.Popen[bytes] | None = None
+        self._control: socket.socket | None = None
+        self._worker: _Worker | None = None
+        self._next: socket.socket | None = None
+
+    def start_worker(self, on_hang: Callable[[], NoReturn]) -> Session:
+        """Return a session with a worker that nobody has used. Raises TemplateError.
+
+        The next one is ordered ahead: it comes up while this one works.
+        """
+        self.stop_worker()
+        for descriptor in (self._log, self._stack):
+            os.ftruncate(descriptor, 0)
+        try:
+            if self._process is None:
+                self._start()
+            assert self._control is not None
+            own = self._next or self._order()
+            self._next = None
+            self._worker = _Worker(int(self._control.recv(16)), own)
+            if not self.fresh:
+                self._next = self._order()
+            wire = Wire(own.fileno())
+            if "ready" not in wire.receive(time.monotonic() + START_LIMIT):
+                raise EOFError
+        except (OSError, EOFError, ValueError) as error:
+            raise TemplateError(f"a worker did not come up: {self.printed() or error!r}") from error
+        return Session(wire, time.monotonic() + self.seconds, on_hang)
+
+    def _order(self) -> socket.socket:
+        """Order a worker and return our end of its wire; the template will answer its number."""
+        assert self._control is not None
+        own, theirs = socket.socketpair()
+        with theirs:
+            socket.send_fds(self._control, [b"start\n"], [theirs.fileno()])
+        return own
+
+    def keep_bytecode(self, file: Path, code: str) -> None:
+        """Keep what a worker has compiled where the next ones look for it. It is not looked at."""
+        folder = self._own / "bytecode" / file.parent.relative_to(file.anchor)
+        folder.mkdir(parents=True, exist_ok=True)
+        unchecked = (1).to_bytes(4, "little") + bytes(8)  # the source will not be compared
+        content = importlib.util.MAGIC_NUMBER + unchecked + base64.b64decode(code)
+        (folder / f"{file.stem}.{sys.implementation.cache_tag}.pyc").write_bytes(content)
+
+    def printed(self) -> str:
+        """Return what the worker has printed."""
+        return os.pread(self._log, 8000, 0).decode("utf-8", errors="replace").strip()
+
+    def stack(self) -> str:
+        """Return where the worker is, as Python's fault handler writes it."""
+        assert self._control is not None
+        assert self._worker is not None
+        self._control.send(b"stack %d\n" % self._worker.number)
+        for _ in range(20):
+            time.sleep(0.01)
+            if os.pread(self._stack, 1, 0):
+                break
+        time.sleep(0.01)  # for the rest of it
+        return os.pread(self._stack, 8000, 0).decode("utf-8", errors="replace")
+
+    def stop_worker(self) -> None:
+        """End the worker, if there is one."""
+        if self._worker is None:
+            return
+        self._worker.socket.close()
+        assert self._control is not None
+        with contextlib.suppress(OSError):
+            self._control.send(b"stop %d\n" % self._worker.number)
+        self._worker = None
+        if self.fresh:
+            self._end()
+
+    def close(self) -> None:
+        """End everything."""
+        self.stop_worker()
+        if self._next is not None:
+            self._next.close()
+        self._end()
+        os.close(self._log)
+        os.close(self._stack)
+
+    def _start(self) -> None:
+        self._control, theirs = socket.socketpair()
+        self._control.settimeout(START_LIMIT)
+        bytecode = str(self._own / "bytecode")
+        readable = [*SYSTEM_LIBRARIES, *_python_folders(), *self.folders, bytecode]
+        config = {
+            "root": str(ROOT),
+            "engine": self.engine,
+            "folders": self.folders,
+            "bytecode": bytecode,
+            "level": vars(self.level),
+            "readable": readable,
+            "seconds": int(self.seconds) + 2,
+            "preload": not self.fresh,
+            "control": theirs.fileno(),
+            "log": self._log,
+            "stack": self._stack,
+        }
+        code = f"import sys; sys.path.append({str(ROOT)!r}); import autograder.worker as w; "
+        python = os.path.realpath(sys.executable)
+        command = [python, "-I", "-S", "-B", "-c", f"{code} w.main(sys.argv[1])"]
+        if self.level.bubblewrap:
+            command = [*_bubblewrap([*readable, python, str(ROOT / "autograder")]), *command]
+        with theirs:
+            self._process = subprocess.Popen(
+                [*command, json.dumps(config)],
+                cwd="/",
+                env={"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"},
+                stdin=subprocess.DEVNULL,
+                stdout=self._log,
+                stderr=self._log,
+                pass_fds=[theirs.fileno(), self._log, self._stack],
+            )
+
+    def _end(self) -> None:
+        if self._process is None:
+            return
+        assert self._control is not None
+        self._control.close()  # the template ends its worker and itself
+        try:
+            self._process.wait(1.0)
+        except subprocess.TimeoutExpired:
+            self._process.send_signal(signal.SIGKILL)
+            self._process.wait()
+        self._process = None
+
+
+def best_level() -> Level:
+    """Return the strongest level that holds here, by trying what it must not let through."""
+    inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
+    around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
+    candidates = [around] if shutil.which("bwrap") else []
+    candidates.append(inside)
+    return next((level for level in candidates if level.is_wall and holds(level)), Level())
+
+
+def holds(level: Level) -> bool:
+    """Say whether a worker at this level is held from what it must not do."""
+    attempts = [
+        *(HELD_BY_LANDLOCK if level.landlock else ()),
+        *(HELD_BY_SECCOMP if level.seccomp else ()),
+        *(HELD_BY_BUBBLEWRAP if level.bubblewrap else ()),
+    ]
+    with tempfile.TemporaryDirectory(prefix="walls-") as folder:
+        forbidden, own = Path(folder) / "forbidden", Path(folder) / "own"
+        forbidden.touch()
+        own.mkdir()
+        template = Template(level, [], str(own), own, 5.0)
+        try:
+            session = template.start_worker(_no_answer)
+            through: list[str] = session.ask("test_the_walls", attempts, str(forbidden))
+            return through == []
+        except (TemplateError, SandboxError, WorkerFailure):
+            return False
+        finally:
+            template.close()
+
+
+def _no_answer() -> NoReturn:
+    raise TemplateError("the probe of the walls does not answer")
+
+
+def _python_folders() -> list[str]:
+    """Return the folders of the standard library and of the libraries that Python itself needs."""
+    paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
+    if library := sysconfig.get_config_var("LIBDIR"):
+        paths |= {str(path) for path in Path(library).glob("libpython*")}
+    return sorted(paths)
+
+
+def _bubblewrap(visible: Sequence[str]) -> list[str]:
+    """Return the command that shows these paths, read-only, and nothing else of the system."""
+    command = ["bwrap", "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
+    command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]
+    for path in visible:
+        command += ["--ro-bind-try", path, path]
+    return [*command, "--remount-ro", "/"]

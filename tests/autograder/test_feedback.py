@@ -1,0 +1,354 @@
+"""The pages: what they say and keep to themselves, sound HTML, and a look with a real browser."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import threading
+from collections import Counter
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+import pytest
+
+from autograder.feedback import write_feedback, write_index
+from autograder.manifest import ROOT
+from autograder.marks import Mark, apply_marks
+from graded import CHAPTERS, NASTY, SHOUT, check, failed_run, hostile, nothing_done, report_of
+
+VOID = {"meta", "br", "img", "link", "input", "hr"}
+MARKED = apply_marks(report_of("cleo"), {("cleo", "2.3"): Mark(2.5, "Say why.")})
+CLASS = [report_of(), MARKED, nothing_done(), failed_run(), hostile()]
+
+
+class Page(HTMLParser):
+    """What a page consists of; its elements must be nested and closed as they are opened."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.pieces: list[tuple[str, str]] = []  # the element that a text stands in, and the text
+        self.tables: list[list[str]] = []
+        self.rows: list[list[str]] = []
+        self.feed(text)
+        self.close()
+        assert self.open == [], "every element is closed"
+        self.rows = [[" ".join(cell.split()) for cell in row] for row in self.rows]
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        assert len(dict(attrs)) == len(attrs), "no attribute stands twice"
+        self.tags.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+        if tag == "table":
+            self.tables.append([])
+        elif self.tables:
+            self.tables[-1].append(tag)
+        if tag == "tr":
+            self.rows.append([])
+        elif tag in ("td", "th"):
+            self.rows[-1].append("")
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open, f"</{tag}> closes nothing"
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if "style" in self.open:
+            return
+        self.pieces.append((self.open[-1] if self.open else "", data))
+        if "td" in self.open or "th" in self.open:
+            self.rows[-1][-1] += data
+
+    @property
+    def text(self) -> str:
+        return " ".join("".join(data for _, data in self.pieces).split())
+
+    def row(self, start: str) -> list[str]:
+        (found,) = [row for row in self.rows if row[0].startswith(start)]
+        return found
+
+
+def student_page(tmp_path: Path, report: dict[str, Any]) -> Page:
+    return Page(write_feedback(tmp_path, report).read_text(encoding="utf-8"))
+
+
+def index_page(tmp_path: Path, *reports: dict[str, Any]) -> Page:
+    return Page(write_index(tmp_path, CHAPTERS, reports).read_text(encoding="utf-8"))
+
+
+@pytest.fixture(params=[*range(len(CLASS)), "index", "index of one", "index of errors"], ids=str)
+def page(request: pytest.FixtureRequest, tmp_path: Path) -> Page:
+    """Each page in turn, hostile ones among them."""
+    if isinstance(request.param, int):
+        return student_page(tmp_path, CLASS[request.param])
+    classes = {"index": CLASS, "index of one": [report_of()], "index of errors": [failed_run()]}
+    return index_page(tmp_path, *classes[request.param])
+
+
+def test_a_page_is_sound_html_that_a_screen_reader_can_follow(page: Page) -> None:
+    counts = Counter(tag for tag, _ in page.tags)
+    assert counts["h1"] == counts["main"] == page.tags.count(("title", {})) == 1
+    assert ("html", {"lang": "en"}) in page.tags
+    levels = [int(tag[1]) for tag, _ in page.tags if re.fullmatch("h[1-6]", tag)]
+    assert levels[0] == 1
+    assert all(b <= a + 1 for a, b in pairwise(levels)), levels
+    ids = [attributes["id"] for _, attributes in page.tags if "id" in attributes]
+    assert len(ids) == len(set(ids))
+    for _, attributes in page.tags:
+        for key in ("aria-labelledby", "href"):
+            for name in (attributes.get(key) or "").split():
+                if key == "aria-labelledby" or name.startswith("#"):
+                    assert name.removeprefix("#") in ids, name
+    assert page.tables
+    assert all(table[0] == "caption" for table in page.tables)
+    assert all(a.get("scope") in ("col", "row") for tag, a in page.tags if tag == "th")
+    assert all(row.count("th") > 0 for row in page.tables)
+
+
+def test_a_page_loads_nothing_and_runs_nothing(page: Page) -> None:
+    tags = {tag for tag, _ in page.tags}
+    assert tags.isdisjoint({"script", "img", "link", "iframe", "object", "form", "base", "b"})
+    for _, attributes in page.tags:
+        assert not any(name.startswith("on") or name == "src" for name in attributes)
+        href = attributes.get("href") or "#"
+        assert href.startswith(("#", "feedback/")), href
+    style = (ROOT / "autograder/templates/style.css").read_text(encoding="utf-8")
+    assert "url(" not in style
+    assert "@import" not in style
+
+
+def test_the_state_of_everything_is_said_in_words(page: Page) -> None:
+    states = [a["class"] or "" for t, a in page.tags if (a.get("class") or "").startswith("state ")]
+    for state in states:
+        assert state.removeprefix("state ").split("-")[0] in page.text
+    assert states
+
+
+def test_hostile_text_is_shown_as_text(tmp_path: Path) -> None:
+    page = student_page(tmp_path, hostile())
+    assert page.text.count(SHOUT) > 5
+    assert "red" in page.text
+    assert {c for _, piece in page.pieces for c in piece if ord(c) < 32 or ord(c) == 127} == {"\n"}
+    assert not re.search("[\x80-\x9f\ud800-\udfff\u202a-\u202e]", page.text)
+    assert len(page.text) < 100_000, "what is too long is cut"
+
+
+def test_a_student_sees_scores_and_what_they_mean(tmp_path: Path) -> None:
+    text = student_page(tmp_path, report_of()).text
+    assert "Feedback for ada" in text
+    assert "Score 3 of 11" in text
+    assert "Score on given chapters 8 of 11" in text
+    assert "The 5 points more were lost to mistakes in earlier chapters." in text
+    assert "3 points wait for a person, and are in no score: 2.3." in text
+    assert "Go on with 2.2, Angles" in text
+    equal = student_page(tmp_path, nothing_done()).text
+    assert "Score 0 of 11" in equal
+    assert "no mistake in an earlier chapter has cost you points" in equal
+
+
+def test_a_student_sees_each_exercise_and_what_was_lost_in_it(tmp_path: Path) -> None:
+    page = student_page(tmp_path, report_of())
+    assert page.row("B2.1")[1:] == ["✓ passed", "2 of 2"]
+    assert page.row("2.2")[1:] == ["✗ failed", "1 of 4"]
+    assert page.row("2.3")[1:] == ["… waiting", "none yet, of 3"]
+    assert page.row("B3.1")[1:] == ["↑ inherited", "0 of 5"]
+    assert "on given chapters 5" in page.text
+    assert "1 of 3 checks pass: right angle." in page.text
+    assert "✗ failed: angle got 1 wanted 2" in page.text
+    lines = [piece for element, piece in page.pieces if "wanted 2" in piece and element == "span"]
+    assert lines == ["wanted 2\n"], "lines stay lines, with no style as well"
+
+
+def test_a_hidden_check_is_labelled_and_keeps_its_name(tmp_path: Path) -> None:
+    for page in (student_page(tmp_path, report_of()), index_page(tmp_path, report_of())):
+        assert "far away" not in page.text
+        assert "secret plan" not in page.text
+    lost = report_of()
+    lost["exercises"][1]["checks"][1]["status"] = "passed"
+    index = index_page(tmp_path, lost)
+    assert ["2.2 Angles", "0 of 1", "a hidden check"] in index.rows
+    text = student_page(tmp_path, report_of()).text
+    assert "hidden check Angles turn once round." in text
+
+
+def test_a_message_that_many_checks_share_is_shown_once(tmp_path: Path) -> None:
+    report = report_of()
+    report["exercises"][1]["checks"] = [
+        check(f"test_{name}", "failed", "vector.py cannot be read") for name in ("one", "two")
+    ]
+    text = student_page(tmp_path, report).text
+    assert text.count("vector.py cannot be read") == 1
+    assert "one ; two" in text.replace("one;", "one ;")
+
+
+def test_a_mark_is_shown_with_its_comment(tmp_path: Path) -> None:
+    page = student_page(tmp_path, MARKED)
+    assert page.row("2.3")[1:] == ["✎ marked", "2.5 of 3"]
+    assert "Say why." in page.text
+    assert "Every written answer is marked." in page.text
+
+
+def test_notes_are_shown_and_absent_ones_leave_no_heading(tmp_path: Path) -> None:
+    heading = "Notes on what was handed in"
+    assert heading not in student_page(tmp_path, report_of()).text
+    noted = student_page(tmp_path, report_of(notes=["two folders: the first was taken"])).text
+    assert f"{heading} two folders: the first was taken" in noted
+
+
+def test_an_error_of_the_grader_is_said_to_be_one(tmp_path: Path) -> None:
+    page = student_page(tmp_path, failed_run())
+    assert "Error of the grader, retry." in page.text
+    assert "Score none yet, of 11" in page.text
+    assert page.row("B3.1")[1:] == ["! error", "none yet, of 5"]
+    assert "the disk is full" in page.text
+    index = index_page(tmp_path, failed_run(), nothing_done())
+    assert "1 of 2 students could not be graded in full" in index.text
+    assert index.row("eve")[1:] == ["! error, retry", "–", "–", "–", "3"]  # noqa: RUF001
+    assert index.row("eli")[1:] == ["✓ graded", "0", "0", "–", "3"]  # noqa: RUF001
+
+
+def test_every_student_is_linked_to_a_page_that_is_there(tmp_path: Path) -> None:
+    students = ["ada", "50% #1?", "../up", "Åsa B", "a&b", "javascript:x", SHOUT, NASTY]
+    reports = [report_of(student) for student in students]
+    pages = {write_feedback(tmp_path, report) for report in reports}
+    index = index_page(tmp_path, *reports)
+    links = [a["href"] or "" for tag, a in index.tags if tag == "a"]
+    linked = {tmp_path / unquote(urlsplit(link).path) for link in links if not link.startswith("#")}
+    assert linked == pages
+    assert len(pages) == len(students)
+    assert all(page.is_file() and page.parent == tmp_path / "feedback" for page in pages)
+
+
+def test_the_index_counts_who_passes_of_those_who_could_be_graded(tmp_path: Path) -> None:
+    index = index_page(tmp_path, report_of(), MARKED, nothing_done(), failed_run())
+    rates = {row[0].split()[0]: row[1:] for row in index.rows if len(row) in (3, 4)}
+    assert rates["B2.1"] == ["3 of 4", "75 %", "1.5 of 2"]
+    assert rates["2.2"] == ["0 of 4", "0 %", "0.75 of 4"]
+    assert rates["2.3"] == ["1 of 4 marked by a person", "2.5 of 3"]
+    assert rates["B3.1"] == ["0 of 3", "0 %", "0 of 5"]
+    assert "Median score 3 of 11" in index.text
+    assert "Seed 7" in index.text
+    assert "Isolation none: an ordinary process" in index.text
+
+
+def test_the_index_names_the_most_missed_first_and_the_check_that_is_lost(tmp_path: Path) -> None:
+    index = index_page(tmp_path, report_of(), MARKED)
+    missed = [row for row in index.rows if len(row) == 3 and row[1] == "0 of 2"]
+    assert missed == [["B3.1 Mass", "0 of 2", "mass"], ["2.2 Angles", "0 of 2", "angle"]]
+    report = report_of()
+    report["exercises"] = report["exercises"][:1]
+    assert (
+        "every exercise that was graded is passed by everybody" in index_page(tmp_path, report).text
+    )
+
+
+def test_the_histogram_and_its_table_count_every_score_once(tmp_path: Path) -> None:
+    scores = [0.0, 1.09, 1.1, 5.5, 10.9, 11.0]
+    reports = [report_of(f"s{score}", score=score) for score in scores]
+    index = index_page(tmp_path, *reports, failed_run())
+    table = {row[0]: row[1] for row in index.rows if re.fullmatch(r"\d+ to \d+", row[0])}
+    assert list(table.values()) == ["2", "1", "0", "0", "0", "1", "0", "0", "0", "2"]
+    heights = [float(a["height"] or 0) for t, a in index.tags if t == "rect" and "x" in a]
+    assert [height / max(heights) * 2 for height in heights] == [float(n) for n in table.values()]
+    (svg,) = [a for tag, a in index.tags if tag == "svg" and a.get("role") == "img"]
+    assert svg["aria-labelledby"] == "histogram-title histogram-desc"
+    assert "90 to 100 per cent: 2" in index.text
+
+
+def test_text_stands_out_from_its_ground_in_light_and_in_dark() -> None:
+    style = (ROOT / "autograder/templates/style.css").read_text(encoding="utf-8")
+    schemes = [
+        dict(re.findall(r"--(\w+): (#\w{6})", block))
+        for block in re.findall(r":root \{[^}]*--paper[^}]*\}", style)
+    ]
+    assert len(schemes) == 2
+    for colours in schemes:
+        for ground in ("paper", "raised"):
+            for ink in colours.keys() - {"paper", "raised", "rule"}:
+                light = sorted(luminance(colours[name]) for name in (ground, ink))
+                assert (light[1] + 0.05) / (light[0] + 0.05) >= 4.5, (ink, ground, colours)
+
+
+def luminance(colour: str) -> float:
+    """WCAG's relative luminance of #rrggbb."""
+    parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+@pytest.fixture
+def asked() -> Iterator[tuple[str, list[str]]]:
+    """An address, and what was asked of it."""
+    paths: list[str] = []
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            paths.append(self.path)
+            self.send_error(404)
+
+        def log_message(self, *_: object) -> None:
+            pass
+
+    server = HTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield f"http://127.0.0.1:{server.server_port}", paths
+    server.shutdown()
+    server.server_close()
+
+
+def test_a_browser_shows_and_prints_the_pages_and_nothing_leaves(
+    tmp_path: Path, asked: tuple[str, list[str]]
+) -> None:
+    names = ("chromium", "chromium-browser", "google-chrome")
+    browser = next(filter(None, map(shutil.which, names)), None)
+    if browser is None:
+        pytest.skip("there is no Chromium here")
+    address, paths = asked
+
+    def browse(path: Path, *options: str) -> str:
+        command = [browser, "--headless=new", "--disable-gpu", f"--user-data-dir={tmp_path / 'me'}"]
+        command += ["--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"]
+        if hasattr(os, "geteuid") and os.geteuid() == 0:
+            command.append("--no-sandbox")
+        done = subprocess.run(
+            [*command, *options, path.as_uri()],
+            capture_output=True,
+            encoding="utf-8",
+            errors="replace",
+            timeout=60,
+            check=True,
+        )
+        return done.stdout
+
+    attack = f"<img src='{address}/a'><script>document.title = 'owned'</script></pre></title>"
+    control = tmp_path / "control.html"
+    control.write_text(f"<!DOCTYPE html><title>mine</title><p>{attack}", encoding="utf-8")
+    assert "<title>owned</title>" in browse(control, "--dump-dom"), "the attack is a real one"
+    assert paths == ["/a"]
+    paths.clear()
+
+    report = hostile(attack)
+    for exercise in report["exercises"]:
+        for one in exercise["checks"]:
+            one["message"] = attack
+    report["exercises"][2]["comment"] = attack
+    student = write_feedback(tmp_path, report)
+    index = write_index(tmp_path, CHAPTERS, [report, report_of()])
+    shown = browse(student, "--dump-dom")
+    assert "<title>Feedback for &lt;img src=" in shown
+    assert "How it was graded" in shown
+    assert "<title>Grades of the class</title>" in browse(index, "--dump-dom")
+    for page in (student, index):
+        pdf = tmp_path / f"{page.parent.name}.pdf"
+        browse(page, f"--print-to-pdf={pdf}")
+        assert pdf.read_bytes().startswith(b"%PDF-")
+    assert paths == [], "nothing is asked of any other place"

@@ -1,0 +1,91 @@
+"""What a class leaves can be read again, whole or not at all, and all is made from it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from autograder.marks import Mark, apply_marks
+from autograder.reports import read_result, replace_file, write_all, write_result
+from graded import CHAPTERS, failed_run, hostile, nothing_done, report_of
+
+
+@pytest.mark.parametrize("report", [report_of(), failed_run(), nothing_done()])
+def test_a_result_is_read_as_it_was_written(tmp_path: Path, report: dict[str, Any]) -> None:
+    path = write_result(tmp_path, report)
+    assert path == tmp_path / "results" / f"{report['student']}.json"
+    assert read_result(path) == report
+    assert [file.name for file in path.parent.iterdir()] == [path.name], "nothing is left beside it"
+
+
+def test_what_is_no_character_can_be_written_and_read(tmp_path: Path) -> None:
+    assert read_result(write_result(tmp_path, hostile())) == hostile()
+    replace_file(tmp_path / "text", "half a \ud800")
+    assert (tmp_path / "text").read_bytes() == b"half a \\ud800"
+
+
+def test_a_result_that_is_missing_or_cut_off_is_none(tmp_path: Path) -> None:
+    path = write_result(tmp_path, report_of())
+    whole = path.read_bytes()
+    for length in (0, 1, len(whole) // 2, len(whole) - 3):
+        path.write_bytes(whole[:length])
+        assert read_result(path) is None, length
+    for content in (b"\xff\xfe", b"[" * 100_000, b"null", b"[]", b"7"):
+        path.write_bytes(content)
+        assert read_result(path) is None, content[:9]
+    path.unlink()
+    assert read_result(path) is None
+    assert read_result(tmp_path) is None
+
+
+@pytest.mark.parametrize(
+    ("where", "key", "value"),
+    [
+        ((), "score", "18"),
+        ((), "score", float("nan")),
+        ((), "status", "passed"),
+        ((), "notes", [1]),
+        ((), "exercises", None),
+        ((), "seed", 7),
+        (("exercises", 0), "status", "graded"),
+        (("exercises", 0), "checks", [None]),
+        (("exercises", 1, "checks", 1), "message", None),
+        (("exercises", 1, "checks", 1), "hidden", "no"),
+    ],
+)
+def test_a_result_of_another_form_is_none(
+    tmp_path: Path, where: tuple[Any, ...], key: str, value: object
+) -> None:
+    report = report_of()
+    part: Any = report
+    for step in where:
+        part = part[step]
+    path = tmp_path / "ada.json"
+    path.write_text(json.dumps(report), encoding="utf-8")
+    assert read_result(path) is not None
+    kept = part.pop(key)
+    path.write_text(json.dumps(report), encoding="utf-8")
+    assert read_result(path) is None, "the key is missing"
+    part[key] = value
+    assert value != kept
+    path.write_text(json.dumps(report), encoding="utf-8")
+    assert read_result(path) is None, "the value is wrong"
+
+
+def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> None:
+    cleo = apply_marks(report_of("cleo"), {("cleo", "2.3"): Mark(2.5, "")})
+    reports = [cleo, nothing_done(), failed_run()]
+    places = write_all(tmp_path, CHAPTERS, reports)
+    assert all(place.exists() for place in places)
+    assert {place.name for place in places} == {path.name for path in tmp_path.iterdir()}
+    files = {path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")}
+    assert len(files) == 2 + 3 * 3
+    again = [read_result(tmp_path / "results" / f"{r['student']}.json") for r in reports]
+    assert again == reports
+    write_all(tmp_path, CHAPTERS, [report for report in again if report])
+    assert files == {
+        path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")
+    }

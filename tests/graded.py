@@ -1,0 +1,116 @@
+"""A small invented class with its reports, for the tests of what is made from them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.manifest import Chapter, Exercise
+
+SHOUT = "<script>document.title = 'owned'</script><b onclick='x'>&amp;\"'"
+# Escape sequences, control characters, half a character, a turn of the reading direction.
+NASTY = (
+    "\x1b[31mred\x1b[0m\x1b]8;;http://a.example\x07link\x00\x08\x9b1m\ud800\u202ereversed\r\nnext"
+)
+
+
+def exercise_of(exercise_id: str, title: str, kind: str, points: int) -> Exercise:
+    return Exercise(exercise_id, title, kind, 1, points, [], [])
+
+
+CHAPTERS = [
+    Chapter(
+        "ch02_vectors",
+        2,
+        "Vectors",
+        [],
+        [
+            exercise_of("B2.1", "Copy", "build", 2),
+            exercise_of("2.2", "Angles", "exercise", 4),
+            exercise_of("2.3", "Why", "written", 3),
+        ],
+    ),
+    Chapter("ch03_laws", 3, "Laws", [], [exercise_of("B3.1", "Mass", "build", 5)]),
+]
+
+
+def check(name: str, status: str, message: str = "", *, hidden: bool = False) -> dict[str, Any]:
+    return {"name": name, "status": status, "message": message, "weight": 1.0, "hidden": hidden}
+
+
+def report_of(student: str = "ada", **changes: Any) -> dict[str, Any]:
+    """A report with an exercise that is passed, failed, waiting and inherited."""
+    statuses = [("passed", 2.0, 2.0), ("failed", 1.0, 1.0), ("waiting", None, None)]
+    statuses.append(("inherited", 0.0, 5.0))
+    checks = [
+        [check("test_a_copy", "passed"), check("test_secret_plan", "passed", hidden=True)],
+        [
+            check("test_right_angle", "passed"),
+            check("test_angle", "failed", "got 1\nwanted 2"),
+            check("test_far_away", "failed", "Angles turn once round.", hidden=True),
+        ],
+        [],
+        [check("test_mass", "inherited", "got 3")],
+    ]
+    places = [(chapter, exercise) for chapter in CHAPTERS for exercise in chapter.exercises]
+    exercises = [
+        {
+            "chapter": chapter.number,
+            "id": exercise.id,
+            "title": exercise.title,
+            "kind": exercise.kind,
+            "points": exercise.points,
+            "score": score,
+            "score_on_given": given,
+            "status": status,
+            "comment": "",
+            "checks": own_checks,
+        }
+        for (chapter, exercise), (status, score, given), own_checks in zip(
+            places, statuses, checks, strict=True
+        )
+    ]
+    report = {
+        "student": student,
+        "status": "graded",
+        "seed": "7",
+        "isolation": "none: an ordinary process",
+        "score": 3.0,
+        "score_on_given": 8.0,
+        "points": 11,
+        "by_hand": None,
+        "waiting": 3,
+        "notes": [],
+        "exercises": exercises,
+        "run": {"hash": "abc"},
+    }
+    return report | changes
+
+
+def failed_run(student: str = "eve") -> dict[str, Any]:
+    """A report where the grader failed on the last exercise."""
+    report = report_of(student, status="error, retry", score=None, score_on_given=None)
+    mass = report["exercises"][3]
+    mass |= {"status": "error", "score": None, "score_on_given": None}
+    mass["checks"] = [check("every check", "error", "the disk is full")]
+    return report
+
+
+def nothing_done(student: str = "eli") -> dict[str, Any]:
+    """A report where every check fails."""
+    report = report_of(student, score=0.0, score_on_given=0.0)
+    for exercise in report["exercises"]:
+        if exercise["kind"] != "written":
+            exercise |= {"status": "failed", "score": 0.0, "score_on_given": 0.0}
+            exercise["checks"] = [check("test_it", "failed", "vector.py is missing")]
+    return report
+
+
+def hostile(student: str = SHOUT + NASTY) -> dict[str, Any]:
+    """A report in which every text that others write tries to get out of its place."""
+    text = SHOUT + NASTY + "x" * 20_000
+    report = report_of(student, notes=[text], seed=text, isolation=text)
+    for exercise in report["exercises"]:
+        for one in exercise["checks"]:
+            one |= {"name": text, "message": text}
+    report["exercises"][2] |= {"status": "marked", "score": 1.0, "comment": text}
+    return report | {"by_hand": 1.0, "waiting": 0}

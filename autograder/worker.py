@@ -125,6 +125,9 @@ class CappedText(io.TextIOBase):
         return True
 
 
+_KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
+
+
 class Server:
     """Answers requests about the student's objects, each of which it gives a number."""
 
@@ -156,10 +159,11 @@ class Server:
 
     def describe(self, error: BaseException) -> dict[str, Any]:
         """Return an exception as plain data."""
-        bases = (base.__name__ for base in type(error).__mro__)
+        # By what they are: a student's class may carry a built-in one's name.
+        known = (_KNOWN.get(base) for base in type(error).__mro__)
         fault = fault_of(error, self.engine)
         return {
-            "as": next((name for name in bases if name in KNOWN_ERRORS), "BaseException"),
+            "as": next(filter(None, known), "BaseException"),
             "type": fault.type[:100],
             "text": fault.text[:2000],
             "frames": [[frame.file, frame.line, frame.function[:100]] for frame in fault.frames],

@@ -102,7 +102,7 @@ def _entries(data: bytes) -> Iterator[Entry]:
                 raise NotTakenError(f"the zip {DAMAGED}")
             position += ENTRY.size
             name = data[position : position + name_length]
-            text = name.decode("utf-8" if flags & UTF_8 else "cp437", "backslashreplace")
+            text = name.decode("utf-8" if flags & UTF_8 else "cp437", "surrogateescape")
             yield Entry(text, flags, method, crc, packed, size, attributes >> 16, offset)
             position += name_length + extra_length + comment_length
     except struct.error as error:

@@ -1,0 +1,193 @@
+"""The hostile submissions: what each one tries, what it honestly earns, and how it is handed in.
+
+Most are a file KIND/NAME.py, handed in as sums.py. Its docstring says what it tries, then
+
+    earns: the exercises that its code solves, of add, counter and total; or all, or nothing
+    says: words that must stand in the messages of the checks it loses (may be left out)
+
+A word such as @ROOT@ stands for a place that an attacker may well know. Many attacks end in a right
+answer only where they succeed: the score then tells. What is no source comes from odd_files.py.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import shutil
+import sysconfig
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+HOSTILE = Path(__file__).parent
+KINDS = ("leaving", "not_ending", "taking", "reading", "writing", "network", "forging", "lying")
+EXERCISES = {"add": "B90.1", "counter": "B90.2", "total": "B90.3"}
+POINTS = {"B90.1": 1, "B90.2": 2, "B90.3": 4}
+# Where each token is planted; none may reach a report on anybody but the neighbour itself.
+TOKENS = {
+    "the solution": "TOKEN-SOLUTION-9C41E7",
+    "the checks": "TOKEN-CHECKS-5B08D2",
+    "the environment": "TOKEN-ENVIRONMENT-D3F664",
+    "the home folder": "TOKEN-HOME-0A99C1",
+    "the name of a file": "TOKEN-NAME-E87B25",
+    "the network": "TOKEN-NETWORK-46FD18",
+    "another submission": "TOKEN-NEIGHBOUR-71AD30",
+}
+NEIGHBOUR = "controls-plain"
+
+
+@dataclass(frozen=True)
+class World:
+    """The places of a run. All of them lie in one folder, which everybody may read."""
+
+    base: Path
+    tcp: int = 0
+    udp: int = 0
+    run: str = ""
+
+    @property
+    def root(self) -> Path:
+        return self.base / "root"
+
+    @property
+    def home(self) -> Path:
+        return self.base / "home"
+
+    @property
+    def submissions(self) -> Path:
+        return self.base / "class"
+
+    @property
+    def out(self) -> Path:
+        return self.base / "out"
+
+    @property
+    def temporary(self) -> Path:
+        return self.base / "temporary"
+
+
+@dataclass(frozen=True)
+class Submission:
+    """A hostile submission, and what it is worth.
+
+    ``label`` is part of the student's name, or all of it.
+    """
+
+    kind: str
+    name: str
+    tries: str
+    earns: frozenset[str]
+    says: str
+    student: str
+    build: Callable[[Path, World], None]
+
+    @property
+    def label(self) -> str:
+        return f"{self.kind}-{self.name}"
+
+    @property
+    def score(self) -> int:
+        """The honest score."""
+        return sum(POINTS[exercise] for exercise in self.earns)
+
+
+def earned(words: str) -> frozenset[str]:
+    """Return the ids of the exercises that a line such as "add counter" names."""
+    names = {"all": list(EXERCISES), "nothing": []}.get(words, words.split())
+    return frozenset(EXERCISES[name] for name in names)
+
+
+def all_submissions() -> list[Submission]:
+    """Return the whole corpus, honest controls first."""
+    from odd_files import ODD
+
+    files = (path for kind in ("controls", *KINDS) for path in sorted(HOSTILE.glob(f"{kind}/*.py")))
+    return [*map(_from_source, files), *ODD]
+
+
+def _from_source(path: Path) -> Submission:
+    tries, _, rest = (ast.get_docstring(ast.parse(path.read_text())) or "").partition("\n\n")
+    words = dict(line.split(": ", 1) for line in rest.splitlines())
+
+    def build(at: Path, world: World) -> None:
+        write(at / "ch90_sums/sums.py", with_places(path.read_text(), world))
+
+    kind, name = path.parent.name, path.stem
+    says, student = words.get("says", ""), f"{kind}-{name}"
+    return Submission(kind, name, tries, earned(words["earns"]), says, student, build)
+
+
+def with_places(text: str, world: World) -> str:
+    """Put the places of a run into a source."""
+    places = {
+        "ROOT": world.root,
+        "HOME": world.home,
+        "CLASS": world.submissions,
+        "OUT": world.out,
+        "SITE": sysconfig.get_path("purelib"),
+        "TCP": world.tcp,
+        "UDP": world.udp,
+        "RUN": world.run,
+        "LINE": _line(world.root / "solutions/ch90_sums/sums.py"),
+        "CHECKLINE": _line(world.root / "tests/ch90_sums/test_sums.py"),
+    }
+    for name, place in places.items():
+        text = text.replace(f"@{name}@", str(place))
+    return text
+
+
+def _line(path: Path) -> int:
+    """Return the number of the first line with a token."""
+    lines = enumerate(path.read_text().splitlines(), 1)
+    return next(number for number, line in lines if "TOKEN-" in line)
+
+
+def write(path: Path, content: str | bytes) -> None:
+    """Write a file, and the folders above it."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(content.encode() if isinstance(content, str) else content)
+
+
+def build_world(world: World, submissions: list[Submission], tests: Path) -> None:
+    """Make a root with one chapter, a home with secrets, and the folder of the class."""
+    shutil.copytree(HOSTILE / "root", world.root, ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("conftest.py", "draw.py", "expect.py"):
+        shutil.copyfile(tests / name, world.root / "tests" / name)
+    shutil.copyfile(tests.parent / "pyproject.toml", world.root / "pyproject.toml")
+    write(world.home / "secret.txt", TOKENS["the home folder"] + "\n")
+    write(world.home / f"{TOKENS['the name of a file']}.txt", "nothing\n")
+    for folder in (world.temporary, world.base / "kept"):
+        folder.mkdir()
+    world.submissions.mkdir()
+    for submission in submissions:
+        submission.build(world.submissions / submission.student, world)
+
+
+def read_results(out: Path) -> list[dict[str, Any]]:
+    """Return what stands in the results of a run."""
+    files = sorted((out / "results").glob("*.json"))
+    return [json.loads(path.read_text(encoding="utf-8")) for path in files]
+
+
+def result_of(submission: Submission, results: list[dict[str, Any]]) -> dict[str, Any] | None:
+    """Return a submission's result, found by the student's name, or by what is left of it."""
+    for result in results:
+        if result["student"] == submission.student:
+            return result
+    if submission.student == submission.label:
+        return None
+    return next((result for result in results if submission.label in result["student"]), None)
+
+
+def leaks(out: Path) -> list[tuple[str, str]]:
+    """Return the files below a folder that hold a token of somebody else's, and whose it is."""
+    found = []
+    for path in sorted(path for path in out.rglob("*") if path.is_file()):
+        data = path.read_bytes().lower() + str(path.relative_to(out)).encode().lower()
+        for place, token in TOKENS.items():
+            forms = (token.encode(), token.encode()[::-1], token.encode().hex().encode())
+            own = place == "another submission" and NEIGHBOUR in path.name
+            if not own and any(form.lower() in data for form in forms):
+                found.append((str(path.relative_to(out)), place))
+    return found

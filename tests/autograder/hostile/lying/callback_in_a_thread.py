@@ -1,0 +1,28 @@
+"""Calls the given function from two threads at once.
+
+earns: add counter
+"""
+
+import threading
+
+
+def total_of(f, n):
+    threads = [threading.Thread(target=f, args=(i,), daemon=True) for i in range(50)]
+    for thread in threads:
+        thread.start()
+    return f(0)
+
+
+def add(a, b):
+    return a + b
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)

@@ -1,0 +1,27 @@
+"""Keeps the function it was given and calls it where nobody expects it.
+
+earns: add counter
+"""
+
+
+def total_of(f, n):
+    class Wrong(ValueError):
+        def __str__(self):
+            return f"{f(0)} {f(1)}"
+
+    raise Wrong if n > 0 else ValueError
+
+
+def add(a, b):
+    return a + b
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)

@@ -1,0 +1,28 @@
+"""Raises messages that would change a terminal: colours, titles, bells, right to left.
+
+earns: counter total
+"""
+
+
+def add(a, b):
+    codes = (0, 7, 8, 13, 27, 0x85, 0x9B, 0x202E, 0x2028, 0x2066, 0xFEFF)
+    raise ValueError(
+        "".join(map(chr, codes)) + chr(27) + "]0;owned" + chr(7) + chr(27) + "[2J[red]mark-up[/red]"
+    )
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)
+
+
+def total_of(f, n):
+    if n < 0:
+        raise ValueError("n must not be negative")
+    return sum(f(i) for i in range(n))

@@ -1,0 +1,30 @@
+"""Counters loop when they are destroyed.
+
+earns: add total
+says: did not end
+"""
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)
+
+    def __del__(self):
+        while True:
+            pass
+
+
+def add(a, b):
+    return a + b
+
+
+def total_of(f, n):
+    if n < 0:
+        raise ValueError("n must not be negative")
+    return sum(f(i) for i in range(n))

@@ -1,0 +1,41 @@
+"""Blocks and ignores every signal, stops the clocks that it can find, and loops.
+
+earns: counter total
+says: did not end
+"""
+
+import faulthandler
+import signal
+
+
+def add(a, b):
+    for attack in (
+        faulthandler.cancel_dump_traceback_later,
+        lambda: faulthandler.unregister(signal.SIGUSR1),
+        lambda: signal.setitimer(signal.ITIMER_REAL, 0),
+        lambda: signal.pthread_sigmask(signal.SIG_BLOCK, signal.valid_signals()),
+        *(lambda s=s: signal.signal(s, signal.SIG_IGN) for s in signal.valid_signals()),
+    ):
+        try:
+            attack()
+        except BaseException:
+            pass
+    while True:
+        pass
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)
+
+
+def total_of(f, n):
+    if n < 0:
+        raise ValueError("n must not be negative")
+    return sum(f(i) for i in range(n))

@@ -1,0 +1,29 @@
+"""Each call ends soon; all of them together do not.
+
+earns: add total
+says: did not end
+"""
+
+import time
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        time.sleep(0.05)
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)
+
+
+def add(a, b):
+    return a + b
+
+
+def total_of(f, n):
+    if n < 0:
+        raise ValueError("n must not be negative")
+    return sum(f(i) for i in range(n))

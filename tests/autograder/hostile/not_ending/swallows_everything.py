@@ -1,0 +1,31 @@
+"""Loops, and catches every exception that could end the loop.
+
+earns: counter total
+says: did not end
+"""
+
+
+def add(a, b):
+    while True:
+        try:
+            while True:
+                pass
+        except BaseException:
+            pass
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)
+
+
+def total_of(f, n):
+    if n < 0:
+        raise ValueError("n must not be negative")
+    return sum(f(i) for i in range(n))

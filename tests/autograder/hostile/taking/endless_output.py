@@ -1,0 +1,35 @@
+"""Prints without end on both streams, in Python and beneath it.
+
+earns: counter total
+"""
+
+import os
+import sys
+
+
+def add(a, b):
+    while True:
+        try:
+            print("x" * 1_000_000)
+            print("y" * 1_000_000, file=sys.stderr)
+            os.write(1, b"z" * 100_000)
+            os.write(2, b"z" * 100_000)
+        except BaseException:
+            pass
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)
+
+
+def total_of(f, n):
+    if n < 0:
+        raise ValueError("n must not be negative")
+    return sum(f(i) for i in range(n))

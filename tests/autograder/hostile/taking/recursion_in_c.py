@@ -1,0 +1,29 @@
+"""Overflows the stack of C.
+
+earns: add total
+"""
+
+import sys
+
+sys.setrecursionlimit(2**31 - 1)
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def __repr__(self):
+        return repr([self])
+
+    def step(self, by):
+        repr(self)
+
+
+def add(a, b):
+    return a + b
+
+
+def total_of(f, n):
+    if n < 0:
+        raise ValueError("n must not be negative")
+    return sum(f(i) for i in range(n))

@@ -1,0 +1,45 @@
+"""Changes modes, owners, times and attributes, which needs no writing.
+
+earns: all
+"""
+
+import os
+
+for attack in (
+    lambda path: os.chmod(path, 0o777),
+    lambda path: os.chown(path, 12345, 12345),
+    lambda path: os.utime(path, (1, 1)),
+    lambda path: os.setxattr(path, "user.hostile", b"1"),
+    lambda path: os.truncate(path, 0),
+    lambda path: os.rename(path, path + "-hostile"),
+):
+    for path in (
+        "@HOME@/secret.txt",
+        "@CLASS@/controls-plain/ch90_sums/sums.py",
+        "@ROOT@/tests/expect.py",
+    ):
+        try:
+            attack(path)
+        except OSError:
+            pass
+
+
+def add(a, b):
+    return a + b
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)
+
+
+def total_of(f, n):
+    if n < 0:
+        raise ValueError("n must not be negative")
+    return sum(f(i) for i in range(n))

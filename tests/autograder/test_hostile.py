@@ -1,0 +1,421 @@
+"""Hostile submissions get what their honest code is worth, and nothing else comes of them.
+
+All of hostile/ is graded in one run, by a process of its own, and then looked at: each submission,
+and what the run as a whole has left behind. HOSTILE_KEEP=folder keeps everything there, for
+hostile/table.py and for a closer look.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import ctypes
+import hashlib
+import itertools
+import json
+import os
+import re
+import secrets
+import selectors
+import shutil
+import signal
+import socket
+import stat
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+TESTS = Path(__file__).parent.parent
+sys.path.append(str(Path(__file__).parent / "hostile"))
+
+from corpus import (  # noqa: E402
+    NEIGHBOUR,
+    POINTS,
+    TOKENS,
+    Submission,
+    World,
+    all_submissions,
+    build_world,
+    leaks,
+    read_results,
+    result_of,
+    write,
+)
+from odd_files import RIGHT, SUMS, WRONG  # noqa: E402
+from table import table  # noqa: E402
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the walls are those of Linux")
+
+SUBMISSIONS = all_submissions()
+SEED = "hostile"
+TIME_LIMIT = 1.0  # seconds for a check
+RUN_LIMIT = 6.0 * len(SUBMISSIONS)  # seconds, by far more than a run in which nothing hangs
+LONGEST_GAP = 30.0  # seconds between two results
+LONGEST_MESSAGE = 8000  # characters
+GRADE = """
+import sys
+from pathlib import Path
+
+from autograder import cohort
+from autograder.manifest import load_chapters
+
+folder, out, root = map(Path, sys.argv[1:4])
+chapters = load_chapters(root)
+limit = float(sys.argv[5])
+sys.exit(cohort.grade(folder, out, chapters, sys.argv[4], jobs=2, root=root, time_limit=limit))
+"""
+# Two names that are cleaned alike, with different work; and what is no submission.
+ALIKE = {"alike\tname": RIGHT, "alike\x07name": WRONG, "alike_name": RIGHT}
+LINKED = "linked-submission"
+# Where attacks leave files that begin with "hostile-", if nothing stops them.
+OPEN_FOLDERS = ("/tmp", "/var/tmp", "/dev/shm", "/run/lock")
+SEGMENT = "0x00048ac5"  # the key of the shared memory that taking/system_v_memory.py makes
+PR_SET_CHILD_SUBREAPER = 36
+
+
+@dataclass(frozen=True)
+class Run:
+    """A graded class, and what the machine was like before and after."""
+
+    world: World
+    code: int | None  # None where it had to be ended
+    screen: str
+    results: list[dict[str, Any]]
+    before: dict[str, str]
+    after: dict[str, str]
+    survivors: list[str]
+    heard: list[bytes]
+
+
+class Services:
+    """What attacks try to talk to: it hands a token to whoever sends something."""
+
+    def __init__(self, home: Path, run: str) -> None:
+        self.heard: list[bytes] = []
+        tcp, udp = socket.socket(), socket.socket(type=socket.SOCK_DGRAM)
+        file, abstract = socket.socket(socket.AF_UNIX), socket.socket(socket.AF_UNIX)
+        tcp.bind(("127.0.0.1", 0))
+        udp.bind(("127.0.0.1", 0))
+        with _inside(home):  # the path of a socket must be short
+            file.bind("service")
+        abstract.bind(f"\0hostile-{run}")
+        self.tcp, self.udp = tcp.getsockname()[1], udp.getsockname()[1]
+        self._datagrams = [udp]
+        with contextlib.suppress(OSError):  # where there is IPv6
+            udp6 = socket.socket(socket.AF_INET6, socket.SOCK_DGRAM)
+            udp6.bind(("::1", self.udp))
+            self._datagrams.append(udp6)
+        self._listening = [tcp, file, abstract]
+        for server in self._listening:
+            server.listen()
+        self._stop = threading.Event()
+        self._thread = threading.Thread(target=self._serve, daemon=True)
+        self._thread.start()
+
+    def _serve(self) -> None:
+        selector = selectors.DefaultSelector()
+        for server in (*self._listening, *self._datagrams):
+            selector.register(server, selectors.EVENT_READ)
+        while not self._stop.is_set():
+            for key, _ in selector.select(0.1):
+                server: Any = key.fileobj
+                if server in self._datagrams:
+                    self.heard.append(server.recv(1000))
+                    continue
+                with contextlib.suppress(OSError):
+                    connection, _ = server.accept()
+                    with connection:
+                        connection.settimeout(0.5)
+                        self.heard.append(connection.recv(1000))
+                        connection.sendall(TOKENS["the network"].encode())
+
+    def close(self) -> None:
+        self._stop.set()
+        self._thread.join()
+        for server in (*self._listening, *self._datagrams):
+            server.close()
+
+
+@contextlib.contextmanager
+def _inside(folder: Path) -> Iterator[None]:
+    before = Path.cwd()
+    os.chdir(folder)
+    try:
+        yield
+    finally:
+        os.chdir(before)
+
+
+@pytest.fixture(scope="module")
+def run() -> Iterator[Run]:
+    """Grade the whole corpus once."""
+    kept = os.environ.get("HOSTILE_KEEP")
+    # Beside pytest's own temporary folders, which other users cannot enter: whatever user the
+    # grader gives its workers, nothing but its walls may stop them.
+    base = Path(kept or tempfile.mkdtemp(prefix="hostile-run-")).resolve()
+    base.mkdir(parents=True, exist_ok=True)
+    base.chmod(0o755)
+    started: set[int] = set()
+    libc = ctypes.CDLL(None)
+    libc.prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)  # what outlives the grader becomes our child
+    name = secrets.token_hex(4)
+    world = World(base, run=name)
+    world.home.mkdir()
+    services = Services(world.home, name)
+    world = World(base, services.tcp, services.udp, name)
+    try:
+        build_world(world, SUBMISSIONS, TESTS)
+        for student, work in ALIKE.items():
+            write(world.submissions / student / SUMS, work)
+        (world.submissions / LINKED).symlink_to(world.root / "solutions")
+        before, others = snapshot(world), descendants()
+        code = grade(world)
+        time.sleep(0.5)  # what is being ended has the time to end
+        started = descendants() - others | bearing_our_mark()
+        survivors = [name for pid in started if (name := process_name(pid))]
+        screen = (base / "screen.txt").read_text(encoding="utf-8", errors="replace")
+        results = read_results(world.out)
+        print(table(world.out, SUBMISSIONS))
+        yield Run(world, code, screen, results, before, snapshot(world), survivors, services.heard)
+    finally:
+        libc.prctl(PR_SET_CHILD_SUBREAPER, 0, 0, 0, 0)
+        for pid in started:
+            with contextlib.suppress(OSError):
+                os.kill(pid, signal.SIGKILL)
+            with contextlib.suppress(OSError):
+                os.waitpid(pid, os.WNOHANG)
+        services.close()
+        if not kept:
+            for folder in world.submissions.glob("*/ch90_sums"):
+                if not folder.is_symlink() and folder.is_dir():
+                    folder.chmod(0o755)
+            shutil.rmtree(base, ignore_errors=True)
+
+
+def grade(world: World) -> int | None:
+    """Grade the class; return the exit status."""
+    environment = os.environ | {
+        "HOME": str(world.home),
+        "TMPDIR": str(world.temporary),
+        "PYTHONPATH": str(TESTS.parent),
+        "PYTHONUTF8": "1",
+        "HOSTILE_SECRET": TOKENS["the environment"],
+    }
+    places = [str(path) for path in (world.submissions, world.out, world.root)]
+    command = [sys.executable, "-c", GRADE, *places, SEED, str(TIME_LIMIT)]
+    with (world.base / "screen.txt").open("wb") as screen:
+        process = subprocess.Popen(
+            command,
+            cwd=TESTS.parent,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=screen,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
+        try:
+            return process.wait(RUN_LIMIT)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+            return None
+
+
+def snapshot(world: World) -> dict[str, str]:
+    """Return what every file outside the box is like, and what lies in folders open to all."""
+    found = {}
+    for place in (world.root, world.submissions, world.home, world.base / "kept"):
+        for path in (place, *place.rglob("*")) if place.exists() else ():
+            if {"__pycache__", ".pytest_cache"} & {*path.parts}:
+                continue
+            status = path.lstat()
+            kind = stat.S_IFMT(status.st_mode)
+            about = f"{status.st_mode:o} {status.st_uid} {status.st_gid}"
+            if kind == stat.S_IFREG:
+                with path.open("rb") as file:
+                    digest = hashlib.file_digest(file, "sha256").hexdigest()
+                about += f" {status.st_size} {status.st_mtime_ns} {os.listxattr(path)} {digest}"
+            elif kind == stat.S_IFLNK:
+                about += f" {path.readlink()}"
+            found[str(path)] = about
+    for path in world.temporary.iterdir():
+        found[str(path)] = "in the folder for temporary files"
+    for folder in OPEN_FOLDERS:
+        for path in Path(folder).glob("hostile-*"):
+            if path != world.base:
+                found[str(path)] = "in a folder open to all"
+    if SEGMENT in shared_memory():
+        found["shared memory"] = SEGMENT
+    return found
+
+
+def shared_memory() -> str:
+    """Return the table of shared memory, with keys as other tools write them."""
+    with contextlib.suppress(OSError):
+        rows = Path("/proc/sysvipc/shm").read_text().splitlines()[1:]
+        return " ".join(f"0x{int(row.split()[0]) & 0xFFFFFFFF:08x}" for row in rows)
+    return ""
+
+
+def descendants() -> set[int]:
+    """Return our children, theirs, and so on."""
+    parents: dict[int, int] = {}
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        with contextlib.suppress(OSError):
+            parents[int(path.parent.name)] = int(path.read_text().rpartition(")")[2].split()[1])
+    found = {os.getpid()}
+    while new := {pid for pid, parent in parents.items() if parent in found} - found:
+        found |= new
+    return found - {os.getpid()}
+
+
+def bearing_our_mark() -> set[int]:
+    """Return the processes that have the environment of the grader."""
+    found = set()
+    for path in Path("/proc").glob("[0-9]*/environ"):
+        with contextlib.suppress(OSError):
+            if TOKENS["the environment"].encode() in path.read_bytes():
+                found.add(int(path.parent.name))
+    return found
+
+
+def process_name(pid: int) -> str:
+    """Return what a process is; nothing where it has ended."""
+    with contextlib.suppress(OSError):
+        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+        command = Path(f"/proc/{pid}/cmdline").read_bytes().replace(b"\0", b" ")
+        return "" if state == "Z" else f"{pid} {command[:200]!r}"
+    return ""
+
+
+def lost_checks(result: dict[str, Any]) -> list[dict[str, Any]]:
+    checks = [check for exercise in result["exercises"] for check in exercise["checks"]]
+    return [check for check in checks if check["status"] != "passed"]
+
+
+@pytest.mark.parametrize("submission", SUBMISSIONS, ids=[f"{s.kind}/{s.name}" for s in SUBMISSIONS])
+def test_a_submission_gets_what_its_honest_code_is_worth(run: Run, submission: Submission) -> None:
+    result = result_of(submission, run.results)
+    assert result is not None, f"there is no result; the grader said: {run.screen[-2000:]}"
+    messages = "\n".join(check["message"] for check in lost_checks(result))
+    assert result["status"] == "graded", messages
+    earned = {e["id"] for e in result["exercises"] if e["status"] == "passed"}
+    assert earned == submission.earns, messages
+    assert result["score"] == submission.score
+    assert result["points"] == sum(POINTS.values())
+    if messages:
+        assert re.search(submission.says, messages), messages
+
+
+@pytest.mark.parametrize("submission", SUBMISSIONS, ids=[f"{s.kind}/{s.name}" for s in SUBMISSIONS])
+def test_every_lost_check_says_why_in_words(run: Run, submission: Submission) -> None:
+    result = result_of(submission, run.results)
+    assert result is not None
+    for check in lost_checks(result):
+        message = check["message"]
+        assert check["status"] in ("failed", "blocked")
+        assert len(re.findall(r"[a-z]{2,}", message)) >= 3, message
+        assert "Traceback (most recent call last)" not in message
+        assert len(message) <= LONGEST_MESSAGE
+        unprintable = [char for char in message if not char.isprintable() and char not in "\n\t"]
+        assert not unprintable, message
+
+
+def test_the_run_ends_by_itself_and_misses_nobody(run: Run) -> None:
+    assert run.code == 0, run.screen[-4000:]
+    assert len(run.results) == len(SUBMISSIONS) + len(ALIKE)
+    times = sorted(path.stat().st_mtime for path in (run.world.out / "results").iterdir())
+    gaps = [later - earlier for earlier, later in itertools.pairwise(times)]
+    assert max(gaps) < LONGEST_GAP
+
+
+def test_nothing_outlives_the_run(run: Run) -> None:
+    assert run.survivors == []
+
+
+def test_nothing_is_written_outside_the_box(run: Run) -> None:
+    changed = {
+        path: (run.before.get(path, "was not there"), run.after.get(path, "is gone"))
+        for path in run.before.keys() | run.after.keys()
+        if run.before.get(path) != run.after.get(path)
+    }
+    assert changed == {}
+    expected = {"results", "feedback", "gradescope", "gradebook.csv", "index.html"}
+    assert expected <= {path.name for path in run.world.out.iterdir()}
+    assert not [*run.world.out.rglob("*hostile*note*")]
+
+
+def test_no_secret_is_told(run: Run) -> None:
+    assert leaks(run.world.out) == []
+    for place, token in TOKENS.items():
+        assert token not in run.screen, place
+
+
+def test_nobody_was_talked_to(run: Run) -> None:
+    assert run.heard == []
+
+
+def test_names_that_are_cleaned_alike_keep_their_own_results(run: Run) -> None:
+    alike = [result for result in run.results if result["student"].startswith("alike")]
+    assert len({result["student"] for result in alike}) == len(ALIKE)
+    assert sorted(result["score"] for result in alike) == [0, 7, 7]
+
+
+def test_a_linked_folder_is_no_submission(run: Run) -> None:
+    assert not [result for result in run.results if LINKED in result["student"]]
+
+
+def test_the_gradebook_has_a_row_for_each_and_no_formula(run: Run) -> None:
+    with (run.world.out / "gradebook.csv").open(encoding="utf-8", newline="") as file:
+        header, possible, *rows = csv.reader(file)
+    assert header[0] == "student"
+    assert possible[header.index("score")] == str(sum(POINTS.values()))
+    scores = {row[0].removeprefix("'"): float(row[header.index("score")]) for row in rows}
+    assert scores == {result["student"]: result["score"] for result in run.results}
+    for row in rows:
+        assert not row[0].startswith(("=", "+", "-", "@", "\t", "\r")), row
+        assert all(char.isprintable() for cell in row for char in cell), row
+
+
+def test_pages_show_mark_up_as_text(run: Run) -> None:
+    pages = [run.world.out / "index.html", *(run.world.out / "feedback").glob("*.html")]
+    assert len(pages) == len(run.results) + 1
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        assert "<script>alert" not in text, page.name
+        assert "<img src=x" not in text, page.name
+        assert "\x1b" not in text, page.name
+
+
+def test_files_for_gradescope_are_sound(run: Run) -> None:
+    files = [path for path in (run.world.out / "gradescope").rglob("*.json") if path.is_file()]
+    assert len(files) >= len(run.results)
+    for path in files:
+        assert isinstance(json.loads(path.read_text(encoding="utf-8")), dict)
+
+
+def test_the_screen_is_safe(run: Run) -> None:
+    assert not [char for char in run.screen if not char.isprintable() and char not in "\n\r\t"]
+
+
+def test_the_solution_passes_beside_its_checks(run: Run) -> None:
+    from autograder.manifest import load_chapters
+    from autograder.runner import run_checks
+
+    (chapter,) = load_chapters(run.world.root)
+    engine = [run.world.root / "solutions", run.world.root / "chapters"]
+    verdicts = run_checks(chapter, engine, seed="1", root=run.world.root)
+    assert [verdict.status for verdict in verdicts] == ["passed"] * len(POINTS)
+
+
+def test_the_neighbour_keeps_full_marks(run: Run) -> None:
+    neighbour = next(result for result in run.results if result["student"] == NEIGHBOUR)
+    assert neighbour["score"] == neighbour["points"] == sum(POINTS.values())

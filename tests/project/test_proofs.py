@@ -1,4 +1,7 @@
-"""Three proofs a chapter: right answers earn all, stubs none, wrong ones lose exactly theirs."""
+"""Three proofs a chapter: right answers earn all, stubs none, wrong ones lose exactly theirs.
+
+Both ways: beside the checks, as students run them, and in workers, as a class is graded.
+"""
 
 from __future__ import annotations
 
@@ -11,9 +14,10 @@ import pytest
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.places import next_place
-from autograder.runner import run_checks
+from autograder.runner import Behind, Verdict, run_checks
 from autograder.scores import results_of, total
 from autograder.stubs import make_stubs
+from walls import behind_walls
 from wrong import Wrong, read_wrong, write_all, write_wrong
 
 CHAPTERS = load_chapters()
@@ -32,34 +36,42 @@ def engine_with(top: Path) -> list[Path]:
     return [top, ROOT / "solutions", ROOT / "chapters"]
 
 
-def lost(chapter: Chapter, engine: list[Path], seed: str = SEED) -> dict[str, str]:
+@pytest.fixture(params=["beside the checks", "in workers"])
+def behind(request: pytest.FixtureRequest) -> Behind | None:
+    return behind_walls() if request.param == "in workers" else None
+
+
+def lost(verdicts: list[Verdict]) -> dict[str, str]:
     """Return the checks that do not pass, each with its status and message."""
-    verdicts = run_checks(chapter, engine, seed=seed)
     return {v.name: f"{v.status}: {v.message}" for v in verdicts if v.status != "passed"}
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_the_solution_earns_every_point(chapter: Chapter, seed: str) -> None:
-    assert lost(chapter, [ROOT / "solutions", ROOT / "chapters"], seed) == {}
+def test_the_solution_earns_every_point(chapter: Chapter, seed: str, behind: Behind | None) -> None:
+    engine = [ROOT / "solutions", ROOT / "chapters"]
+    assert lost(run_checks(chapter, engine, seed=seed, behind=behind)) == {}
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_the_second_solution_earns_every_point(chapter: Chapter, seed: str, tmp_path: Path) -> None:
+def test_the_second_solution_earns_every_point(
+    chapter: Chapter, seed: str, behind: Behind | None, tmp_path: Path
+) -> None:
     second = ROOT / "tests" / chapter.name / "second"
     assert {file.name for file in second.glob("*.py")} == set(chapter.edited_files)
     shutil.copytree(second, tmp_path / chapter.name)
-    assert lost(chapter, engine_with(tmp_path), seed) == {}
+    engine = engine_with(tmp_path)
+    assert lost(run_checks(chapter, engine, seed=seed, behind=behind)) == {}
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_the_stubs_earn_nothing(chapter: Chapter, tmp_path: Path) -> None:
+def test_the_stubs_earn_nothing(chapter: Chapter, behind: Behind | None, tmp_path: Path) -> None:
     for path, text in make_stubs().items():
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text, encoding="utf-8")
-    stubs = tmp_path / "chapters"
-    verdicts = run_checks(chapter, [stubs, ROOT / "solutions", ROOT / "chapters"], seed=SEED)
+    engine = engine_with(tmp_path / "chapters")
+    verdicts = run_checks(chapter, engine, seed=SEED, behind=behind)
     assert [v.name for v in verdicts if v.status not in ("failed", "blocked")] == []
     assert total(results_of(chapter, verdicts))[0] == 0.0
 
@@ -95,6 +107,21 @@ def test_a_wrong_submission_loses_exactly_its_checks(
     body = functions(ast.parse(Path(file).read_text(encoding="utf-8")))[name]
     assert body.end_lineno is not None
     assert body.lineno <= int(line) <= body.end_lineno
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_a_wrong_submission_is_told_the_same_both_ways(chapter: Chapter, tmp_path: Path) -> None:
+    """The first wrong submission of each exercise: every verdict and every word."""
+    firsts = {wrong.edit: wrong for wrong in reversed(read_wrong(chapter))}
+    for exercise in chapter.exercises:
+        for wrong in [firsts[name] for name in exercise.edit if name in firsts][:1]:
+            write_wrong(chapter, wrong, tmp_path)
+            beside, behind = (
+                run_checks(chapter, engine_with(tmp_path), seed=SEED, behind=where)
+                for where in (None, behind_walls())
+            )
+            assert beside == behind, wrong.mistake
+            shutil.rmtree(tmp_path / chapter.name)
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)

@@ -11,7 +11,7 @@ from pathlib import Path
 LONGEST_NAME = 100  # bytes; a suffix comes after it, and file systems end at 255
 SILENT = ("__pycache__", "__MACOSX", "marks.csv")
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
-HASHED = re.compile(r".*-[0-9a-f]{8}", re.DOTALL)
+HASHED = re.compile(r".*-[0-9a-f]{8}")
 
 
 @dataclass(frozen=True)

@@ -34,7 +34,7 @@ END = struct.Struct("<10x H LL 2x")
 ENTRY = struct.Struct("<4s 4x HH 4x LLL HHH 4x LL")
 HEADER = struct.Struct("<4s 22x HH")
 LONGEST_COMMENT = 65_535
-ENCRYPTED, UTF_8 = 1 << 0, 1 << 11  # flags
+ENCRYPTED = 1 << 0  # a flag
 STORED, DEFLATED = 0, 8  # methods
 DAMAGED = "is damaged, or no ordinary zip: zip the folder again"
 SPOILT = "it is damaged in the zip: zip the folder again"
@@ -102,7 +102,8 @@ def _entries(data: bytes) -> Iterator[Entry]:
                 raise NotTakenError(f"the zip {DAMAGED}")
             position += ENTRY.size
             name = data[position : position + name_length]
-            text = name.decode("utf-8" if flags & UTF_8 else "cp437", "surrogateescape")
+            # A chapter's name is ASCII, whatever the folders above it are written in.
+            text = name.decode("utf-8", "surrogateescape")
             yield Entry(text, flags, method, crc, packed, size, attributes >> 16, offset)
             position += name_length + extra_length + comment_length
     except struct.error as error:

@@ -848,7 +848,7 @@ def students(folder: Path) -> list[str]:
 
 
 def test_folders_and_zips_are_submissions_sorted_by_student(tmp_path: Path) -> None:
-    for name in ("zoe", "[red]Åsa B", "ann.zip.d"):
+    for name in ("zoe", "[red]Åsa B", "ann.zip.d", "bob-b"):
         (tmp_path / name).mkdir()
     for name in ("bob.zip", "Carl.ZIP", "d.e.Zip"):
         (tmp_path / name).touch()
@@ -858,6 +858,7 @@ def test_folders_and_zips_are_submissions_sorted_by_student(tmp_path: Path) -> N
         ("[red]Åsa B", "[red]Åsa B"),
         ("ann.zip.d", "ann.zip.d"),
         ("bob", "bob.zip"),
+        ("bob-b", "bob-b"),
         ("d.e", "d.e.Zip"),
         ("zoe", "zoe"),
     ]

@@ -1,7 +1,4 @@
-"""What must run beside the student's code: loops, and questions about the objects themselves.
-
-Each function takes and returns plain numbers.
-"""
+"""What must run beside the student's code: loops. Each function takes and returns plain numbers."""
 
 from __future__ import annotations
 
@@ -16,18 +13,3 @@ def walk(start: Components, velocity: Components, frame: float, frames: int) -> 
     for _ in range(frames):
         position.add_scaled(step, frame)
     return position.x, position.y, position.z
-
-
-def keeps_its_object(operator: str, a: Components, b: Components, scale: float) -> bool:
-    """Say whether v is still the same object after v += w, v -= w, v *= s or v /= s."""
-    v = before = Vector3(*a)
-    match operator:
-        case "+=":
-            v += Vector3(*b)
-        case "-=":
-            v -= Vector3(*b)
-        case "*=":
-            v *= scale
-        case "/=":
-            v /= scale
-    return v is before

@@ -20,17 +20,17 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
-from autograder.feedback import write_feedback
-from autograder.gradescope import write_gradescope
 from autograder.grading import Assignment, digest_of, grade_submission
+from autograder.isolation.sandbox import Level
+from autograder.isolation.template import best_level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.marks import Marks, apply_marks, read_marks
-from autograder.reports import Report, read_result, replace_file, write_all, write_result
+from autograder.reports.feedback import write_feedback
+from autograder.reports.gradescope import write_gradescope
+from autograder.reports.marks import Marks, apply_marks, read_marks
+from autograder.reports.results import Report, read_result, replace_file, write_all, write_result
 from autograder.runner import TIME_LIMIT, Behind, run_checks
-from autograder.sandbox import Level
 from autograder.scores import shown
-from autograder.submissions import Submission, file_name, find_submissions
-from autograder.template import best_level
+from autograder.submissions.find import Submission, file_name, find_submissions
 
 SAMPLE_CLASS = ROOT / "sample_class"
 
@@ -200,7 +200,7 @@ def _key(assignment: Assignment) -> dict[str, Any]:
         checks += [*(root / "chapters" / name).glob("*.toml")]
     if assignment.hidden:
         checks += assignment.hidden.rglob("*.py")
-    grader = Path(__file__).parent.glob("*.py")
+    grader = Path(__file__).parent.rglob("*.py")
     return {
         "seed": assignment.seed,
         "chapters": [chapter.number for chapter in assignment.chapters],

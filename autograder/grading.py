@@ -11,13 +11,13 @@ from pathlib import Path
 from typing import Any
 
 from autograder.given import below_and_not_given, mark_inherited, run_on_given, with_given
+from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.reports import Report
+from autograder.reports.results import Report
 from autograder.runner import RUN_LIMIT, TIME_LIMIT, Behind, GraderError, Verdict, run_checks
-from autograder.sandbox import Level
 from autograder.scores import Result, results_of, total
-from autograder.stage import Staged, stage
-from autograder.submissions import Submission
+from autograder.submissions.find import Submission
+from autograder.submissions.stage import Staged, stage
 
 SUBMISSION_LIMIT = 300.0  # seconds for all the chapters of a submission, which take about two each
 

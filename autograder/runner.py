@@ -126,6 +126,8 @@ class _Run:
         if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
             return f"{missing[1]} is not here: put your own folder beside {self.chapter.name}"
         words = self.stderr or "it said nothing"
+        if "INTERNALERROR>" in words:  # pytest's frames say nothing to anybody else
+            words = words.rpartition("INTERNALERROR>")[2].strip()
         return f"the process of the checks stopped without a verdict; {words}"
 
     @property

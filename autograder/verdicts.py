@@ -20,7 +20,7 @@ from autograder.faults import CheckEnded, clean
 from autograder.in_process import InProcess
 
 if TYPE_CHECKING:
-    from autograder.in_worker import InWorker
+    from autograder.isolation.in_worker import InWorker
 
 Report = Callable[..., None]
 # Built-in plugins that no check uses; leaving them out saves a sixth of the time to the answer.
@@ -123,7 +123,7 @@ def _engine(config: dict[str, Any]) -> InProcess | InWorker:
     where = config["engine"], config["time_limit"], config["stack_file"]
     if config["worker"] is None:
         return InProcess(*where)
-    from autograder.in_worker import InWorker  # hand-outs lack it
+    from autograder.isolation.in_worker import InWorker  # hand-outs lack it
 
     return InWorker(*where, config["worker"])
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
+from autograder.isolation.template import best_level
 from autograder.runner import Behind
-from autograder.template import best_level
 
 
 @cache

@@ -18,9 +18,9 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 
-from autograder.feedback import write_feedback, write_index
 from autograder.manifest import ROOT
-from autograder.marks import Mark, apply_marks
+from autograder.reports.feedback import write_feedback, write_index
+from autograder.reports.marks import Mark, apply_marks
 from graded import CHAPTERS, NASTY, SHOUT, check, failed_run, hostile, nothing_done, report_of
 
 VOID = {"meta", "br", "img", "link", "input", "hr"}
@@ -121,7 +121,7 @@ def test_a_page_loads_nothing_and_runs_nothing(page: Page) -> None:
         assert not any(name.startswith("on") or name == "src" for name in attributes)
         href = attributes.get("href") or "#"
         assert href.startswith(("#", "feedback/")), href
-    style = (ROOT / "autograder/templates/style.css").read_text(encoding="utf-8")
+    style = (ROOT / "autograder/reports/templates/style.css").read_text(encoding="utf-8")
     assert "url(" not in style
     assert "@import" not in style
 
@@ -265,7 +265,7 @@ def test_the_histogram_and_its_table_count_every_score_once(tmp_path: Path) -> N
 
 
 def test_text_stands_out_from_its_ground_in_light_and_in_dark() -> None:
-    style = (ROOT / "autograder/templates/style.css").read_text(encoding="utf-8")
+    style = (ROOT / "autograder/reports/templates/style.css").read_text(encoding="utf-8")
     schemes = [
         dict(re.findall(r"--(\w+): (#\w{6})", block))
         for block in re.findall(r":root \{[^}]*--paper[^}]*\}", style)

@@ -15,10 +15,10 @@ import pytest
 
 from autograder import cohort, grading
 from autograder.grading import Assignment, grade_submission
+from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.runner import GraderError
-from autograder.sandbox import Level
-from autograder.submissions import Submission
+from autograder.submissions.find import Submission
 
 CHAPTER = load_chapters()[0]
 POSSIBLE = sum(exercise.points for exercise in CHAPTER.exercises if exercise.kind != "written")

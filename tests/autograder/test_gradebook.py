@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from autograder.gradebook import as_cell, write_gradebook
-from autograder.marks import Mark, apply_marks
+from autograder.reports.gradebook import as_cell, write_gradebook
+from autograder.reports.marks import Mark, apply_marks
 from graded import CHAPTERS, failed_run, hostile, nothing_done, report_of
 
 FULL_WIDTH = "\uff1d\uff0b\uff0d\uff20"  # = + - @ as Chinese and Japanese keyboards write them

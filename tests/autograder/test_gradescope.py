@@ -10,9 +10,9 @@ from typing import Any
 import jsonschema
 import pytest
 
-from autograder.gradescope import gradescope_results, write_gradescope
-from autograder.marks import Mark, apply_marks
-from autograder.submissions import file_name
+from autograder.reports.gradescope import gradescope_results, write_gradescope
+from autograder.reports.marks import Mark, apply_marks
+from autograder.submissions.find import file_name
 from graded import SHOUT, check, failed_run, hostile, nothing_done, report_of
 
 SCHEMA = json.loads(Path(__file__).with_name("gradescope.schema.json").read_text(encoding="utf-8"))

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.marks import Mark, apply_marks, read_marks
+from autograder.reports.marks import Mark, apply_marks, read_marks
 from graded import CHAPTERS, failed_run, report_of
 
 STUDENTS = ["ada", "=1+1", "Zoe\u0301"]

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from autograder.marks import Mark, apply_marks
-from autograder.reports import read_result, replace_file, write_all, write_result
+from autograder.reports.marks import Mark, apply_marks
+from autograder.reports.results import read_result, replace_file, write_all, write_result
 from graded import CHAPTERS, failed_run, hostile, nothing_done, report_of
 
 

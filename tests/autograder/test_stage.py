@@ -22,8 +22,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from autograder.manifest import ROOT, load_chapters
-from autograder.stage import LARGEST_FILE, Staged, stage
-from autograder.submissions import file_name, find_submissions
+from autograder.submissions.find import file_name, find_submissions
+from autograder.submissions.stage import LARGEST_FILE, Staged, stage
 
 CHAPTERS = load_chapters()[:2]
 MODULES = {f"{c.name}.{f.removesuffix('.py')}" for c in CHAPTERS for f in c.edited_files}

@@ -19,10 +19,10 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
-from autograder.handles import Session, WorkerFailure
+from autograder.isolation.handles import Session, WorkerFailure
+from autograder.isolation.sandbox import Level, SandboxError, landlock_version, seccomp_works_here
+from autograder.isolation.wire import Wire
 from autograder.manifest import ROOT
-from autograder.sandbox import Level, SandboxError, landlock_version, seccomp_works_here
-from autograder.wire import Wire
 
 START_LIMIT = 20.0  # seconds for a process of our own to come up, on a busy machine
 SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/dev/null")
@@ -170,9 +170,10 @@ class Template:
             "log": self._log,
             "stack": self._stack,
         }
-        code = f"import sys; sys.path.append({str(ROOT)!r}); import autograder.worker as w; "
+        code = f"import sys; sys.path.append({str(ROOT)!r}); "
+        code += "from autograder.isolation import worker; worker.main(sys.argv[1])"
         python = os.path.realpath(sys.executable)
-        command = [python, "-I", "-S", "-B", "-c", f"{code} w.main(sys.argv[1])"]
+        command = [python, "-I", "-S", "-B", "-c", code]
         if self.level.bubblewrap:
             command = [*_bubblewrap([*readable, python, str(ROOT / "autograder")]), *command]
         with theirs:

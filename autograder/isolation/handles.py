@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, NoReturn
 
 from autograder.faults import CheckEnded, Fault, Frame, clean
-from autograder.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
+from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
 
 LEFT = "the process ended in the middle: does the code call os._exit, or crash Python?"
 BROKEN = "the code broke the protocol between its process and the checks"

@@ -27,10 +27,17 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from autograder import sandbox
 from autograder.faults import fault_of
+from autograder.isolation import sandbox
+from autograder.isolation.wire import (
+    KNOWN_ERRORS,
+    LONGEST_LINE,
+    UnsendableError,
+    Wire,
+    pack,
+    unpack,
+)
 from autograder.missing import MissingNameError, answer_for_missing, broken_module
-from autograder.wire import KNOWN_ERRORS, LONGEST_LINE, UnsendableError, Wire, pack, unpack
 
 LONGEST_LOG = 4000  # characters
 # What engines tend to import: once in the template, rather than in every worker.

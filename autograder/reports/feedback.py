@@ -14,10 +14,10 @@ from urllib.parse import quote
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from autograder.class_stats import exercise_rates, histogram, most_missed
 from autograder.manifest import Chapter
-from autograder.submissions import file_name
-from autograder.texts import Report, check_title, clean_all, number, replace_file
+from autograder.reports.class_stats import exercise_rates, histogram, most_missed
+from autograder.reports.texts import Report, check_title, clean_all, number, replace_file
+from autograder.submissions.find import file_name
 
 SYMBOLS = {  # beside the word, so that no status is told by colour alone
     "passed": "✓",

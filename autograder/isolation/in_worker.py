@@ -20,9 +20,9 @@ from typing import Any, NoReturn
 
 from autograder.explain import explain_import
 from autograder.faults import Fault
-from autograder.handles import Handle, Session, StudentLeft, WorkerFailure
-from autograder.sandbox import Level
-from autograder.template import Template
+from autograder.isolation.handles import Handle, Session, StudentLeft, WorkerFailure
+from autograder.isolation.sandbox import Level
+from autograder.isolation.template import Template
 
 CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 

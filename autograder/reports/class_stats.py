@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from autograder.manifest import Chapter, Exercise
-from autograder.texts import Report, check_title
+from autograder.reports.texts import Report, check_title
 
 MOST_MISSED = 5
 BINS = 10

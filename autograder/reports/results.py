@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from autograder.feedback import write_feedback, write_index
-from autograder.gradebook import write_gradebook
-from autograder.gradescope import write_gradescope
 from autograder.manifest import Chapter
-from autograder.submissions import file_name
-from autograder.texts import Report, replace_file
+from autograder.reports.feedback import write_feedback, write_index
+from autograder.reports.gradebook import write_gradebook
+from autograder.reports.gradescope import write_gradescope
+from autograder.reports.texts import Report, replace_file
+from autograder.submissions.find import file_name
 
 __all__ = ["Report", "read_result", "replace_file", "write_all", "write_result"]
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from autograder.folders import (
+from autograder.submissions.folders import (
     DEEPEST,
     MOST_ENTRIES,
     Found,

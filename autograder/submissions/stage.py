@@ -8,10 +8,10 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
-from autograder.folders import Found, NotTakenError, refuse_all, search_folder
 from autograder.manifest import ROOT, Chapter
-from autograder.submissions import printable
-from autograder.zips import search_zip
+from autograder.submissions.find import printable
+from autograder.submissions.folders import Found, NotTakenError, refuse_all, search_folder
+from autograder.submissions.zips import search_zip
 
 LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thousand
 

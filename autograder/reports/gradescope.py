@@ -6,8 +6,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from autograder.submissions import file_name
-from autograder.texts import Report, check_title, clean, clean_line, number, replace_file
+from autograder.reports.texts import Report, check_title, clean, clean_line, number, replace_file
+from autograder.submissions.find import file_name
 
 OURS = "error of the grader, retry: this is no fault of the submission, and it is no zero"
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from autograder.manifest import Chapter
-from autograder.texts import Report, clean_line, number, replace_file
+from autograder.reports.texts import Report, clean_line, number, replace_file
 
 COLUMNS = ["student", "status", "score", "score on given chapters", "by hand", "waiting"]
 # What begins a formula, in full width as well, at the start or behind spaces. A spreadsheet that

@@ -10,9 +10,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from autograder.gradebook import as_cell
 from autograder.manifest import Chapter, Exercise
-from autograder.texts import Report
+from autograder.reports.gradebook import as_cell
+from autograder.reports.texts import Report
 
 HEADER = ["student", "exercise", "points", "comment"]
 

@@ -1,0 +1,1 @@
+"""Where untrusted code runs: a worker behind walls, and the wire between it and the checks."""

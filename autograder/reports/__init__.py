@@ -1,0 +1,1 @@
+"""What a graded class leaves: results, feedback, the gradebook, and files for Gradescope."""

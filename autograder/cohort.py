@@ -111,7 +111,7 @@ def check_hidden(assignment: Assignment) -> None:
     if not graded:
         names = ", ".join(chapter.name for chapter in assignment.chapters)
         raise ValueError(f"--checks must be a folder that has one of {names}, got {str(hidden)!r}")
-    behind = Behind(vars(assignment.level), hidden=hidden)
+    behind = Behind(vars(assignment.level), hidden=hidden, tells=True)
     engine = [root / "solutions", root / "chapters"]
     for chapter in graded:
         verdicts = run_checks(chapter, engine, seed=assignment.seed, root=root, behind=behind)
@@ -120,7 +120,7 @@ def check_hidden(assignment: Assignment) -> None:
             raise ValueError(f"there is no check in {hidden / chapter.name}: test_*.py is wanted")
         for check in checks:
             if check.status != "passed":
-                raise ValueError(f"{check.name} fails on the reference: {check.message}")
+                raise ValueError(f"{check.name} fails on the reference itself: {check.message}")
 
 
 class _ClassRun:

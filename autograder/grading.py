@@ -42,6 +42,7 @@ class Assignment:
 
 def grade_submission(assignment: Assignment, submission: Submission) -> Report:
     """Grade one submission and return its report. Whatever goes wrong is told in the report."""
+    start = time.monotonic()
     try:
         with tempfile.TemporaryDirectory(prefix="submission-") as folder:
             box = Path(folder)
@@ -53,7 +54,8 @@ def grade_submission(assignment: Assignment, submission: Submission) -> Report:
     except Exception as error:  # ours, whatever it is: the class goes on
         failed = [_errors(chapter, repr(error)) for chapter in assignment.chapters]
         pairs, notes, digest = [(results, results) for results in failed], [], ""
-    return _report(assignment, submission.student, pairs, notes) | {"submission": digest}
+    report = _report(assignment, submission.student, pairs, notes)
+    return report | {"submission": digest, "seconds": round(time.monotonic() - start, 3)}
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:

@@ -49,13 +49,15 @@ class Behind:
     """Where untrusted code runs: in workers, and behind which walls (sandbox.Level as a dict).
 
     ``fresh`` starts an interpreter for each check; ``missing`` says of modules why they were not
-    taken; ``hidden`` is a folder of further checks, of which only the rationale is told.
+    taken; ``hidden`` is a folder of further checks, of which only the rationale is told, unless
+    ``tells`` says that an instructor is to read it.
     """
 
     level: dict[str, bool]
     fresh: bool = False
     missing: dict[str, str] = field(default_factory=dict)
     hidden: Path | None = None
+    tells: bool = False
 
 
 class GraderError(Exception):
@@ -237,6 +239,7 @@ class _Run:
         return {
             "level": self.behind.level,
             "fresh": self.behind.fresh,
+            "tells": self.behind.tells,
             "probes": str(probes.parent),
         }
 
@@ -295,7 +298,8 @@ class _Run:
     def _decide(self, name: str, status: str, message: str) -> None:
         check = self.checks[name]
         hidden = check["rationale"] is not None
-        if hidden and status == "failed":  # any other word could tell what is checked, and how
+        silent = hidden and self.behind is not None and not self.behind.tells
+        if silent and status == "failed":  # any other word could tell what is checked, and how
             message = check["rationale"]
         verdict = Verdict(name, check["exercise"], check["weight"], status, message, hidden)
         self.verdicts[name] = verdict

@@ -64,7 +64,8 @@ class Recorder:
         hidden = [item for item in items if "/hidden/" in item.path.as_posix()]
         for number, item in enumerate(hidden, 1):
             item.user_properties.append(("rationale", _rationale(item)))
-            item.name = f"hidden check {number}"  # its own name may say what it looks for
+            if not self.config["worker"]["tells"]:  # its own name may say what it looks for
+                item.name = f"hidden check {number}"
         checks = [
             {
                 "name": item.name,

@@ -88,7 +88,8 @@ class Session:
         try:
             return {"value": pack(self._callbacks[number](*arguments), self._refer)}
         except Exception as error:
-            return {"error": [type(error).__name__, str(error)]}
+            text = str(error.args[0]) if len(error.args) == 1 else str(error)
+            return {"error": [type(error).__name__, text]}
         except BaseException:
             self.dead = "a call-back of the check failed"
             raise
@@ -137,7 +138,8 @@ def _exception(data: Any) -> BaseException:
         kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
     except (KeyError, TypeError, ValueError) as error:
         raise BrokenProtocolError("an exception of no known form") from error
-    exception: BaseException = kind(fault.text)
+    # A KeyError adds quotes to what it is given.
+    exception: BaseException = kind(fault.text.strip("'") if kind is KeyError else fault.text)
     exception.fault = fault  # type: ignore[attr-defined]
     return exception
 

@@ -35,6 +35,8 @@ def gradescope_results(report: Report) -> dict[str, Any]:
         "stdout_visibility": "hidden",
         "tests": [_test(exercise) for exercise in report["exercises"]],
     }
+    if "seconds" in report:
+        results["execution_time"] = report["seconds"]
     if not failed:
         results["score"] = round(report["score"] + (report["by_hand"] or 0), 2)
     return results

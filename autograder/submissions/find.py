@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 LONGEST_NAME = 100  # bytes; a suffix comes after it, and file systems end at 255
-SILENT = ("__pycache__", "__MACOSX", "marks.csv")
+SILENT = ("__pycache__", "__MACOSX", "README.md", "marks.csv")
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")
 
@@ -26,7 +26,8 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
     """Return the submissions in a class's folder, sorted by student, and notes on what is none.
 
     A submission is a folder or a .zip file that is named after the student. Links are never
-    followed. Hidden files, caches and marks.csv are passed over without a note.
+    followed. Hidden files, caches, a README.md
+    and marks.csv are passed over without a note.
     Raises ValueError where it is no folder, has no submission, or has two of one student, and
     OSError where it cannot be read.
     """

@@ -17,85 +17,19 @@ from pathlib import Path
 import pytest
 
 from autograder import runner
-from autograder.manifest import ROOT, Chapter, load_chapter
+from autograder.manifest import Chapter, load_chapter
 from autograder.runner import GraderError, Verdict, run_checks
 from autograder.scores import results_of, total
+from small import CHECKS, RIGHT, make_root
 from walls import behind_walls
 
 Run = Callable[..., dict[str, Verdict]]
-
-MANIFEST = """
-title = "Small"
-
-[[exercise]]
-id = "B90.1"
-title = "Double"
-kind = "build"
-stars = 1
-points = 4
-edit = ["small.double"]
-hints = ["twice"]
-terms = []
-
-[[exercise]]
-id = "90.1"
-title = "Quadruple"
-kind = "exercise"
-stars = 1
-points = 2
-edit = ["small.quadruple"]
-needs = ["B90.1"]
-hints = ["double the double"]
-terms = []
-"""
-CHECKS = """
-import pytest
-from ch90_small import small
-
-
-@pytest.mark.exercise("90.1")
-def test_quadruple():
-    assert small.quadruple(3) == 12, "quadruple must quadruple"
-
-
-@pytest.mark.exercise("90.1")
-def test_quadruple_of_zero():
-    assert small.quadruple(0) == 0, "quadruple of zero is zero"
-
-
-@pytest.mark.exercise("B90.1", weight=3)
-def test_double(rng):
-    value = rng.randint(1, 1000)
-    assert small.double(value) == 2 * value, "double must double"
-
-
-@pytest.mark.exercise("B90.1")
-def test_double_of_zero():
-    assert small.double(0) == 0, "double of zero is zero"
-"""
-RIGHT = """
-def double(x):
-    return x + x
-
-
-def quadruple(x):
-    return 4 * x
-"""
 
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
     """A repository with one small chapter, in a folder with a difficult name."""
-    tmp_path = tmp_path / "a [red], é folder"
-    for name, text in (
-        ("chapters/ch90_small/chapter.toml", MANIFEST),
-        ("tests/ch90_small/test_small.py", CHECKS),
-        ("pyproject.toml", (ROOT / "pyproject.toml").read_text(encoding="utf-8")),
-        ("tests/conftest.py", (ROOT / "tests/conftest.py").read_text(encoding="utf-8")),
-    ):
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    return tmp_path
+    return make_root(tmp_path / "a [red], é folder")
 
 
 @pytest.fixture

@@ -1,0 +1,397 @@
+"""A run over a class: side by side, taken up again after it was killed, with hidden checks.
+
+Run against a chapter of four checks.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from autograder import cohort
+from autograder.isolation.sandbox import Level
+from autograder.manifest import ROOT, load_chapters
+from autograder.runner import GraderError
+from small import RIGHT, make_root
+
+HALF = RIGHT.replace("4 * x", "3 * x")
+HIDDEN = '''
+import pytest
+from ch90_small import small
+from ch90_small.hidden_probes import double_twice
+
+
+@pytest.mark.exercise("90.1")
+@pytest.mark.parametrize("secret_value", [1234, 5678])
+def test_secret_plan(secret_value):
+    """Quadruple must hold for large numbers."""
+    print("secret output")
+    assert small.quadruple(secret_value) == 4 * secret_value, "secret expectation"
+
+
+@pytest.mark.exercise("B90.1")
+def test_secret_second_plan():
+    assert double_twice(77) == 308, "secret expectation"
+'''
+WRITTEN = """
+[[exercise]]
+id = "90.2"
+title = "Why"
+kind = "written"
+stars = 1
+points = 3
+hints = ["think"]
+terms = []
+"""
+HIDDEN_PROBES = """
+from ch90_small.small import double
+
+
+def double_twice(x):
+    return double(double(x))
+"""
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    return make_root(tmp_path / "root")
+
+
+def hand_in(folder: Path, student: str, code: str) -> None:
+    (folder / student / "ch90_small").mkdir(parents=True)
+    (folder / student / "ch90_small/small.py").write_text(code, encoding="utf-8")
+
+
+@pytest.fixture
+def submissions(tmp_path: Path) -> Path:
+    """A class of three: one right, one half right, one in a zip with a folder around it."""
+    folder = tmp_path / "class"
+    hand_in(folder, "ann", RIGHT)
+    hand_in(folder, "bob", HALF)
+    with zipfile.ZipFile(folder / "cem.zip", "w") as zipped:
+        zipped.writestr("my work/ch90_small/small.py", RIGHT)
+    return folder
+
+
+def grade(submissions: Path, out: Path, root: Path, seed: str | None = "1", **options: Any) -> int:
+    chapters = load_chapters(root)
+    return cohort.grade(submissions, out, chapters, seed, root=root, unsafe=True, **options)
+
+
+def results(out: Path) -> dict[str, dict[str, Any]]:
+    reports = [json.loads(path.read_text(encoding="utf-8")) for path in out.glob("results/*.json")]
+    return {report["student"]: report for report in reports}
+
+
+def scores(out: Path) -> dict[str, float | None]:
+    return {student: report["score"] for student, report in sorted(results(out).items())}
+
+
+def everything_in(out: Path) -> str:
+    return "\n".join(
+        path.read_text(encoding="utf-8") for path in sorted(out.rglob("*")) if path.is_file()
+    )
+
+
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_folders_and_zips_are_graded_alike(
+    submissions: Path, root: Path, tmp_path: Path, jobs: int
+) -> None:
+    assert grade(submissions, tmp_path / "out", root, jobs=jobs) == 0
+    assert scores(tmp_path / "out") == {"ann": 6.0, "bob": 5.0, "cem": 6.0}
+    with (tmp_path / "out/gradebook.csv").open(encoding="utf-8", newline="") as file:
+        rows = {row["student"]: row for row in csv.DictReader(file)}
+    assert {name: row["score"] for name, row in rows.items()} == {
+        "points possible": "6",
+        "ann": "6",
+        "bob": "5",
+        "cem": "6",
+    }
+    for name in ("feedback/ann.html", "index.html", "gradescope/cem/results.json"):
+        assert (tmp_path / "out" / name).stat().st_size > 0
+
+
+def test_what_is_complete_is_not_graded_again(
+    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out"
+    grade(submissions, out, root)
+    first = results(out)
+    (submissions / "bob/ch90_small/small.py").write_text(RIGHT, encoding="utf-8")
+    hand_in(submissions, "dee", HALF)
+    capsys.readouterr()
+    grade(submissions, out, root)
+    assert "2 of 4 were graded before, and not again." in capsys.readouterr().out
+    second = results(out)
+    assert first["ann"] == second["ann"], "down to the seconds that it took"
+    assert scores(out) == {"ann": 6.0, "bob": 6.0, "cem": 6.0, "dee": 5.0}
+
+
+@pytest.mark.parametrize("change", ["seed", "checks", "error", "cut off"])
+def test_what_no_longer_holds_is_graded_again(
+    submissions: Path, root: Path, tmp_path: Path, change: str
+) -> None:
+    out = tmp_path / "out"
+    grade(submissions, out, root)
+    path = out / "results/bob.json"
+    report = results(out)["bob"] | {"seconds": -1}
+    seed = "1"
+    match change:
+        case "seed":
+            seed = "2"
+        case "checks":
+            checks = root / "tests/ch90_small/test_small.py"
+            checks.write_text(checks.read_text(encoding="utf-8") + "\n# new\n", encoding="utf-8")
+        case "error":
+            report["status"] = "error, retry"
+    text = json.dumps(report)
+    path.write_text(text[:-20] if change == "cut off" else text, encoding="utf-8")
+    grade(submissions, out, root, seed)
+    assert results(out)["bob"]["seconds"] > 0
+    assert results(out)["bob"]["seed"] == seed
+
+
+def test_a_new_run_draws_a_seed_and_a_stopped_one_keeps_its_own(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    seeds = []
+    for _ in range(2):
+        grade(submissions, out, root, None)
+        seeds.append(results(out)["ann"]["seed"])
+    assert seeds[0] != seeds[1], "the first run was finished"
+    state = json.loads((out / "run.json").read_text(encoding="utf-8"))
+    assert state == {"seed": seeds[1], "finished": True}
+    (out / "run.json").write_text(json.dumps(state | {"finished": False}), encoding="utf-8")
+    before = results(out)
+    grade(submissions, out, root, None)
+    assert results(out) == before
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
+def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Path) -> None:
+    submissions, out = tmp_path / "class", tmp_path / "out"
+    for number in range(12):
+        hand_in(submissions, f"student {number:02}", RIGHT if number % 3 else HALF)
+    program = (
+        "import sys; from pathlib import Path; from autograder import cohort;"
+        "from autograder.manifest import load_chapters;"
+        "folder, out, root = map(Path, sys.argv[1:]);"
+        "sys.exit(cohort.grade(folder, out, load_chapters(root), root=root, jobs=2, unsafe=True))"
+    )
+    command = [sys.executable, "-c", program, str(submissions), str(out), str(root)]
+    environment = os.environ | {"TMPDIR": str(tmp_path)}  # what a killed run leaves behind
+    landed: dict[str, dict[str, Any]] = {}
+    for goal in (2, 5, 8):
+        process = subprocess.Popen(
+            command, cwd=ROOT, env=environment, stdout=subprocess.DEVNULL, start_new_session=True
+        )
+        deadline = time.monotonic() + 60.0  # some seconds, and much for a busy machine
+        while len(list(out.glob("results/*.json"))) < goal and time.monotonic() < deadline:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        now = results(out)
+        assert goal <= len(now) < 12, "it was killed in the middle"
+        assert {student: now[student] for student in landed} == landed, "nothing was graded twice"
+        landed = now
+    done = subprocess.run(
+        command, cwd=ROOT, env=environment, capture_output=True, encoding="utf-8", check=True
+    )
+    assert f"{len(landed)} of 12 were graded before, and not again." in done.stdout
+    final = results(out)
+    assert {student: final[student] for student in landed} == landed
+    assert len({report["seed"] for report in final.values()}) == 1
+    with (out / "gradebook.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["student"] for row in rows[1:]] == [f"student {n:02}" for n in range(12)]
+    assert [row["score"] for row in rows[1:]] == ["6" if n % 3 else "5" for n in range(12)]
+    assert _judges_in(tmp_path) == []
+
+
+def _judges_in(folder: Path) -> list[str]:
+    """Return the processes of checks that still work in this folder, where /proc tells."""
+    for _ in range(50):
+        commands = [_command(path) for path in Path("/proc").glob("[0-9]*/cmdline")]
+        left = [c for c in commands if "autograder" in c and str(folder) in c]
+        if not left:
+            break
+        time.sleep(0.1)
+    return left
+
+
+def _command(path: Path) -> str:
+    try:
+        return path.read_bytes().decode(errors="replace")
+    except OSError:  # it has just ended
+        return ""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no lock")
+def test_two_runs_do_not_share_a_folder(submissions: Path, root: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    with (
+        cohort._only_run(out),
+        pytest.raises(ValueError, match="another run is grading into"),
+    ):
+        grade(submissions, out, root)
+    assert grade(submissions, out, root) == 0
+
+
+def test_the_reports_may_lie_in_the_folder_of_the_class(submissions: Path, root: Path) -> None:
+    for _ in range(2):
+        assert grade(submissions, submissions / "grades", root) == 0
+    assert sorted(scores(submissions / "grades")) == ["ann", "bob", "cem"]
+
+
+def test_hidden_checks_count_and_tell_a_rationale_alone(
+    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
+    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    hand_in(submissions, "dee", RIGHT.replace("return 4 * x", "while True: pass"))
+    out = tmp_path / "out"
+    grade(submissions, out, root, hidden=tmp_path / "hidden", time_limit=0.7)
+    # Exercise 90.1 has 2 points for 4 checks now, and bob passes the one of zero.
+    assert scores(out) == {"ann": 6.0, "bob": 4.5, "cem": 6.0, "dee": 4.0}
+    (exercise,) = (e for e in results(out)["bob"]["exercises"] if e["id"] == "90.1")
+    told = {c["name"]: c["message"] for c in exercise["checks"] if c["hidden"]}
+    assert told == {
+        "hidden check 2": "Quadruple must hold for large numbers.",
+        "hidden check 3": "Quadruple must hold for large numbers.",
+    }
+    assert "secret" not in everything_in(out) + capsys.readouterr().out
+    assert "1234" not in everything_in(out / "feedback") + everything_in(out / "gradescope")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "complaint"),
+    [
+        (
+            "test_x.py",
+            HIDDEN.replace("4 * secret_value", "5"),
+            "plan.1234. fails on the reference itself: secret",
+        ),
+        ("test_x.py", HIDDEN.replace('"90.1"', '"90.9"'), "is of an exercise that there is not"),
+        ("notes.py", "", "there is no check in"),
+    ],
+)
+def test_hidden_checks_that_are_wrong_themselves_stop_the_run_before_it_begins(
+    submissions: Path, root: Path, tmp_path: Path, name: str, text: str, complaint: str
+) -> None:
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / name).write_text(text, encoding="utf-8")
+    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    with pytest.raises((ValueError, GraderError), match=complaint):
+        grade(submissions, tmp_path / "out", root, hidden=tmp_path / "hidden")
+    assert not (tmp_path / "out/results").exists()
+
+
+def test_hidden_checks_of_no_chapter_are_refused(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    with pytest.raises(ValueError, match="--checks must be a folder that has one of ch90_small"):
+        grade(submissions, tmp_path / "out", root, hidden=tmp_path / "nowhere")
+
+
+def test_marks_of_a_person_are_merged_on_every_run(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    manifest = root / "chapters/ch90_small/chapter.toml"
+    written = (
+        '\n[[exercise]]\nid = "90.2"\ntitle = "Why"\nkind = "written"\nstars = 1\npoints = 3\n'
+    )
+    text = manifest.read_text(encoding="utf-8") + written + 'hints = ["think"]\nterms = []\n'
+    manifest.write_text(text, encoding="utf-8")
+    out = tmp_path / "out"
+    grade(submissions, out, root)
+    assert results(out)["bob"]["waiting"] == 3
+    marks = "student,exercise,points,comment\nbob,90.2,2.5,well argued\n"
+    (submissions / "marks.csv").write_text(marks, encoding="utf-8")
+    seconds = results(out)["bob"]["seconds"]
+    grade(submissions, out, root)
+    bob = results(out)["bob"]
+    assert (bob["by_hand"], bob["waiting"], bob["seconds"]) == (2.5, 0, seconds)
+    assert "well argued" in (out / "feedback/bob.html").read_text(encoding="utf-8")
+    row = next(csv.DictReader(io.StringIO(_row_of(out, "bob"))))
+    assert row["90.2"] == "2.5"
+    (submissions / "marks.csv").write_text(marks.replace("2.5", "4"), encoding="utf-8")
+    with pytest.raises(ValueError, match=r"marks\.csv"):
+        grade(submissions, out, root)
+
+
+def _row_of(out: Path, student: str) -> str:
+    lines = (out / "gradebook.csv").read_text(encoding="utf-8").splitlines()
+    return "\n".join([lines[0], *(line for line in lines if line.startswith(student))])
+
+
+def test_without_a_wall_only_the_sample_class_is_graded(
+    submissions: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cohort, "best_level", Level)
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    with pytest.raises(ValueError, match=r"no wall here .* --unsafe-no-sandbox grades a class"):
+        cohort.choose_level(submissions, unsafe=False)
+    assert not cohort.choose_level(ROOT / "sample_class", unsafe=False).is_wall
+    assert not cohort.choose_level(submissions, unsafe=True).is_wall
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    with pytest.raises(ValueError, match="not run as root without one"):
+        cohort.choose_level(submissions, unsafe=True)
+    wall = Level(landlock=True, seccomp=True)
+    monkeypatch.setattr(cohort, "best_level", lambda: wall)
+    assert cohort.choose_level(submissions, unsafe=False) == wall
+
+
+def test_the_command_takes_every_option(tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "sample_class/dina", tmp_path / "class/dina")
+    command = "-m autograder grade class --out out --jobs 2 --seed 5 --chapters 2,3"
+    done = subprocess.run(
+        [sys.executable, *command.split(), "--unsafe-no-sandbox"],
+        cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "1/1 dina" in done.stdout
+    assert results(tmp_path / "out")["dina"]["seed"] == "5"
+
+
+@pytest.mark.parametrize(
+    ("options", "complaint"),
+    [
+        (["--jobs", "0"], "--jobs must be at least 1, got 0"),
+        (["--checks", "nowhere"], "--checks must be a folder"),
+        (["--chapters", "99"], "there is no chapter 99 here"),
+    ],
+)
+def test_wrong_options_are_refused_in_a_sentence(
+    tmp_path: Path, options: list[str], complaint: str
+) -> None:
+    command = [sys.executable, "-m", "autograder", "grade", "sample_class"]
+    done = subprocess.run(
+        [*command, "--out", str(tmp_path / "out"), *options],
+        cwd=ROOT,
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.returncode == 2
+    assert complaint in done.stderr
+    assert "Traceback" not in done.stderr

@@ -1,0 +1,483 @@
+"""A worker and what checks hold of it: handles, the wire between, and the walls around."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import math
+import os
+import socket
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any, NoReturn
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from autograder.faults import CheckEnded
+from autograder.isolation.handles import Session, StudentLeft, WorkerFailure
+from autograder.isolation.sandbox import Level, landlock_version, seccomp_filter
+from autograder.isolation.template import (
+    HELD_BY_LANDLOCK,
+    HELD_BY_SECCOMP,
+    Template,
+    TemplateError,
+    best_level,
+    holds,
+)
+from autograder.isolation.wire import (
+    LONGEST_LINE,
+    BrokenProtocolError,
+    UnsendableError,
+    Wire,
+    pack,
+    unpack,
+)
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
+
+MODULE = """
+import os
+
+
+class Box:
+    '''Holds a number; as many operators as a check may use.'''
+
+    def __init__(self, n=0):
+        self.n = n
+
+    def __add__(self, other):
+        return Box(self.n + (other.n if isinstance(other, Box) else other))
+
+    __radd__ = __add__
+
+    def __iadd__(self, other):
+        self.n += other
+        return self
+
+    def __neg__(self):
+        return Box(-self.n)
+
+    def __len__(self):
+        return 3
+
+    def __iter__(self):
+        return iter([self.n, self])
+
+    def __getitem__(self, place):
+        return (self.n, place)
+
+    def __eq__(self, other):
+        return True
+
+    def __repr__(self):
+        return f"Box({self.n})\\x1b[2J"
+
+
+class Lie(float):
+    def __eq__(self, other):
+        return True
+
+
+class Odd(ZeroDivisionError):
+    pass
+
+
+class Impostor(BaseException):
+    pass
+
+
+Impostor.__name__ = "ValueError"
+LIMIT = 7
+
+
+def same(x):
+    return x
+
+
+def fail(kind):
+    raise {"odd": Odd("no"), "exit": SystemExit(3), "impostor": Impostor()}[kind]
+
+
+def apply(f, *arguments):
+    return f(*arguments)
+
+
+def tries(f):
+    try:
+        f()
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+
+
+def nested(depth):
+    value = 1
+    for _ in range(depth):
+        value = [value]
+    return value
+
+
+def sleep_for_ever():
+    while True:
+        pass
+
+
+def who():
+    return os.getuid(), os.geteuid()
+
+
+def leave(code):
+    os._exit(code)
+"""
+
+
+@pytest.fixture(scope="module")
+def level() -> Level:
+    return best_level()
+
+
+@pytest.fixture
+def start(level: Level, tmp_path: Path) -> Iterator[Callable[[], Session]]:
+    """Starts workers over an engine of one module, ch91_box/box.py."""
+    module = tmp_path / "engine/ch91_box/box.py"
+    module.parent.mkdir(parents=True)
+    module.write_text(MODULE, encoding="utf-8")
+    (tmp_path / "own").mkdir()
+    (tmp_path / "probes").mkdir()
+    folders = [str(tmp_path / "engine")], str(tmp_path / "probes"), tmp_path / "own"
+    template = Template(level, *folders, seconds=2.0)
+    yield partial(template.start_worker, hang)
+    template.close()
+
+
+def hang() -> NoReturn:
+    raise TimeoutError("hangs")
+
+
+@pytest.fixture
+def session(start: Callable[[], Session]) -> Session:
+    return start()
+
+
+def name(session: Session, wanted: str) -> Any:
+    return session.ask("name", "ch91_box.box", wanted)
+
+
+def test_what_checks_do_with_objects(session: Session) -> None:
+    kind = name(session, "Box")
+    box = kind(4)
+    assert (box.n, (box + 1).n, (1 + box).n, (box + box).n, (-box).n) == (4, 5, 5, 8, -4)
+    alias = box
+    box += 10
+    assert alias.n == 14
+    box.n = 2.5
+    assert alias.n == 2.5
+    assert len(box) == 3
+    assert box["x"] == (2.5, "x")
+    number, again = box
+    assert (number, again.n) == (2.5, 2.5)
+    assert isinstance(box, kind)
+    assert not isinstance(3, kind)
+    assert name(session, "LIMIT") == 7
+
+
+@pytest.mark.parametrize(
+    "use",
+    [
+        lambda box: box == 4,
+        lambda box: box != 4,
+        lambda box: box > 3,
+        lambda box: bool(box),
+        lambda box: float(box),
+        lambda box: math.sqrt(box),
+        lambda box: 4 in box,
+        lambda box: [1, 2][box],
+    ],
+)
+def test_no_verdict_hangs_on_what_an_object_says_of_itself(
+    session: Session, use: Callable[[Any], Any]
+) -> None:
+    with pytest.raises(CheckEnded, match=r"plain value is wanted: Box\(4\)\\x1b\[2J"):
+        use(name(session, "Box")(4))
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        None,
+        True,
+        0,
+        -(2**70),
+        0.1,
+        math.inf,
+        -0.0,
+        "",
+        "é\ud800\n",
+        [],
+        (1, [2, (3,)]),
+        {"a": {1: 2}},
+    ],
+    ids=repr,
+)
+def test_plain_values_cross_as_they_are(session: Session, value: Any) -> None:
+    back = name(session, "same")(value)
+    assert type(back) is type(value)
+    assert repr(back) == repr(value)
+
+
+def test_only_exact_types_cross_by_value(session: Session) -> None:
+    lie = name(session, "Lie")(2.0)
+    assert type(lie) is not float
+    with pytest.raises(CheckEnded):
+        assert lie == 2.0
+    with pytest.raises(TypeError, match="only plain data"):
+        name(session, "same")(1j)
+
+
+def test_what_is_too_much_is_said_and_is_no_result(session: Session) -> None:
+    same, nested = name(session, "same"), name(session, "nested")
+    assert nested(20) is not None
+    with pytest.raises(WorkerFailure, match="a list in more than 20 others"):
+        nested(22)
+    with pytest.raises(WorkerFailure, match="an integer of 5001 bits"):
+        session.ask("operate", "lshift", [1, 5000])
+    with pytest.raises(WorkerFailure, match="a list of more than 20000 items"):
+        session.ask("operate", "mul", [[0], 20001])
+    assert same(1) == 1, "the worker goes on"
+
+
+def test_errors_come_as_the_built_in_ones_with_the_students_line(session: Session) -> None:
+    fail = name(session, "fail")
+    with pytest.raises(ZeroDivisionError, match="no") as caught:
+        fail("odd")
+    fault = caught.value.fault  # type: ignore[attr-defined]
+    assert fault.type == "Odd"
+    assert str(fault.frames[-1]).startswith("ch91_box/box.py, line ")
+    assert str(fault.frames[-1]).endswith("in fail")
+    for kind in ("exit", "impostor"):
+        with pytest.raises(StudentLeft) as left:
+            fail(kind)
+        assert not isinstance(left.value, Exception)
+
+
+def test_call_backs_may_use_objects_and_raise(session: Session) -> None:
+    apply, tries, kind = (name(session, wanted) for wanted in ("apply", "tries", "Box"))
+    seen = []
+
+    def look(box: Any) -> Any:
+        seen.append(box.n)
+        return box + 1
+
+    assert apply(look, kind(5)).n == 6
+    assert seen == [5]
+    assert apply(lambda: apply(lambda: 9)) == 9
+
+    def refuses() -> None:
+        raise KeyError("mine")
+
+    assert tries(refuses) == "KeyError: 'mine'"
+    assert apply(abs, -3) == 3, "nothing is out of step"
+
+
+def test_a_call_back_that_ends_the_check_is_not_caught_by_the_student(session: Session) -> None:
+    def fails() -> None:
+        pytest.fail("enough")
+
+    with pytest.raises(pytest.fail.Exception, match="enough"):
+        name(session, "tries")(fails)
+    with pytest.raises(WorkerFailure, match="a call-back of the check failed"):
+        name(session, "LIMIT")
+
+
+def test_a_worker_that_leaves_is_no_exception_that_a_check_may_expect(session: Session) -> None:
+    with pytest.raises(WorkerFailure, match="ended in the middle") as caught:
+        name(session, "leave")(0)
+    assert not isinstance(caught.value, Exception)
+    with pytest.raises(WorkerFailure, match="ended in the middle"):
+        name(session, "LIMIT")
+
+
+def test_a_worker_that_does_not_answer_is_a_hang(session: Session) -> None:
+    start = time.monotonic()
+    with pytest.raises(TimeoutError):
+        name(session, "sleep_for_ever")()
+    assert 1.0 < time.monotonic() - start < 30.0
+
+
+def test_each_worker_starts_from_nothing(start: Callable[[], Session]) -> None:
+    first = start()
+    box = name(first, "Box")(1)
+    name(first, "Box").left_behind = 99
+    second = start()
+    with pytest.raises(AttributeError):
+        name(second, "Box").left_behind  # noqa: B018
+    with pytest.raises(WorkerFailure):
+        box.n = 2
+    with pytest.raises(WorkerFailure, match="another check"):
+        name(second, "same")(box)
+
+
+def test_a_worker_is_no_root(session: Session, level: Level) -> None:
+    if not level.is_wall:
+        pytest.skip("no wall stands here")
+    assert 0 not in name(session, "who")()
+
+
+@pytest.mark.skipif(landlock_version() == 0, reason="there is no Landlock here")
+def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Level) -> None:
+    if not (level.landlock and level.seccomp):
+        pytest.skip("Landlock and seccomp do not stand here")
+    attempts = [*HELD_BY_LANDLOCK, *HELD_BY_SECCOMP]
+    (tmp_path / "forbidden").touch()
+    through = []
+    for number, walls in enumerate([Level(), Level(landlock=True), Level(seccomp=True), level]):
+        own = tmp_path / str(number)
+        own.mkdir()
+        template = Template(walls, [], str(own), own, 5.0)
+        with contextlib.closing(template):
+            session = template.start_worker(hang)
+            path = str(tmp_path / "forbidden")
+            through.append(set(session.ask("test_the_walls", attempts, path)))
+    nothing, landlock, seccomp, all_of_them = through
+    assert nothing >= {*HELD_BY_LANDLOCK, "sending a signal"}
+    assert landlock.isdisjoint(HELD_BY_LANDLOCK)
+    assert seccomp.isdisjoint(HELD_BY_SECCOMP)
+    assert seccomp >= {*HELD_BY_LANDLOCK}
+    assert all_of_them == set()
+
+
+def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("autograder.isolation.template._python_folders", lambda: ["/"])
+    assert not holds(Level(landlock=True)), "everything can be read"
+
+
+def test_a_template_that_cannot_start_says_so(tmp_path: Path, level: Level) -> None:
+    template = Template(level, [], str(tmp_path), tmp_path, 1.0)
+    template.level = "no level"  # type: ignore[assignment]
+    with contextlib.closing(template), pytest.raises((TemplateError, TypeError, AttributeError)):
+        template.start_worker(hang)
+
+
+def test_the_filter_refuses_what_it_does_not_name() -> None:
+    """Run the program by hand, as the kernel does: 8 bytes an instruction."""
+
+    def verdict(architecture: int, number: int) -> int:
+        program = seccomp_filter()
+        place, loaded = 0, 0
+        while True:
+            code, yes, no, value = _instruction(program, place)
+            place += 1
+            match code:
+                case 0x20:
+                    loaded = architecture if value == 4 else number
+                case 0x15:
+                    place += yes if loaded == value else no
+                case 0x35:
+                    place += yes if loaded >= value else no
+                case 0x06:
+                    return value
+
+    allow, refuse, kill = 0x7FFF0000, 0x00050001, 0x80000000
+    x86_64 = 0xC000003E
+    read, write, exit_group, statx = 0, 1, 231, 332
+    for number in (read, write, exit_group, statx):
+        assert verdict(x86_64, number) == allow
+    # ioctl, socket, clone, fork, vfork, execve, kill, ptrace, fcntl, prlimit64, memfd_create,
+    # execveat, clone3, and the 32-bit way in.
+    for number in (16, 41, 56, 57, 58, 59, 62, 101, 72, 302, 319, 322, 435, 0x40000000 | 1):
+        assert verdict(x86_64, number) == refuse
+    assert verdict(0x40000003, read) == kill, "another architecture"
+
+
+def _instruction(program: bytes, place: int) -> tuple[int, int, int, int]:
+    line = program[8 * place : 8 * place + 8]
+    return (
+        int.from_bytes(line[:2], sys.byteorder),
+        line[2],
+        line[3],
+        int.from_bytes(line[4:], sys.byteorder),
+    )
+
+
+plain = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
+    lambda inner: (
+        st.lists(inner)
+        | st.lists(inner).map(tuple)
+        | st.dictionaries(st.text() | st.integers() | st.tuples(st.integers()), inner)
+    ),
+    max_leaves=20,
+)
+
+
+def no_reference(value: Any) -> Any:
+    raise AssertionError(value)
+
+
+@given(plain)
+def test_plain_data_comes_back_from_the_wire(value: Any) -> None:
+    sent = json.dumps(pack(value, no_reference))
+    back = unpack(json.loads(sent), no_reference)
+    assert back == value
+    assert repr(back) == repr(value), "1 is not 1.0, and a tuple is no list"
+
+
+class Number(int):
+    pass
+
+
+@pytest.mark.parametrize(
+    "data", [[1], {"list": [[1]]}, {"dict": [1]}, {"dict": [{"tuple": [{"list": []}, 1]}]}]
+)
+def test_what_pack_does_not_make_is_refused(data: Any) -> None:
+    with pytest.raises(BrokenProtocolError):
+        unpack(data, no_reference)
+
+
+def test_a_subclass_is_referred_to() -> None:
+    assert pack([Number(3)], lambda value: {"object": type(value).__name__}) == {
+        "list": [{"object": "Number"}]
+    }
+    endless: list[Any] = []
+    endless.append(endless)
+    with pytest.raises(UnsendableError):
+        pack(endless, no_reference)
+
+
+@pytest.mark.parametrize(
+    ("sent", "complaint"),
+    [
+        (b"no json\n", "no JSON"),
+        (b"[1]\n", "no JSON object"),
+        (b"[" * 100_000 + b"\n", "no JSON"),
+        (b'{"n": ' + b"9" * 5000 + b"}\n", "no JSON"),
+        (b'{"text": "' + b"x" * (LONGEST_LINE + 70_000), "too long"),
+    ],
+)
+def test_lines_that_are_no_messages(sent: bytes, complaint: str) -> None:
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        writer = threading.Thread(target=theirs.sendall, args=(sent,))
+        writer.start()
+        with pytest.raises(BrokenProtocolError, match=complaint):
+            Wire(ours.fileno()).receive(time.monotonic() + 10.0)
+        while writer.is_alive():
+            with contextlib.suppress(BlockingIOError):
+                os.read(ours.fileno(), 1 << 16)
+        writer.join()
+
+
+def test_silence_and_an_end_are_told_apart() -> None:
+    ours, theirs = socket.socketpair()
+    with ours:
+        wire = Wire(ours.fileno())
+        with pytest.raises(TimeoutError):
+            wire.receive(time.monotonic() + 0.01)
+        theirs.close()
+        with pytest.raises(EOFError):
+            wire.receive(time.monotonic() + 1.0)

@@ -1,0 +1,80 @@
+"""A repository with one small chapter of four checks, for the tests of the tools."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from autograder.manifest import ROOT
+
+MANIFEST = """
+title = "Small"
+
+[[exercise]]
+id = "B90.1"
+title = "Double"
+kind = "build"
+stars = 1
+points = 4
+edit = ["small.double"]
+hints = ["twice"]
+terms = []
+
+[[exercise]]
+id = "90.1"
+title = "Quadruple"
+kind = "exercise"
+stars = 1
+points = 2
+edit = ["small.quadruple"]
+needs = ["B90.1"]
+hints = ["double the double"]
+terms = []
+"""
+CHECKS = """
+import pytest
+from ch90_small import small
+
+
+@pytest.mark.exercise("90.1")
+def test_quadruple():
+    assert small.quadruple(3) == 12, "quadruple must quadruple"
+
+
+@pytest.mark.exercise("90.1")
+def test_quadruple_of_zero():
+    assert small.quadruple(0) == 0, "quadruple of zero is zero"
+
+
+@pytest.mark.exercise("B90.1", weight=3)
+def test_double(rng):
+    value = rng.randint(1, 1000)
+    assert small.double(value) == 2 * value, "double must double"
+
+
+@pytest.mark.exercise("B90.1")
+def test_double_of_zero():
+    assert small.double(0) == 0, "double of zero is zero"
+"""
+RIGHT = """
+def double(x):
+    return x + x
+
+
+def quadruple(x):
+    return 4 * x
+"""
+
+
+def make_root(folder: Path) -> Path:
+    """Make the repository in a new folder, its reference included."""
+    for name, text in (
+        ("chapters/ch90_small/chapter.toml", MANIFEST),
+        ("solutions/ch90_small/small.py", RIGHT),
+        ("tests/ch90_small/test_small.py", CHECKS),
+    ):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    for name in ("pyproject.toml", "tests/conftest.py"):
+        shutil.copyfile(ROOT / name, folder / name)
+    return folder

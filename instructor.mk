@@ -5,8 +5,8 @@ OURS := $(wildcard chapters/*/plots.py)
 
 .PHONY: grade handout stubs test lint bench
 
-grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3 GIVEN=2) into build/grades/
-	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out build/grades $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)")
+grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3 GIVEN=2 CHECKS=hidden) into build/grades/
+	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out build/grades $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)")
 
 handout: $(READY) ## what students get (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
 	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out "$(OUT)" $(if $(GIVEN),--given "$(GIVEN)")

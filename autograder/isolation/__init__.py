@@ -1,1 +1,8 @@
-"""Where untrusted code runs: a worker behind walls, and the wire between it and the checks."""
+"""Where untrusted code runs, and how the checks reach it.
+
+    checks (pytest, trusted) -> handles -> wire -> worker (the student's code, behind walls)
+
+``in_worker`` serves the checks' imports of chapters and gives each check a fresh worker, forked
+from a ``template``. ``handles`` stand for the student's objects, ``wire`` carries plain data,
+``sandbox`` puts up the walls. The ``worker`` alone runs on the other side.
+"""

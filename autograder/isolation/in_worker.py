@@ -52,6 +52,7 @@ class InWorker:
             time_limit,
             fresh=worker["fresh"],
         )
+        self.template.warm_up()  # while pytest collects the checks
         self.broken: dict[str, str] = {}
 
     def open(

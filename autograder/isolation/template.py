@@ -84,20 +84,26 @@ class Template:
         for descriptor in (self._log, self._stack):
             os.ftruncate(descriptor, 0)
         try:
-            if self._process is None:
-                self._start()
+            self.warm_up()
             assert self._control is not None
-            own = self._next or self._order()
-            self._next = None
+            assert self._next is not None
+            own, self._next = self._next, None
             self._worker = _Worker(int(self._control.recv(16)), own)
             if not self.fresh:
-                self._next = self._order()
+                self.warm_up()
             wire = Wire(own.fileno())
             if "ready" not in wire.receive(time.monotonic() + START_LIMIT):
                 raise EOFError
         except (OSError, EOFError, ValueError) as error:
             raise TemplateError(f"a worker did not come up: {self.printed() or error!r}") from error
         return Session(wire, time.monotonic() + self.seconds, on_hang)
+
+    def warm_up(self) -> None:
+        """Order what the next worker needs, if that is not done yet, and do not wait for it."""
+        if self._process is None:
+            self._start()
+        if self._next is None:
+            self._next = self._order()
 
     def _order(self) -> socket.socket:
         """Order a worker and return our end of its wire; the template will answer its number."""
@@ -146,8 +152,6 @@ class Template:
     def close(self) -> None:
         """End everything."""
         self.stop_worker()
-        if self._next is not None:
-            self._next.close()
         self._end()
         os.close(self._log)
         os.close(self._stack)
@@ -188,6 +192,9 @@ class Template:
             )
 
     def _end(self) -> None:
+        if self._next is not None:
+            self._next.close()
+            self._next = None
         if self._process is None:
             return
         assert self._control is not None

@@ -27,6 +27,7 @@ from autograder.submissions.folders import (
 # can takes about 2 s at this size, and proportionally more at a larger one.
 LARGEST_ZIP = 5_000_000
 ENCRYPTED = 1 << 0  # a flag
+DAMAGED = "the zip is damaged, or no ordinary zip: zip the folder again"
 # What zipfile raises for one that is damaged, or of a kind that it does not know.
 UNREADABLE = (
     zipfile.BadZipFile,
@@ -47,9 +48,7 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
     try:
         file = zipfile.ZipFile(io.BytesIO(read_file(path, LARGEST_ZIP, "the zip")))
     except UNREADABLE as error:
-        raise NotTakenError(
-            "the zip is damaged, or no ordinary zip: zip the folder again"
-        ) from error
+        raise NotTakenError(DAMAGED) from error
     if len(file.infolist()) > MOST_ENTRIES:
         raise NotTakenError(f"the zip has more than {MOST_ENTRIES:,} files and folders in it")
     found: dict[tuple[tuple[str, ...], str], Found] = {}
@@ -95,13 +94,14 @@ def _read(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
         raise NotTakenError("it is encrypted in the zip: zip it without a password")
     if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise NotTakenError("it is compressed in an unusual way: make an ordinary zip")
-    if entry.file_size > largest:
+    # What inflates to little may still be much work to inflate.
+    if max(entry.file_size, entry.compress_size) > largest:
         raise too_large("it", largest)
     try:
         with file.open(entry) as stream:
             content = stream.read(largest + 1)
+        if len(content) != entry.file_size:
+            raise zipfile.BadZipFile("shorter than the zip says")
     except UNREADABLE as error:
         raise NotTakenError("it is damaged in the zip: zip the folder again") from error
-    if len(content) != entry.file_size:
-        raise NotTakenError("it is damaged in the zip: zip the folder again")
     return content

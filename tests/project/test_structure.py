@@ -152,12 +152,13 @@ def test_a_manifest_that_is_wrong_is_refused(
 
 def test_the_readme_shows_what_the_sample_class_really_gets() -> None:
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    rows = re.findall(r"(?m)^ {5}(\w+) +([\d.]+)/(\d+) +(\d+)/(\d+) +graded", readme)
-    assert len(rows) == 4
-    for student, score, possible, passed, checks in rows:
+    rows = re.findall(r"(?m)^ {5}(\w+) +([\d.]+)/(\d+) +([\d.]+) +(\d+)/(\d+) +graded", readme)
+    assert len(rows) == 5
+    for student, score, possible, on_given, passed, checks in rows:
         submission = Submission(student, ROOT / "sample_class" / student)
         report = grade_submission(Assignment(CHAPTERS, "1", Level()), submission)
         statuses = [check["status"] for e in report["exercises"] for check in e["checks"]]
         assert (float(score), int(possible)) == (report["score"], report["points"])
+        assert float(on_given) == report["score_on_given"]
         assert int(passed) == statuses.count("passed")
         assert int(checks) == len(statuses)

@@ -28,7 +28,7 @@ from autograder.reports.feedback import write_feedback
 from autograder.reports.gradescope import write_gradescope
 from autograder.reports.marks import Marks, apply_marks, read_marks
 from autograder.reports.results import Report, read_result, replace_file, write_all, write_result
-from autograder.runner import TIME_LIMIT, Behind, run_checks
+from autograder.runner import TIME_LIMIT, Behind, GraderError, is_stopped, run_checks, stop_all
 from autograder.scores import shown
 from autograder.submissions.find import Submission, file_name, find_submissions
 
@@ -164,7 +164,8 @@ class _ClassRun:
                     if not self.console.is_terminal:
                         line = f"{len(reports)}/{len(submissions)} {report['student']}"
                         self.console.print(line, markup=False)
-            except BaseException:
+            except BaseException:  # Ctrl-C above all: what has landed stays, the rest is dropped
+                stop_all()
                 pool.shutdown(cancel_futures=True)
                 raise
         return [reports[submission.student] for submission in submissions]
@@ -175,6 +176,8 @@ class _ClassRun:
         report = read_result(path)
         if report is None or not self.still_holds(report, submission):
             report = grade_submission(self.assignment, submission) | {"run": self.key}
+            if is_stopped():
+                raise GraderError("the run was stopped")  # in the middle of this submission
         else:
             self.reused += 1
         report = apply_marks(report, self.marks)

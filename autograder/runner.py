@@ -88,6 +88,8 @@ def run_checks(
     run = _Run(chapter, engine, wanted, seed, root, time_limit, run_limit, hear, behind)
     run.broken |= behind.missing if behind else {}
     while not run.finished:
+        if is_stopped():
+            raise GraderError("the run was stopped")
         before = run.progress
         run.one_process()
         if time.monotonic() > run.deadline:
@@ -95,6 +97,22 @@ def run_checks(
         elif not run.finished and run.progress == before:
             raise GraderError(run.reason())
     return _mark_blocked(chapter, run.ordered_verdicts())
+
+
+_processes: set[subprocess.Popen[str]] = set()
+_stopping = threading.Event()
+
+
+def stop_all() -> None:
+    """End the runs in all threads, for good; each of them raises GraderError."""
+    _stopping.set()
+    for process in list(_processes):
+        _kill(process)
+
+
+def is_stopped() -> bool:
+    """Say whether stop_all has been called."""
+    return _stopping.is_set()
 
 
 @dataclass
@@ -163,10 +181,13 @@ class _Run:
                     encoding="utf-8",
                     start_new_session=True,
                 )
+                _processes.add(process)
                 try:
                     current = self._follow(process)
                 finally:
-                    _end(process)
+                    _processes.discard(process)
+                    _kill(process)
+                    process.wait()  # a stray child may hold on to its output, which stays open
                 stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - 2000))
                 self.stderr = stderr.read().decode("utf-8", errors="replace").strip()
             if self.finished or current is None or time.monotonic() > self.deadline:
@@ -335,14 +356,13 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
     lines.put("")
 
 
-def _end(process: subprocess.Popen[str]) -> None:
-    """End a process and, where the system has process groups, all that it has started."""
+def _kill(process: subprocess.Popen[str]) -> None:
+    """Kill a process and, where the system has process groups, all that it has started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
             process.kill()
         else:
             os.killpg(process.pid, signal.SIGKILL)
-    process.wait()  # its output is not closed here: a stray child may hold on to the other end
 
 
 def _environment() -> dict[str, str]:

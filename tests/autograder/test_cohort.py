@@ -221,6 +221,36 @@ def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Pa
     assert _judges_in(tmp_path) == []
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGINT for one process")
+def test_a_run_that_is_interrupted_stops_at_once_and_leaves_what_is_complete(
+    tmp_path: Path,
+) -> None:
+    out, temporary = tmp_path / "out", tmp_path / "tmp"
+    temporary.mkdir()
+    command = [sys.executable, "-m", "autograder", "grade", "sample_class", "--out", str(out)]
+    process = subprocess.Popen(
+        [*command, "--chapters", "2", "--jobs", "2"],
+        cwd=ROOT,
+        env=os.environ | {"TMPDIR": str(temporary)},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
+    )
+    deadline = time.monotonic() + 60.0
+    while not list(out.glob("results/*.json")) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=30.0)
+    assert process.returncode == 130
+    assert "grade: stopped" in said
+    assert "Traceback" not in said
+    landed = results(out)
+    assert 0 < len(landed) < 8
+    assert {report["status"] for report in landed.values()} == {"graded"}
+    assert _judges_in(tmp_path) == []
+    assert list(temporary.iterdir()) == []
+
+
 def _judges_in(folder: Path) -> list[str]:
     """Return the processes of checks that still work in this folder, where /proc tells."""
     for _ in range(50):

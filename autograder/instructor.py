@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 
 from autograder.manifest import ROOT, select_chapters, split_given
@@ -38,6 +39,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 def run_grade(arguments: argparse.Namespace) -> int:
     """Grade a class."""
+    if sys.platform == "win32":
+        raise ValueError("grade takes Linux or macOS; on Windows run it under WSL")
     from autograder.cohort import grade
 
     given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)

@@ -14,7 +14,6 @@ from typing import Any, NoReturn
 from autograder.faults import CheckEnded, Fault, Frame, clean
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
 
-LEFT = "the process ended in the middle: does the code call os._exit, or crash Python?"
 BROKEN = "the code broke the protocol between its process and the checks"
 FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
@@ -30,10 +29,17 @@ class StudentLeft(BaseException):
 class Session:
     """A conversation with one worker, from its start to its end."""
 
-    def __init__(self, wire: Wire, deadline: float, on_hang: Callable[[], NoReturn]) -> None:
+    def __init__(
+        self,
+        wire: Wire,
+        deadline: float,
+        on_hang: Callable[[], NoReturn],
+        how_it_ended: Callable[[], str],
+    ) -> None:
         self.wire = wire
         self.deadline = deadline
         self.on_hang = on_hang
+        self.how_it_ended = how_it_ended
         self.dead = ""
         self._last = 0
         self._callbacks: list[Callable[..., Any]] = []
@@ -63,7 +69,7 @@ class Session:
         except TimeoutError:
             self.on_hang()
         except (EOFError, OSError):
-            self._fail(LEFT)
+            self._fail(self.how_it_ended())
         if reply.get("id") != message["id"]:
             raise BrokenProtocolError("an answer to another question")
         return reply

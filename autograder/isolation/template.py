@@ -16,8 +16,9 @@ import sysconfig
 import tempfile
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple, NoReturn
+from typing import BinaryIO, NoReturn
 
 from autograder.isolation.handles import Session, WorkerFailure
 from autograder.isolation.sandbox import Level, SandboxError, landlock_version, seccomp_works_here
@@ -36,9 +37,10 @@ class TemplateError(Exception):
     """A worker did not come up, and that is no fault of the code that it would have run."""
 
 
-class _Worker(NamedTuple):
-    number: int
+@dataclass
+class _Worker:
     socket: socket.socket
+    number: int = 0  # until the template has answered
 
 
 class Template:
@@ -72,8 +74,9 @@ class Template:
         self._stack = os.open(self._own / "stack", flags, 0o600)
         self._process: subprocess.Popen[bytes] | None = None
         self._control: socket.socket | None = None
+        self._answers: BinaryIO | None = None
         self._worker: _Worker | None = None
-        self._next: socket.socket | None = None
+        self._next: _Worker | None = None
 
     def start_worker(self, on_hang: Callable[[], NoReturn]) -> Session:
         """Return a session with a worker that nobody has used. Raises TemplateError.
@@ -85,18 +88,15 @@ class Template:
             os.ftruncate(descriptor, 0)
         try:
             self.warm_up()
-            assert self._control is not None
-            assert self._next is not None
-            own, self._next = self._next, None
-            self._worker = _Worker(int(self._control.recv(16)), own)
+            self._worker, self._next = self._numbered_next(), None
             if not self.fresh:
                 self.warm_up()
-            wire = Wire(own.fileno())
+            wire = Wire(self._worker.socket.fileno())
             if "ready" not in wire.receive(time.monotonic() + START_LIMIT):
                 raise EOFError
         except (OSError, EOFError, ValueError) as error:
             raise TemplateError(f"a worker did not come up: {self.printed() or error!r}") from error
-        return Session(wire, time.monotonic() + self.seconds, on_hang)
+        return Session(wire, time.monotonic() + self.seconds, on_hang, self.how_it_ended)
 
     def warm_up(self) -> None:
         """Order what the next worker needs, if that is not done yet, and do not wait for it."""
@@ -105,13 +105,24 @@ class Template:
         if self._next is None:
             self._next = self._order()
 
-    def _order(self) -> socket.socket:
-        """Order a worker and return our end of its wire; the template will answer its number."""
+    def _order(self) -> _Worker:
+        """Order a worker; the template will answer its number."""
         assert self._control is not None
         own, theirs = socket.socketpair()
         with theirs:
             socket.send_fds(self._control, [b"start\n"], [theirs.fileno()])
-        return own
+        return _Worker(own)
+
+    def _numbered_next(self) -> _Worker:
+        """Return the worker that was ordered ahead, once the template has answered its number."""
+        assert self._next is not None
+        if not self._next.number:
+            self._next.number = int(self._answer())
+        return self._next
+
+    def _answer(self) -> bytes:
+        assert self._answers is not None
+        return self._answers.readline().strip()
 
     def keep_bytecode(self, file: Path, code: str) -> None:
         """Keep what a worker has compiled where the next ones look for it. It is not looked at."""
@@ -137,6 +148,32 @@ class Template:
         time.sleep(0.01)  # for the rest of it
         return os.pread(self._stack, 8000, 0).decode("utf-8", errors="replace")
 
+    def how_it_ended(self) -> str:
+        """Return a sentence on how the worker ended by itself. It must have closed its wire.
+
+        Raises TemplateError where it was killed from outside, as a machine does that has no
+        memory left: its walls keep a worker from that.
+        """
+        assert self._control is not None
+        assert self._worker is not None
+        try:
+            if self._next is not None:
+                self._numbered_next()  # its answer comes first
+            self._control.send(b"status %d\n" % self._worker.number)
+            answer = self._answer()
+            code = 0 if answer == b"alive" else int(answer)
+        except (OSError, ValueError) as error:
+            raise TemplateError(f"the template is gone: {self.printed() or error!r}") from error
+        if code == -signal.SIGKILL:
+            raise TemplateError("a worker was killed from outside: has the machine enough memory?")
+        if answer == b"alive":
+            return "the process ended its part in the middle: the code closed what the checks use"
+        if code < 0:
+            return (
+                f"the process ended in the middle: Python crashed by {signal.Signals(-code).name}"
+            )
+        return f"the process ended in the middle, with exit code {code}: is there an os._exit?"
+
     def stop_worker(self) -> None:
         """End the worker, if there is one."""
         if self._worker is None:
@@ -159,6 +196,7 @@ class Template:
     def _start(self) -> None:
         self._control, theirs = socket.socketpair()
         self._control.settimeout(START_LIMIT)
+        self._answers = self._control.makefile("rb")
         bytecode = str(self._own / "bytecode")
         readable = [*SYSTEM_LIBRARIES, *_python_folders(), *self.folders, bytecode]
         config = {
@@ -193,11 +231,13 @@ class Template:
 
     def _end(self) -> None:
         if self._next is not None:
-            self._next.close()
+            self._next.socket.close()
             self._next = None
         if self._process is None:
             return
         assert self._control is not None
+        assert self._answers is not None
+        self._answers.close()
         self._control.close()  # the template ends its worker and itself
         try:
             self._process.wait(1.0)

@@ -1,14 +1,13 @@
-"""The process that holds the student's code, and what it answers to the checks.
+"""The process that holds the student's code.
 
 A template without student code waits for orders on a control socket: "start" forks a worker, which
 goes behind its walls and only then imports what was handed in; "stack" has one write its stack;
-"stop" ends it. The template is trusted; from the import on, a worker is not.
+"status" asks how one ended by itself, "stop" ends it. The template is trusted; from the import on,
+a worker is not.
 """
 
 from __future__ import annotations
 
-import base64
-import builtins
 import contextlib
 import faulthandler
 import gc
@@ -16,28 +15,18 @@ import importlib
 import importlib.util
 import io
 import json
-import marshal
-import operator
 import os
 import signal
 import socket
 import sys
+import time
 import traceback
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from autograder.faults import fault_of
 from autograder.isolation import sandbox
-from autograder.isolation.wire import (
-    KNOWN_ERRORS,
-    LONGEST_LINE,
-    UnsendableError,
-    Wire,
-    pack,
-    unpack,
-)
-from autograder.missing import MissingNameError, answer_for_missing, broken_module
+from autograder.isolation.server import Server
+from autograder.isolation.wire import Wire
 
 LONGEST_LOG = 4000  # characters
 # What engines tend to import: once in the template, rather than in every worker.
@@ -69,10 +58,15 @@ def main(text: str) -> None:
                     work(config, level, rules, descriptors[0])
                 workers.add(worker)
                 os.close(descriptors[0])
-                control.send(b"%d" % worker)
+                control.send(b"%d\n" % worker)
             elif what == b"stack":
                 os.kill(int(number), signal.SIGUSR1)
-            else:
+            elif what == b"status":
+                ended = _is_at_its_end(int(number))
+                code = _end(int(number))
+                control.send(b"%d\n" % code if ended else b"alive\n")
+                workers.remove(int(number))
+            elif int(number) in workers:
                 workers.remove(int(number))
                 _end(int(number))
         if not orders:
@@ -81,9 +75,24 @@ def main(text: str) -> None:
             return
 
 
-def _end(worker: int) -> None:
-    os.kill(worker, signal.SIGKILL)
-    os.waitpid(worker, 0)
+def _is_at_its_end(worker: int) -> bool:
+    """Say whether a worker that has closed its wire has ended, or does so within a second."""
+    for _ in range(100):
+        if os.waitid(os.P_PID, worker, os.WEXITED | os.WNOHANG | os.WNOWAIT):
+            return True
+        time.sleep(0.01)
+    return False
+
+
+def _end(worker: int) -> int:
+    """End a worker, and what it may have started where no wall keeps it from that.
+
+    Return its exit code, or the signal that ended it as a negative number.
+    """
+    for kill in (os.killpg, os.kill):
+        with contextlib.suppress(ProcessLookupError):  # it may have no group of its own yet
+            kill(worker, signal.SIGKILL)
+    return os.waitstatus_to_exitcode(os.waitpid(worker, 0)[1])
 
 
 def work(config: dict[str, Any], level: sandbox.Level, rules: int | None, descriptor: int) -> None:
@@ -130,169 +139,3 @@ class CappedText(io.TextIOBase):
 
     def writable(self) -> bool:
         return True
-
-
-_KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
-
-
-class Server:
-    """Answers requests about the student's objects, each of which it gives a number."""
-
-    def __init__(self, wire: Wire, engine: list[Path]) -> None:
-        self.wire = wire
-        self.engine = engine
-        self.objects: list[Any] = []
-        self.numbers: dict[int, int] = {}
-
-    def serve(self) -> None:
-        """Answer until the wire ends."""
-        with contextlib.suppress(EOFError, BrokenPipeError):
-            while True:
-                self.answer(self.wire.receive())
-
-    def answer(self, request: dict[str, Any]) -> None:
-        """Do what one request asks for, and say what came of it."""
-        reply: dict[str, Any] = {"id": request["id"]}
-        try:
-            operands = [unpack(operand, self.find) for operand in request["with"]]
-            reply["value"] = pack(getattr(self, "do_" + request["do"])(*operands), self.refer)
-        except MissingNameError as error:
-            reply["missing"] = str(error)
-        except UnsendableError as error:
-            reply["unsendable"] = str(error)
-        except BaseException as error:
-            reply["raised"] = self.describe(error)
-        self.wire.send(reply)
-
-    def describe(self, error: BaseException) -> dict[str, Any]:
-        """Return an exception as plain data."""
-        # By what they are: a student's class may carry a built-in one's name.
-        known = (_KNOWN.get(base) for base in type(error).__mro__)
-        fault = fault_of(error, self.engine)
-        return {
-            "as": next(filter(None, known), "BaseException"),
-            "type": fault.type[:100],
-            "text": fault.text[:2000],
-            "frames": [[frame.file, frame.line, frame.function[:100]] for frame in fault.frames],
-            "syntax": fault.syntax,
-            "missing_module": fault.missing_module,
-        }
-
-    def refer(self, value: Any) -> dict[str, Any]:
-        """Number an object; the list keeps it alive, so that its id stays its own."""
-        number = self.numbers.setdefault(id(value), len(self.objects))
-        if number == len(self.objects):
-            self.objects.append(value)
-        return {"object": number, "type": type(value).__name__[:100]}
-
-    def find(self, data: dict[str, Any]) -> Any:
-        """Return the object that a number, a module and name, or a call-back stand for."""
-        if "object" in data:
-            return self.objects[data["object"]]
-        if "callback" in data:
-            return self.callback(data["callback"])
-        return self.do_name(*data["name"])
-
-    def callback(self, number: int) -> Callable[..., Any]:
-        """Return a function that asks the checks to call theirs."""
-
-        def call(*arguments: Any) -> Any:
-            packed = [pack(argument, self.refer) for argument in arguments]
-            self.wire.send({"callback": number, "with": packed})
-            while True:
-                message = self.wire.receive()
-                if "id" in message:  # the check's function uses the student's objects meanwhile
-                    self.answer(message)
-                elif "error" in message:
-                    raise _error(*message["error"])
-                else:
-                    return unpack(message["value"], self.find)
-
-        return call
-
-    # What can be asked for, each by the name behind do_.
-
-    def do_begin(self, broken: dict[str, str]) -> None:
-        """Put in place the modules that are known not to be importable."""
-        for module, message in broken.items():
-            sys.modules[module] = broken_module(module, message)
-
-    def do_compile(self, file: str) -> str | None:
-        """Return the bytecode of a file as text; None for what is too long, or no Python."""
-        try:
-            code = marshal.dumps(compile(Path(file).read_bytes(), file, "exec", dont_inherit=True))
-        except (SyntaxError, ValueError, OSError, MemoryError, RecursionError):
-            return None  # the import will say what is wrong
-        return base64.b64encode(code).decode() if len(code) < LONGEST_LINE // 2 else None
-
-    def do_import(self, module: str) -> None:
-        importlib.import_module(module)
-
-    def do_name(self, module: str, name: str) -> Any:
-        imported = importlib.import_module(module)
-        imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
-        return getattr(imported, name)
-
-    def do_get(self, value: Any, name: str) -> Any:
-        return getattr(value, name)
-
-    def do_set(self, value: Any, name: str, new: Any) -> None:
-        setattr(value, name, new)
-
-    def do_call(self, function: Any, arguments: list[Any], keywords: dict[str, Any]) -> Any:
-        return function(*arguments, **keywords)
-
-    def do_operate(self, name: str, operands: list[Any]) -> Any:
-        return getattr(operator, name)(*operands)
-
-    def do_length(self, value: Any) -> int:
-        return len(value)
-
-    def do_iterate(self, value: Any) -> Any:
-        return iter(value)
-
-    def do_next(self, iterator: Any) -> list[Any]:
-        """Return the next item in a list, or an empty list at the end."""
-        for item in iterator:
-            return [item]
-        return []
-
-    def do_is_instance(self, value: Any, kind: Any) -> bool:
-        return isinstance(value, kind) is True
-
-    def do_show(self, value: Any) -> str:
-        return str(repr(value))[:1000]
-
-    def do_test_the_walls(self, what: list[str], forbidden: str) -> list[str]:
-        """Return what got through of what must not; asked before any student's code is here."""
-        through = []
-        for name in what:
-            with contextlib.suppress(OSError):
-                ATTEMPTS[name](forbidden)
-                through.append(name)
-        return through
-
-
-def _reach_out(_: str) -> None:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as outside:
-        outside.connect(("192.0.2.1", 9))  # an address that documentation has to itself
-
-
-def _start_a_process(_: str) -> None:
-    if os.fork() == 0:
-        os._exit(0)
-
-
-ATTEMPTS: dict[str, Callable[[str], Any]] = {
-    "reading a file": lambda path: os.open(path, os.O_RDONLY),
-    "writing a file": lambda path: os.open(path + ".new", os.O_WRONLY | os.O_CREAT),
-    "reaching the network": _reach_out,
-    "starting a process": _start_a_process,
-    "sending a signal": lambda _: os.kill(os.getpid(), 0),
-}
-
-
-def _error(name: str, text: str) -> Exception:
-    """Return the built-in exception of a name, for the student's code to catch."""
-    kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
-    return kind(text)

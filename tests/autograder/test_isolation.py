@@ -6,11 +6,13 @@ import contextlib
 import json
 import math
 import os
+import signal
 import socket
 import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
@@ -133,6 +135,17 @@ def who():
 
 def leave(code):
     os._exit(code)
+
+
+def crash():
+    import ctypes
+
+    ctypes.string_at(0)
+
+
+def close_everything():
+    os.closerange(0, 99)
+    sleep_for_ever()
 """
 
 
@@ -294,12 +307,38 @@ def test_a_call_back_that_ends_the_check_is_not_caught_by_the_student(session: S
         name(session, "LIMIT")
 
 
-def test_a_worker_that_leaves_is_no_exception_that_a_check_may_expect(session: Session) -> None:
-    with pytest.raises(WorkerFailure, match="ended in the middle") as caught:
-        name(session, "leave")(0)
+@pytest.mark.parametrize(
+    ("wanted", "arguments", "words"),
+    [
+        ("leave", [0], "in the middle, with exit code 0"),
+        ("leave", [3], "in the middle, with exit code 3"),
+        ("crash", [], "in the middle: Python crashed by SIGSEGV"),
+        ("close_everything", [], "in the middle: the code closed what the checks use"),
+    ],
+)
+def test_a_worker_that_leaves_is_no_exception_that_a_check_may_expect(
+    session: Session, wanted: str, arguments: list[int], words: str
+) -> None:
+    with pytest.raises(WorkerFailure, match=words) as caught:
+        name(session, wanted)(*arguments)
     assert not isinstance(caught.value, Exception)
-    with pytest.raises(WorkerFailure, match="ended in the middle"):
+    with pytest.raises(WorkerFailure, match=words):
         name(session, "LIMIT")
+
+
+def test_a_worker_that_the_machine_kills_is_no_fault_of_the_student(
+    tmp_path: Path, level: Level
+) -> None:
+    # Without bubblewrap, behind which the worker's number is another one.
+    inside = replace(level, bubblewrap=False)
+    template = Template(inside, [], str(tmp_path), tmp_path, 5.0)
+    with contextlib.closing(template):
+        session = template.start_worker(hang)
+        assert template._worker is not None
+        os.kill(template._worker.number, signal.SIGKILL)
+        with pytest.raises(TemplateError, match="killed from outside"):
+            session.ask("show", 1)
+        assert template.start_worker(hang).ask("show", 1) == "1"
 
 
 def test_a_worker_that_does_not_answer_is_a_hang(session: Session) -> None:

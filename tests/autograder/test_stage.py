@@ -95,10 +95,12 @@ def make_zip(folder: Path, files: dict[str, bytes], method: int = zipfile.ZIP_DE
     return folder / "ann.zip"
 
 
-def special_zip(folder: Path, name: str = VECTOR, mode: int = 0o100644, **fields: int) -> Path:
+def special_zip(
+    folder: Path, name: str = VECTOR, mode: int = 0o100644, extra: bytes = b"", **fields: int
+) -> Path:
     """A zip with one stored file, of which fields in the directory are set to other values."""
     info = zipfile.ZipInfo(name)
-    info.create_system, info.external_attr = 3, mode << 16
+    info.create_system, info.external_attr, info.extra = 3, mode << 16, extra
     with zipfile.ZipFile(folder / "ann.zip", "w") as file:
         file.writestr(info, CODE)
     return set_fields(folder / "ann.zip", **fields)
@@ -463,6 +465,12 @@ def test_names_in_any_encoding_are_read(tmp_path: Path, flags: int, outcome: Out
     assert boxed(made) == outcome
 
 
+def test_a_name_does_not_end_at_a_nul(tmp_path: Path) -> None:
+    made = special_zip(tmp_path, f"{VECTOR}?.txt")
+    made.write_bytes(made.read_bytes().replace(b"?", b"\0"))
+    assert boxed(made) == NOTHING
+
+
 @pytest.mark.parametrize(
     "above",
     ["/", "/home/ann/", "../", "a/../../", "./../", "..\\", "\\\\host\\a\\", "C:\\", "C:/ann/"],
@@ -499,6 +507,7 @@ def test_paths_that_lead_out_of_the_zip(tmp_path: Path, above: str) -> None:
         ({"crc": 0}, SPOILT),
         ({"offset": 1}, SPOILT),
         ({"offset": 4_000_000_000}, SPOILT),
+        ({"offset": 0xFFFF_FFFF, "extra": struct.pack("<2HQ", 1, 8, 1 << 63)}, SPOILT),  # zip64
     ],
 )
 def test_files_in_a_zip_that_are_not_taken(

@@ -20,6 +20,7 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
+from autograder.arrange import Behind
 from autograder.grading import Assignment, digest_of, grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import best_level
@@ -28,7 +29,7 @@ from autograder.reports.feedback import write_feedback
 from autograder.reports.gradescope import write_gradescope
 from autograder.reports.marks import Marks, apply_marks, read_marks
 from autograder.reports.results import Report, read_result, replace_file, write_all, write_result
-from autograder.runner import TIME_LIMIT, Behind, GraderError, is_stopped, run_checks, stop_all
+from autograder.runner import TIME_LIMIT, GraderError, is_stopped, run_checks, stop_all
 from autograder.scores import shown
 from autograder.submissions.find import Submission, file_name, find_submissions
 

@@ -10,11 +10,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from autograder.arrange import Behind
 from autograder.given import below_and_not_given, mark_inherited, run_on_given, with_given
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.reports.results import Report
-from autograder.runner import RUN_LIMIT, TIME_LIMIT, Behind, GraderError, Verdict, run_checks
+from autograder.runner import RUN_LIMIT, TIME_LIMIT, GraderError, Verdict, run_checks
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage

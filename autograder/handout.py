@@ -14,9 +14,9 @@ from autograder.stubs import make_stubs
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py check.py definitions.py explain.py faults.py given.py "
-        "in_process.py make_venv.py manifest.py missing.py places.py runner.py scores.py "
-        "screen.py verdicts.py"
+        "__init__.py __main__.py answers.py arrange.py check.py definitions.py explain.py "
+        "faults.py given.py in_process.py make_venv.py manifest.py missing.py places.py "
+        "runner.py scores.py screen.py verdicts.py"
     ),
     "studies": "__init__.py __main__.py drawing.py plot.py scenes.py",
     "tests": "conftest.py draw.py expect.py",

@@ -11,7 +11,6 @@ import json
 import os
 import queue
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -23,8 +22,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import IO, Any
 
+from autograder.arrange import Behind, arrange, root_of_checks
 from autograder.explain import explain_hang
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.manifest import ROOT, Chapter
 
 TIME_LIMIT = 3.0  # seconds for one check, which takes a few milliseconds
 HURRIED = 0.25  # of that for the checks that are left, once one function has not ended twice
@@ -42,22 +42,6 @@ class Verdict:
     status: str
     message: str
     hidden: bool = False
-
-
-@dataclass(frozen=True)
-class Behind:
-    """Where untrusted code runs: in workers, and behind which walls (sandbox.Level as a dict).
-
-    ``fresh`` starts an interpreter for each check; ``missing`` says of modules why they were not
-    taken; ``hidden`` is a folder of further checks, of which only the rationale is told, unless
-    ``tells`` says that an instructor is to read it.
-    """
-
-    level: dict[str, bool]
-    fresh: bool = False
-    missing: dict[str, str] = field(default_factory=dict)
-    hidden: Path | None = None
-    tells: bool = False
 
 
 class GraderError(Exception):
@@ -172,7 +156,7 @@ class _Run:
             with (Path(folder) / "stderr.txt").open("w+b") as stderr:
                 process = subprocess.Popen(
                     command,
-                    cwd=self._root(Path(folder)),
+                    cwd=root_of_checks(Path(folder), self.root, self.behind),
                     env=_environment(),
                     # A judge that outlives us would judge for nobody: it sees the pipe end.
                     stdin=subprocess.PIPE if self.behind else subprocess.DEVNULL,
@@ -209,73 +193,18 @@ class _Run:
 
     def _config(self, folder: Path) -> str:
         """Return what the process of the checks is told, in the form that it reads."""
-        chapters = [c for c in load_chapters(self.root) if c.number <= self.chapter.number]
+        arranged = arrange(folder, self.chapter, self.engine, self.root, self.behind)
         return json.dumps(
-            {
-                "root": str(self._root(folder)),
-                "engine": [str(folder) for folder in self.engine],
-                # Below root, since pytest takes no path with brackets.
-                "tests": [f"tests/{self.chapter.name}", *self._hidden(folder)],
-                "known": [exercise.id for exercise in self.chapter.exercises],
-                "modules": self._modules(chapters),
-                "complete": [f"{c.name}/{file}" for c in chapters for file in c.complete],
+            arranged
+            | {
                 "exercises": self.wanted,
                 "seed": self.seed,
                 "time_limit": self.limit,
                 "stack_file": str(folder / "stack.txt"),
                 "broken": self.broken,
                 "done": list(self.verdicts),
-                "worker": self._worker(folder),
             }
         )
-
-    def _root(self, folder: Path) -> Path:
-        """Return where the checks are: a folder of our own, where hidden ones join the others."""
-        return folder / "root" if self.behind and self.behind.hidden else self.root
-
-    def _hidden(self, folder: Path) -> list[str]:
-        """Put the hidden checks of this chapter beside the others; return where, from the root."""
-        if not self.behind or not self.behind.hidden:
-            return []
-        tests = folder / "root" / "tests"
-        shutil.copytree(self.root / "tests" / self.chapter.name, tests / self.chapter.name)
-        shutil.copyfile(self.root / "pyproject.toml", folder / "root" / "pyproject.toml")
-        for file in (self.root / "tests").glob("*.py"):
-            shutil.copyfile(file, tests / file.name)
-        hidden = self.behind.hidden / self.chapter.name
-        if not hidden.is_dir():
-            return []
-        shutil.copytree(hidden, tests / "hidden" / self.chapter.name)
-        return [f"tests/hidden/{self.chapter.name}"]
-
-    def _worker(self, folder: Path) -> dict[str, Any] | None:
-        """Return what the workers are told, whose probes lie in this folder."""
-        if self.behind is None:
-            return None
-        probes = folder / "probes" / self.chapter.name
-        probes.mkdir(parents=True)
-        for tests in (self.root / "tests", self.behind.hidden):
-            for file in (tests / self.chapter.name).glob("*probes.py") if tests else ():
-                shutil.copyfile(file, probes / file.name)
-        return {
-            "level": self.behind.level,
-            "fresh": self.behind.fresh,
-            "tells": self.behind.tells,
-            "probes": str(probes.parent),
-        }
-
-    def _modules(self, chapters: list[Chapter]) -> list[str]:
-        """Return the modules to import before the checks do, so that a bad one stops no other.
-
-        Chapters below that have no manifest here, as in some hand-outs, are taken as they are.
-        """
-        files = {c.name: c.edited_files for c in chapters}
-        listed = set(files)
-        for file in sorted(f for folder in self.engine for f in folder.glob("ch??_*/*.py")):
-            name = file.parent.name
-            if name < self.chapter.name and name not in listed and file.name != "plots.py":
-                files.setdefault(name, []).append(file.name)
-        return [f"{name}.{file[:-3]}" for name in sorted(files) for file in files[name]]
 
     def _follow(self, process: subprocess.Popen[str]) -> tuple[str, str] | None:
         """Take the process's events until it ends; return what it was doing, if it broke off."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from functools import cache
 
+from autograder.arrange import Behind
 from autograder.isolation.template import best_level
-from autograder.runner import Behind
 
 
 @cache

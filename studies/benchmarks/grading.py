@@ -10,9 +10,10 @@ from pathlib import Path
 
 from rich.console import Console
 
+from autograder.arrange import Behind
 from autograder.isolation.template import best_level
 from autograder.manifest import ROOT, load_chapters
-from autograder.runner import Behind, run_checks
+from autograder.runner import run_checks
 from autograder.submissions.find import find_submissions
 from autograder.submissions.stage import stage
 from studies.timing import Line, ratio

@@ -11,10 +11,11 @@ from pathlib import Path
 
 import pytest
 
+from autograder.arrange import Behind
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.places import next_place
-from autograder.runner import Behind, Verdict, run_checks
+from autograder.runner import Verdict, run_checks
 from autograder.scores import results_of, total
 from autograder.stubs import make_stubs
 from walls import behind_walls

@@ -1,0 +1,100 @@
+"""Arrange what a process of checks works with: the checks, the engine, and walls around it."""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from autograder.manifest import Chapter, load_chapters
+
+
+@dataclass(frozen=True)
+class Behind:
+    """Where untrusted code runs: in workers, and behind which walls (sandbox.Level as a dict).
+
+    ``fresh`` starts an interpreter for each check; ``missing`` says of modules why they were not
+    taken; ``hidden`` is a folder of further checks, of which only the rationale is told, unless
+    ``tells`` says that an instructor is to read it.
+    """
+
+    level: dict[str, bool]
+    fresh: bool = False
+    missing: dict[str, str] = field(default_factory=dict)
+    hidden: Path | None = None
+    tells: bool = False
+
+
+def arrange(
+    folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
+) -> dict[str, Any]:
+    """Put what is needed into a folder of our own, and return where everything is."""
+    chapters = [c for c in load_chapters(root) if c.number <= chapter.number]
+    hidden = _put_hidden_checks(folder, chapter, root, behind)
+    return {
+        "root": str(root_of_checks(folder, root, behind)),
+        "engine": [str(path) for path in engine],
+        # Below root, since pytest takes no path with brackets.
+        "tests": [f"tests/{chapter.name}", *hidden],
+        "known": [exercise.id for exercise in chapter.exercises],
+        "modules": _modules(chapter, chapters, engine),
+        "complete": [f"{c.name}/{file}" for c in chapters for file in c.complete],
+        "worker": _worker(folder, chapter, root, behind),
+    }
+
+
+def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
+    """Return where the checks are: in our own folder, where hidden ones join the others."""
+    return folder / "root" if behind and behind.hidden else root
+
+
+def _put_hidden_checks(
+    folder: Path, chapter: Chapter, root: Path, behind: Behind | None
+) -> list[str]:
+    """Put the hidden checks of this chapter beside the others; return where, from the root."""
+    if not behind or not behind.hidden:
+        return []
+    tests = folder / "root" / "tests"
+    shutil.copytree(root / "tests" / chapter.name, tests / chapter.name)
+    shutil.copyfile(root / "pyproject.toml", folder / "root" / "pyproject.toml")
+    for file in (root / "tests").glob("*.py"):
+        shutil.copyfile(file, tests / file.name)
+    hidden = behind.hidden / chapter.name
+    if not hidden.is_dir():
+        return []
+    shutil.copytree(hidden, tests / "hidden" / chapter.name)
+    return [f"tests/hidden/{chapter.name}"]
+
+
+def _worker(
+    folder: Path, chapter: Chapter, root: Path, behind: Behind | None
+) -> dict[str, Any] | None:
+    """Return what the workers are told, whose probes are put into the folder."""
+    if behind is None:
+        return None
+    probes = folder / "probes" / chapter.name
+    probes.mkdir(parents=True)
+    for tests in (root / "tests", behind.hidden):
+        for file in (tests / chapter.name).glob("*probes.py") if tests else ():
+            shutil.copyfile(file, probes / file.name)
+    return {
+        "level": behind.level,
+        "fresh": behind.fresh,
+        "tells": behind.tells,
+        "probes": str(probes.parent),
+    }
+
+
+def _modules(chapter: Chapter, chapters: list[Chapter], engine: list[Path]) -> list[str]:
+    """Return the modules to import before the checks do, so that a bad one stops no other.
+
+    Chapters below that have no manifest here, as in some hand-outs, are taken as they are.
+    """
+    files = {c.name: c.edited_files for c in chapters}
+    listed = set(files)
+    for file in sorted(f for folder in engine for f in folder.glob("ch??_*/*.py")):
+        name = file.parent.name
+        if name < chapter.name and name not in listed and file.name != "plots.py":
+            files.setdefault(name, []).append(file.name)
+    return [f"{name}.{file[:-3]}" for name in sorted(files) for file in files[name]]

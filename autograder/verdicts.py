@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker
 
 Report = Callable[..., None]
+LONGEST_MESSAGE = 8000  # characters: what a student returns may be large, and is shown
 # Built-in plugins that no check uses; leaving them out saves a sixth of the time to the answer.
 UNUSED_PLUGINS = (
     "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin setuponly "
@@ -109,6 +110,8 @@ class Recorder:
             printed = report.capstdout.strip() + self.engine.stop()
             if printed and message:
                 message += f"\nprinted   {clean(printed[:2000])}"
+        if len(message) > LONGEST_MESSAGE:
+            message = f"{message[:LONGEST_MESSAGE]}\n... and {len(message)} characters in all"
         if report.when == "call" or status == "error":
             self.report(event="verdict", name=item.name, status=status, message=message)
         return report

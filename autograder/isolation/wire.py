@@ -63,6 +63,8 @@ class Wire:
         Raises TimeoutError, EOFError where the other end is gone, and BrokenProtocolError for what
         is no JSON object in a line of at most LONGEST_LINE bytes.
         """
+        if deadline is not None and time.monotonic() > deadline:
+            raise TimeoutError  # however much there is to read
         while b"\n" not in self._buffer:
             if len(self._buffer) > LONGEST_LINE:
                 raise BrokenProtocolError("a line is too long")

@@ -511,6 +511,16 @@ def test_lines_that_are_no_messages(sent: bytes, complaint: str) -> None:
         writer.join()
 
 
+def test_who_talks_without_end_is_not_listened_to_beyond_the_deadline() -> None:
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        theirs.sendall(b"{}\n{}\n")
+        wire = Wire(ours.fileno())
+        assert wire.receive(time.monotonic() + 1.0) == {}
+        with pytest.raises(TimeoutError):
+            wire.receive(time.monotonic() - 1.0)
+
+
 def test_silence_and_an_end_are_told_apart() -> None:
     ours, theirs = socket.socketpair()
     with ours:

@@ -162,6 +162,17 @@ def test_what_the_student_prints_is_shown_and_is_no_verdict(
     assert f"printed   {forged}" in verdicts["test_double"].message
 
 
+def test_a_message_has_a_length_that_people_read(root: Path, chapter: Chapter, run: Run) -> None:
+    verdicts = run(root, chapter, RIGHT.replace("return x + x", "raise ValueError('x' * 900_000)"))
+    assert "ValueError: xxx" in verdicts["test_double"].message
+    checks = root / "tests/ch90_small/test_small.py"
+    shows = CHECKS.replace('"double must double"', "small.double(value)")
+    checks.write_text(shows, encoding="utf-8")
+    verdicts = run(root, chapter, RIGHT.replace("return x + x", "return 'x' * 900_000"))
+    assert "xxx" in verdicts["test_double"].message
+    assert len(verdicts["test_double"].message) < 9_000
+
+
 def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
     root: Path, chapter: Chapter, run_beside: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:

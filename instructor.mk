@@ -1,15 +1,14 @@
 # The commands of instructors and of those who work on the companion itself.
 SUBMISSIONS ?= sample_class
-OUT ?= build/handout
 OURS := $(wildcard chapters/*/plots.py)
 
 .PHONY: grade handout stubs test lint bench
 
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3 GIVEN=2 CHECKS=hidden) into build/grades/
-	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out build/grades $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)")
+	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(JOBS),--jobs "$(JOBS)")
 
 handout: $(READY) ## what students get (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
-	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out "$(OUT)" $(if $(GIVEN),--given "$(GIVEN)")
+	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/handout)" $(if $(GIVEN),--given "$(GIVEN)")
 
 stubs: $(READY) ## make chapters/ from solutions/ again
 	@$(RUN) -m autograder stubs

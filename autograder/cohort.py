@@ -7,7 +7,9 @@ import json
 import os
 import platform
 import secrets
+import shutil
 import sys
+import tempfile
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import contextmanager
@@ -60,7 +62,9 @@ def grade(
     if jobs is not None and jobs < 1:
         raise ValueError(f"--jobs must be at least 1, got {jobs}")
     submissions, notes = find_submissions(folder)
-    submissions = [one for one in submissions if one.path.resolve() != out.resolve()]
+    if out.resolve() == folder.resolve():
+        raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
+    submissions = [one for one in submissions if one.path.resolve() not in _with_parents(out)]
     everyone = [submission.student for submission in submissions]
     marks = read_marks(folder / "marks.csv", load_chapters(root), everyone)
     level = choose_level(folder, unsafe=unsafe)
@@ -75,10 +79,17 @@ def grade(
         for note in notes:
             console.print(note, markup=False)
         class_run = _ClassRun(assignment, out, marks, _key(assignment), console)
-        reports = class_run.grade_all(submissions, jobs or _cores())
+        with _temporary_files_in(out):
+            reports = class_run.grade_all(submissions, jobs or _cores())
+        moved = put_others_aside(out, everyone)
         places = write_all(out, chapters, reports)
         replace_file(state, json.dumps({"seed": seed, "finished": True}) + "\n")
     _print_class(console, reports)
+    for report in reports:
+        for note in report["notes"]:
+            console.print(f"{report['student']}: {note}", markup=False)
+    if moved:
+        console.print(f"{moved} reports of other students are in {out / 'earlier'} now.")
     if class_run.reused:
         console.print(f"{class_run.reused} of {len(reports)} were graded before, and not again.")
     console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
@@ -103,6 +114,26 @@ def choose_level(folder: Path, *, unsafe: bool) -> Level:
     raise ValueError(f"{no_wall}; --unsafe-no-sandbox grades a class that you trust all the same")
 
 
+def put_others_aside(out: Path, students: list[str]) -> int:
+    """Move the reports of students who are not in this class away; return how many students.
+
+    They are another class's, or of somebody who has withdrawn.
+    """
+    names = {file_name(student) for student in students}
+    others = set()
+    for kind in ("results", "feedback", "gradescope"):
+        for path in (out / kind).glob("*"):
+            name = path.name if path.is_dir() else path.stem
+            if name not in names:
+                others.add(name)
+                target = out / "earlier" / kind / path.name
+                target.parent.mkdir(parents=True, exist_ok=True)
+                if target.is_dir():
+                    shutil.rmtree(target)
+                path.replace(target)
+    return len(others)
+
+
 def check_hidden(assignment: Assignment) -> None:
     """Raise ValueError where the hidden checks are none, or fail on the reference itself."""
     hidden, root = assignment.hidden, assignment.root
@@ -115,7 +146,12 @@ def check_hidden(assignment: Assignment) -> None:
     behind = Behind(vars(assignment.level), hidden=hidden, tells=True)
     engine = [root / "solutions", root / "chapters"]
     for chapter in graded:
-        verdicts = run_checks(chapter, engine, seed=assignment.seed, root=root, behind=behind)
+        try:
+            verdicts = run_checks(chapter, engine, seed=assignment.seed, root=root, behind=behind)
+        except GraderError as error:
+            raise ValueError(
+                f"the checks in {hidden / chapter.name} do not run: {error}"
+            ) from error
         checks = [verdict for verdict in verdicts if verdict.hidden]
         if not checks:
             raise ValueError(f"there is no check in {hidden / chapter.name}: test_*.py is wanted")
@@ -167,6 +203,9 @@ class _ClassRun:
                         self.console.print(line, markup=False)
             except BaseException:  # Ctrl-C above all: what has landed stays, the rest is dropped
                 stop_all()
+                progress.stop()
+                line = f"Stopping: {len(reports)} of {len(submissions)} are complete. "
+                self.console.print(line + "The same command goes on from there.")
                 pool.shutdown(cancel_futures=True)
                 raise
         return [reports[submission.student] for submission in submissions]
@@ -255,6 +294,27 @@ def _only_run(out: Path) -> Iterator[Path]:
         yield out / "run.json"
 
 
+@contextmanager
+def _temporary_files_in(out: Path) -> Iterator[None]:
+    """Have temporary files in the folder of the reports, where a later run finds and removes them.
+
+    A run that is killed cannot remove its own.
+    """
+    own, before = out / ".temporary", tempfile.tempdir
+    shutil.rmtree(own, ignore_errors=True)
+    own.mkdir(mode=0o700)
+    tempfile.tempdir = str(own.resolve())
+    try:
+        yield
+    finally:
+        tempfile.tempdir = before
+        shutil.rmtree(own, ignore_errors=True)
+
+
+def _with_parents(path: Path) -> list[Path]:
+    return [path.resolve(), *path.resolve().parents]
+
+
 def _cores() -> int:
     if sys.platform == "linux":
         return len(os.sched_getaffinity(0))
@@ -270,7 +330,8 @@ def _print_class(console: Console, reports: list[Report]) -> None:
     for report in reports:
         checks = [(e, check) for e in report["exercises"] for check in e["checks"]]
         passed = sum(check["status"] == "passed" for _, check in checks)
-        lost = [pair for pair in checks if pair[1]["status"] in ("failed", "error")]
+        order = ("error", "failed", "inherited", "blocked")
+        lost = [pair for status in order for pair in checks if pair[1]["status"] == status]
         table.add_row(
             escape(report["student"]),
             f"{shown(report['score'])}/{report['points']}",

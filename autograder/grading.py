@@ -49,14 +49,23 @@ def grade_submission(assignment: Assignment, submission: Submission) -> Report:
             box = Path(folder)
             chapters = load_chapters(assignment.root)
             staged = stage(submission.path, chapters, box, assignment.root)
+            notes, digest = _notes(staged, chapters, box), staged.digest
             with with_given(assignment.given, [box], assignment.root) as engine:
                 pairs = _all_results(assignment, engine, staged)
-        notes, digest = staged.notes, staged.digest
     except Exception as error:  # ours, whatever it is: the class goes on
         failed = [_errors(chapter, repr(error)) for chapter in assignment.chapters]
         pairs, notes, digest = [(results, results) for results in failed], [], ""
     report = _report(assignment, submission.student, pairs, notes)
     return report | {"submission": digest, "seconds": round(time.monotonic() - start, 3)}
+
+
+def _notes(staged: Staged, chapters: list[Chapter], box: Path) -> list[str]:
+    """Return what is to be noted about a submission; that nothing was found in it, above all."""
+    files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
+    if staged.missing or any(file.exists() for file in files):
+        return staged.notes
+    wanted = ", ".join(f"{chapter.name}/{chapter.edited_files[0]}" for chapter in chapters)
+    return [*staged.notes, f"nothing was found of {wanted} and so on, at most three levels down"]
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
@@ -130,6 +139,7 @@ def _report(
         "points": points,
         "by_hand": None,
         "waiting": sum(result.exercise.points for result in own if result.status == "waiting"),
+        "earlier": _own_earlier_chapters(assignment),
         "notes": notes,
         "exercises": [
             _exercise(chapter, result, better)
@@ -137,6 +147,16 @@ def _report(
             for result, better in zip(results, betters, strict=True)
         ],
     }
+
+
+def _own_earlier_chapters(assignment: Assignment) -> list[int]:
+    """Return the chapters of the student's own on which a graded one builds."""
+    below = [
+        other.number
+        for chapter in assignment.chapters
+        for other in below_and_not_given(chapter, assignment.given, assignment.root)
+    ]
+    return sorted(set(below))
 
 
 def _exercise(chapter: Chapter, result: Result, better: Result) -> dict[str, Any]:

@@ -41,7 +41,11 @@ def run_grade(arguments: argparse.Namespace) -> int:
     """Grade a class."""
     if sys.platform == "win32":
         raise ValueError("grade takes Linux or macOS; on Windows run it under WSL")
+    import signal
+
     from autograder.cohort import grade
+
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # it ends as Ctrl-C does
 
     given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
     return grade(

@@ -79,6 +79,7 @@ def report_of(student: str = "ada", **changes: Any) -> dict[str, Any]:
         "points": 11,
         "by_hand": None,
         "waiting": 3,
+        "earlier": [2],
         "notes": [],
         "exercises": exercises,
         "run": {"hash": "abc"},

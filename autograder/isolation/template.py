@@ -292,7 +292,8 @@ def _python_folders() -> list[str]:
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
     """Return the command that shows these paths, read-only, and nothing else of the system."""
-    command = ["bwrap", "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
+    program = shutil.which("bwrap") or "bwrap"
+    command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
     command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]
     for path in visible:
         command += ["--ro-bind-try", path, path]

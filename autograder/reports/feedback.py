@@ -101,6 +101,7 @@ def _exercise(number_on_page: int, exercise: dict[str, Any]) -> dict[str, Any]:
         "anchor": f"exercise-{number_on_page}",
         "gains": own is not None and given is not None and given > own,
         "comment": exercise.get("comment") or "",
+        "uneven": len({check["weight"] for check in checks}) > 1,
         "lost": _groups([check for check in checks if check["status"] != "passed"]),
         "passed": [
             "hidden check" if check["hidden"] else check_title(check["name"])

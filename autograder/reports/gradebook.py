@@ -11,7 +11,7 @@ from pathlib import Path
 from autograder.manifest import Chapter
 from autograder.reports.texts import Report, clean_line, number, replace_file
 
-COLUMNS = ["student", "status", "score", "score on given chapters", "by hand", "waiting"]
+COLUMNS = "student,status,score,score on given chapters,by hand,waiting,total"
 # What begins a formula, in full width as well, at the start or behind spaces. A spreadsheet that
 # parts columns by semicolons would begin a cell behind one.
 FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
@@ -27,13 +27,14 @@ def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[Report
     points = [exercise.points for exercise in exercises]
     checked = sum(points) - written
     rows = [
-        [*COLUMNS, *(as_cell(exercise.id) for exercise in exercises)],
-        ["points possible", "", *map(str, (checked, checked, written)), "", *map(str, points)],
+        [*COLUMNS.split(","), *(as_cell(exercise.id) for exercise in exercises)],
+        ["points possible", "", *map(str, (checked, checked, written, "", sum(points), *points))],
     ]
     for report in reports:
         scores = {exercise["id"]: exercise["score"] for exercise in report["exercises"]}
         cells = [
             *(report[key] for key in ("score", "score_on_given", "by_hand", "waiting")),
+            None if report["score"] is None else report["score"] + (report["by_hand"] or 0),
             *(scores.get(exercise.id) for exercise in exercises),
         ]
         rows.append([*map(as_cell, (report["student"], report["status"])), *map(number, cells)])

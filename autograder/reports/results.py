@@ -30,6 +30,7 @@ REPORT = {
     "points": NUMBER,
     "by_hand": SCORE,
     "waiting": NUMBER,
+    "earlier": list,
     "notes": list,
     "exercises": list,
 }

@@ -45,6 +45,9 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 
     Raises NotTakenError where the zip as a whole cannot be taken.
     """
+    if path.lstat().st_size > LARGEST_ZIP:
+        limit = f"the zip is larger than {LARGEST_ZIP:,} bytes"
+        raise NotTakenError(f"{limit}: zip the folders of the chapters alone")
     try:
         file = zipfile.ZipFile(io.BytesIO(read_file(path, LARGEST_ZIP, "the zip")))
     except UNREADABLE as error:

@@ -23,7 +23,6 @@ import pytest
 from autograder import cohort
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
-from autograder.runner import GraderError
 from small import RIGHT, make_root
 
 HALF = RIGHT.replace("4 * x", "3 * x")
@@ -192,7 +191,9 @@ def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Pa
         "sys.exit(cohort.grade(folder, out, load_chapters(root), root=root, jobs=2, unsafe=True))"
     )
     command = [sys.executable, "-c", program, str(submissions), str(out), str(root)]
-    environment = os.environ | {"TMPDIR": str(tmp_path)}  # what a killed run leaves behind
+    temporary = tmp_path / "tmp"
+    temporary.mkdir()
+    environment = os.environ | {"TMPDIR": str(temporary)}
     landed: dict[str, dict[str, Any]] = {}
     for goal in (2, 5, 8):
         process = subprocess.Popen(
@@ -219,6 +220,7 @@ def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Pa
     assert [row["student"] for row in rows[1:]] == [f"student {n:02}" for n in range(12)]
     assert [row["score"] for row in rows[1:]] == ["6" if n % 3 else "5" for n in range(12)]
     assert _judges_in(tmp_path) == []
+    assert [*temporary.iterdir(), *out.glob(".temporary")] == [], "killed runs left nothing"
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGINT for one process")
@@ -249,6 +251,7 @@ def test_a_run_that_is_interrupted_stops_at_once_and_leaves_what_is_complete(
     assert {report["status"] for report in landed.values()} == {"graded"}
     assert _judges_in(tmp_path) == []
     assert list(temporary.iterdir()) == []
+    assert not (out / ".temporary").exists()
 
 
 def _judges_in(folder: Path) -> list[str]:
@@ -267,6 +270,33 @@ def _command(path: Path) -> str:
         return path.read_bytes().decode(errors="replace")
     except OSError:  # it has just ended
         return ""
+
+
+def test_reports_of_others_are_moved_aside_and_not_lost(
+    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out"
+    grade(submissions, out, root)
+    shutil.rmtree(submissions / "bob")
+    grade(submissions, out, root)
+    assert sorted(scores(out)) == ["ann", "cem"]
+    assert "bob" not in everything_in(out / "feedback") + (out / "index.html").read_text("utf-8")
+    for name in ("results/bob.json", "feedback/bob.html", "gradescope/bob/results.json"):
+        assert not (out / name).exists()
+        assert (out / "earlier" / name).exists()
+    assert "1 reports of other students are in" in capsys.readouterr().out
+
+
+def test_an_empty_submission_is_noted(
+    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (submissions / "dee/chapter 90").mkdir(parents=True)
+    grade(submissions, tmp_path / "out", root)
+    note = "nothing was found of ch90_small/small.py and so on, at most three levels down"
+    assert results(tmp_path / "out")["dee"]["notes"] == [note]
+    assert f"dee: {note}" in capsys.readouterr().out
+    with pytest.raises(ValueError, match="must not be the folder of the class"):
+        grade(submissions, submissions, root)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no lock")
@@ -316,7 +346,11 @@ def test_hidden_checks_count_and_tell_a_rationale_alone(
             HIDDEN.replace("4 * secret_value", "5"),
             "plan.1234. fails on the reference itself: secret",
         ),
-        ("test_x.py", HIDDEN.replace('"90.1"', '"90.9"'), "is of an exercise that there is not"),
+        (
+            "test_x.py",
+            HIDDEN.replace('"90.1"', '"90.9"'),
+            "do not run: .* is of an exercise that there is not",
+        ),
         ("notes.py", "", "there is no check in"),
     ],
 )
@@ -327,7 +361,7 @@ def test_hidden_checks_that_are_wrong_themselves_stop_the_run_before_it_begins(
     hidden.mkdir(parents=True)
     (hidden / name).write_text(text, encoding="utf-8")
     (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
-    with pytest.raises((ValueError, GraderError), match=complaint):
+    with pytest.raises(ValueError, match=complaint):
         grade(submissions, tmp_path / "out", root, hidden=tmp_path / "hidden")
     assert not (tmp_path / "out/results").exists()
 

@@ -347,4 +347,4 @@ def _in_short(message: str) -> str:
     """Return the line of a message that says most on its own: the cause, or the exception."""
     lines = message.splitlines() or [""]
     labelled = dict(line.split(maxsplit=1) for line in reversed(lines) if " " in line.strip())
-    return labelled.get("likely" if "wanted" in labelled else "got", lines[0])
+    return labelled.get("likely" if "wanted" in labelled else "got", lines[0])[:200]

@@ -45,8 +45,10 @@ SLIPS = (
     ("has no attribute", "a name is misspelt, or this is not the type that you think"),
     ("can't decode", "save the file as UTF-8 in your editor"),
 )
-ESCAPED = re.compile(r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U([0-9a-f]{8}))")  # as stacks have it
-STACK_LINE = re.compile(r'File "(.+)", line (\d+) in (\S+)')
+ESCAPED = re.compile(
+    r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"
+)  # as stacks have it
+STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})')
 
 
 def explain_exception(
@@ -107,13 +109,24 @@ def explain_import(fault: Fault, module: str, engine_folders: list[Path]) -> str
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> str:
-    """Return where a process was when its time was up, from the stack that it left behind."""
+    """Return where a process was when its time was up, from the stack that it left behind.
+
+    Code that hangs may have written the stack itself: whatever it says, there is a sentence.
+    """
     message = f"did not end within {time_limit:g} seconds: an endless loop?"
-    stack = ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), stack)
     for file, line, name in STACK_LINE.findall(stack):
-        if is_inside(file, engine_folders):
-            return f"{message}\nwhere     {Frame(short(file), int(line), name)}"
+        try:
+            file, name = _unescaped(file), _unescaped(name)
+            if is_inside(file, engine_folders):
+                return clean(f"{message}\nwhere     {Frame(short(file), int(line), name)}")
+        except (ValueError, OSError):
+            continue  # no file of any system has such a name
     return message
+
+
+def _unescaped(text: str) -> str:
+    """Return a text with the characters that Python escapes when it writes a stack."""
+    return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
 def _slip(text: str) -> str | None:

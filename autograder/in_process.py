@@ -21,18 +21,19 @@ class InProcess:
         self.time_limit = time_limit
         self.stack_file = Path(stack_file).open("w")  # noqa: SIM115 - lives as long as we
 
-    def open(
-        self, modules: list[str], broken: dict[str, str], announce: Callable[[str], None]
-    ) -> None:
+    def open(self, modules: list[str], broken: dict[str, str], report: Callable[..., None]) -> None:
         """Import the student's modules before any check does, so that a bad one stops no other."""
         for module, message in broken.items():
             sys.modules[module] = broken_module(module, message)
         for module in modules:
             if module not in sys.modules:
-                announce(module)
+                report(event="import", module=module)
                 self.start()
                 self._import(module)
                 self.stop()
+
+    def after_collection(self) -> None:
+        """Everything is there already: the checks' own imports need the modules."""
 
     def _import(self, module: str) -> None:
         # A source edited twice within a second would be taken for its own stale bytecode.

@@ -24,11 +24,13 @@ from typing import IO, Any
 
 from autograder.arrange import Behind, arrange, root_of_checks
 from autograder.explain import explain_hang
+from autograder.faults import clean
 from autograder.manifest import ROOT, Chapter
 
 TIME_LIMIT = 3.0  # seconds for one check, which takes a few milliseconds
 HURRIED = 0.25  # of that for the checks that are left, once one function has not ended twice
 RUN_LIMIT = 90.0  # seconds for all the checks of a chapter
+LONGEST_MESSAGE = 8000  # characters: what a student returns may be large, and is shown
 GRACE = 10.0  # seconds of silence beyond a check's limit, then the process is ended from outside
 
 
@@ -152,7 +154,9 @@ class _Run:
         with tempfile.TemporaryDirectory(prefix="checks-") as folder:
             stack_file = Path(folder) / "stack.txt"
             stack_file.touch()
-            command = [sys.executable, "-m", "autograder.verdicts", self._config(Path(folder))]
+            config = Path(folder) / "config.json"  # it may be longer than a command line
+            config.write_text(self._config(Path(folder)), encoding="utf-8")
+            command = [sys.executable, "-m", "autograder.verdicts", str(config)]
             with (Path(folder) / "stderr.txt").open("w+b") as stderr:
                 process = subprocess.Popen(
                     command,
@@ -233,6 +237,8 @@ class _Run:
         match event["event"]:
             case "import":
                 return "import", event["module"]
+            case "broken":
+                self.broken[event["module"]] = event["message"]
             case "start":
                 return "check", event["name"]
             case "checks":
@@ -251,6 +257,10 @@ class _Run:
         silent = hidden and self.behind is not None and not self.behind.tells
         if silent and status == "failed":  # any other word could tell what is checked, and how
             message = check["rationale"]
+        if len(message) > LONGEST_MESSAGE:
+            message = f"{message[:LONGEST_MESSAGE]}\n... and {len(message)} characters in all"
+        if self.behind:
+            message = clean(message)
         verdict = Verdict(name, check["exercise"], check["weight"], status, message, hidden)
         self.verdicts[name] = verdict
         self.on_verdict(len(self.verdicts), len(self.checks))

@@ -1,6 +1,6 @@
 """The process that runs the checks: pytest with a recorder that reports each verdict as it falls.
 
-The runner starts it as ``python -m autograder.verdicts CONFIG`` and reads one JSON object a line:
+The runner starts it as ``python -m autograder.verdicts FILE`` and reads one JSON object a line:
 the list of checks first, then what starts and what its verdict is. Verdicts come from pytest's own
 reports, never from text.
 """
@@ -11,6 +11,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Generator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker
 
 Report = Callable[..., None]
-LONGEST_MESSAGE = 8000  # characters: what a student returns may be large, and is shown
 # Built-in plugins that no check uses; leaving them out saves a sixth of the time to the answer.
 UNUSED_PLUGINS = (
     "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin setuponly "
@@ -40,12 +40,12 @@ class Recorder:
         self.engine = _engine(config)
 
     def pytest_sessionstart(self) -> None:
-        """Import the student's modules, or find out whether they can be."""
-        self.engine.open(
-            self.config["modules"],
-            self.config["broken"],
-            lambda module: self.report(event="import", module=module),
-        )
+        """Make the student's modules ready for the checks to import."""
+        self.engine.open(self.config["modules"], self.config["broken"], self.report)
+
+    def pytest_collection_finish(self) -> None:
+        """Tell what cannot be imported, where that was not needed to collect the checks."""
+        self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
         """Leave the reason where the runner looks for it when the checks cannot be collected."""
@@ -110,8 +110,6 @@ class Recorder:
             printed = report.capstdout.strip() + self.engine.stop()
             if printed and message:
                 message += f"\nprinted   {clean(printed[:2000])}"
-        if len(message) > LONGEST_MESSAGE:
-            message = f"{message[:LONGEST_MESSAGE]}\n... and {len(message)} characters in all"
         if report.when == "call" or status == "error":
             self.report(event="verdict", name=item.name, status=status, message=message)
         return report
@@ -146,8 +144,8 @@ def _marker(item: pytest.Item) -> pytest.Mark:
 
 
 def main() -> int:
-    """Run the checks that the configuration on the command line names."""
-    config = json.loads(sys.argv[1])
+    """Run the checks that the configuration names, in the file on the command line."""
+    config = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what the student prints is no verdict
 

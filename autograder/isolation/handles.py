@@ -142,7 +142,7 @@ def _exception(data: Any) -> BaseException:
         )
         name = data["as"]
         kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError, OverflowError) as error:
         raise BrokenProtocolError("an exception of no known form") from error
     # A KeyError adds quotes to what it is given.
     exception: BaseException = kind(fault.text.strip("'") if kind is KeyError else fault.text)

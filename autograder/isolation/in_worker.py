@@ -24,6 +24,8 @@ from autograder.isolation.handles import Handle, Session, StudentLeft, WorkerFai
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template
 
+Report = Callable[..., None]
+LARGE = 50_000  # bytes of a file that is given all of a worker's time to be compiled
 CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 
 
@@ -53,47 +55,63 @@ class InWorker:
             fresh=worker["fresh"],
         )
         self.template.warm_up()  # while pytest collects the checks
+        self.modules: list[str] = []
         self.broken: dict[str, str] = {}
 
-    def open(
-        self, modules: list[str], broken: dict[str, str], announce: Callable[[str], None]
-    ) -> None:
-        """Find out which modules can be imported, so that no check pays for a bad one."""
+    def open(self, modules: list[str], broken: dict[str, str], report: Report) -> None:
+        """Serve the checks' imports from now on. What is imported is found out after_collection."""
         threading.Thread(target=_leave_with_our_parent, daemon=True).start()
         sys.meta_path.insert(0, ChapterFinder(self))
-        self.broken |= broken
-        self._compile([*self.engine, self.probes])
-        for module in modules:
-            if module in self.broken:
-                continue
-            announce(module)
-            if self.session is None or self.session.dead:
-                self.start()
-            assert self.session is not None
-            try:
-                self.session.ask("import", module)
-            except WorkerFailure as error:
-                file = module.replace(".", "/") + ".py"
-                left = f"{file}, while it is imported: " if self.session.dead else ""
-                self.broken[module] = f"{left}{error}"
-            except (Exception, StudentLeft) as error:
-                if not isinstance(fault := getattr(error, "fault", None), Fault):
-                    raise
-                self.broken[module] = explain_import(fault, module, self.engine)
-            if module in self.broken:
-                self.stop()
+        self.modules = modules
+        self.broken = dict(broken)
+        self.report = report
+
+    def after_collection(self) -> None:
+        """Find out which modules can be imported, so that no check pays for a bad one."""
+        for folder in [*self.engine, self.probes]:
+            for file in sorted(folder.glob("ch??_*/*.py")):
+                self._compile(f"{file.parent.name}.{file.stem}", file)
+        self.stop()  # from here on the workers run the student's code
+        for module in self.modules:
+            if module not in self.broken:
+                self._import(module)
         self.stop()
 
-    def _compile(self, folders: list[Path]) -> None:
-        """Have a worker that has run none of the student's code compile it, once for all."""
-        for file in (file for folder in folders for file in folder.glob("ch??_*/*.py")):
-            if self.session is None or self.session.dead:
-                self.start()
-            assert self.session is not None
-            with contextlib.suppress(WorkerFailure):  # a file on which Python itself fails
-                code = self.session.ask("compile", str(file))
-                if type(code) is str:
-                    self.template.keep_bytecode(file, code)
+    def _compile(self, module: str, file: Path) -> None:
+        """Have a worker that has run none of the student's code compile a file, once for all."""
+        if module in self.broken:
+            return
+        if module in self.modules:
+            self.report(event="import", module=module)
+        with contextlib.suppress(WorkerFailure):  # a file on which Python itself fails
+            code = self._worker(file.stat().st_size > LARGE).ask("compile", str(file))
+            if type(code) is str:
+                self.template.keep_bytecode(file, code)
+
+    def _import(self, module: str) -> None:
+        self.report(event="import", module=module)
+        session = self._worker()
+        try:
+            session.ask("import", module)
+            return
+        except WorkerFailure as error:
+            file = module.replace(".", "/") + ".py"
+            left = f"{file}, while it is imported: " if session.dead else ""
+            message = f"{left}{error}"
+        except (Exception, StudentLeft) as error:
+            if not isinstance(fault := getattr(error, "fault", None), Fault):
+                raise
+            message = explain_import(fault, module, self.engine)
+        self.broken[module] = message
+        self.report(event="broken", module=module, message=message)
+        self.stop()  # the next worker knows it
+
+    def _worker(self, new: bool = False) -> Session:
+        """Return a session with the worker that is there, or with a new one."""
+        if new or self.session is None or self.session.dead:
+            self.start()
+        assert self.session is not None
+        return self.session
 
     def start(self) -> None:
         """Start the worker of a check. Raises TemplateError."""
@@ -103,9 +121,10 @@ class InWorker:
 
     def stop(self) -> str:
         """End the worker and return what it has printed."""
+        printed = self.template.printed() if self.session else ""
         self.session = None
         self.template.stop_worker()
-        return self.template.printed()
+        return printed
 
     def _on_hang(self) -> NoReturn:
         """Leave the stack where the runner looks for it, and end: it goes on in a new process."""

@@ -40,7 +40,14 @@ class TemplateError(Exception):
 @dataclass
 class _Worker:
     socket: socket.socket
+    log: int  # descriptors
+    stack: int
     number: int = 0  # until the template has answered
+
+    def close(self) -> None:
+        self.socket.close()
+        os.close(self.log)
+        os.close(self.stack)
 
 
 class Template:
@@ -69,9 +76,7 @@ class Template:
         self.fresh = fresh or (not level.seccomp and level.is_wall)
         self._own = folder
         (self._own / "bytecode").mkdir()
-        flags = os.O_RDWR | os.O_CREAT | os.O_APPEND
-        self._log = os.open(self._own / "log", flags, 0o600)
-        self._stack = os.open(self._own / "stack", flags, 0o600)
+        self._log = self._new_file()  # of the template itself
         self._process: subprocess.Popen[bytes] | None = None
         self._control: socket.socket | None = None
         self._answers: BinaryIO | None = None
@@ -84,8 +89,6 @@ class Template:
         The next one is ordered ahead: it comes up while this one works.
         """
         self.stop_worker()
-        for descriptor in (self._log, self._stack):
-            os.ftruncate(descriptor, 0)
         try:
             self.warm_up()
             self._worker, self._next = self._numbered_next(), None
@@ -109,9 +112,17 @@ class Template:
         """Order a worker; the template will answer its number."""
         assert self._control is not None
         own, theirs = socket.socketpair()
+        worker = _Worker(own, self._new_file(), self._new_file())
         with theirs:
-            socket.send_fds(self._control, [b"start\n"], [theirs.fileno()])
-        return _Worker(own)
+            ends = [theirs.fileno(), worker.log, worker.stack]
+            socket.send_fds(self._control, [b"start\n"], ends)
+        return worker
+
+    def _new_file(self) -> int:
+        """Return a descriptor of a new file that has no name any more."""
+        descriptor, path = tempfile.mkstemp(dir=self._own)
+        Path(path).unlink()
+        return descriptor
 
     def _numbered_next(self) -> _Worker:
         """Return the worker that was ordered ahead, once the template has answered its number."""
@@ -133,8 +144,9 @@ class Template:
         (folder / f"{file.stem}.{sys.implementation.cache_tag}.pyc").write_bytes(content)
 
     def printed(self) -> str:
-        """Return what the worker has printed."""
-        return os.pread(self._log, 8000, 0).decode("utf-8", errors="replace").strip()
+        """Return what the worker has printed, or the template where there is none."""
+        log = self._log if self._worker is None else self._worker.log
+        return os.pread(log, 8000, 0).decode("utf-8", errors="replace").strip()
 
     def stack(self) -> str:
         """Return where the worker is, as Python's fault handler writes it."""
@@ -143,10 +155,10 @@ class Template:
         self._control.send(b"stack %d\n" % self._worker.number)
         for _ in range(20):
             time.sleep(0.01)
-            if os.pread(self._stack, 1, 0):
+            if os.pread(self._worker.stack, 1, 0):
                 break
         time.sleep(0.01)  # for the rest of it
-        return os.pread(self._stack, 8000, 0).decode("utf-8", errors="replace")
+        return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
         """Return a sentence on how the worker ended by itself. It must have closed its wire.
@@ -178,7 +190,7 @@ class Template:
         """End the worker, if there is one."""
         if self._worker is None:
             return
-        self._worker.socket.close()
+        self._worker.close()
         assert self._control is not None
         with contextlib.suppress(OSError):
             self._control.send(b"stop %d\n" % self._worker.number)
@@ -191,7 +203,6 @@ class Template:
         self.stop_worker()
         self._end()
         os.close(self._log)
-        os.close(self._stack)
 
     def _start(self) -> None:
         self._control, theirs = socket.socketpair()
@@ -209,8 +220,6 @@ class Template:
             "seconds": int(self.seconds) + 2,
             "preload": not self.fresh,
             "control": theirs.fileno(),
-            "log": self._log,
-            "stack": self._stack,
         }
         code = f"import sys; sys.path.append({str(ROOT)!r}); "
         code += "from autograder.isolation import worker; worker.main(sys.argv[1])"
@@ -226,12 +235,12 @@ class Template:
                 stdin=subprocess.DEVNULL,
                 stdout=self._log,
                 stderr=self._log,
-                pass_fds=[theirs.fileno(), self._log, self._stack],
+                pass_fds=[theirs.fileno()],
             )
 
     def _end(self) -> None:
         if self._next is not None:
-            self._next.socket.close()
+            self._next.close()
             self._next = None
         if self._process is None:
             return

@@ -17,6 +17,7 @@ LONGEST_LINE = 1_000_000  # bytes
 LONGEST_INT = 4096  # bits
 MOST_ITEMS = 20_000  # in one message
 DEEPEST = 20
+LARGEST_DICT = 1_000  # entries: keys may be chosen to collide, and each then meets all others
 
 # Errors that cross by their name. Any other is told as the nearest of these that it derives from.
 _ERRORS = (
@@ -118,6 +119,8 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
         raise UnsendableError(f"a {kind.__name__} of more than {MOST_ITEMS} items")
     if depth == 0:
         raise UnsendableError(f"a {kind.__name__} in more than {DEEPEST} others")
+    if kind is dict and len(value) > LARGEST_DICT:
+        raise UnsendableError(f"a dict of more than {LARGEST_DICT} entries")
     items = [*value.items()] if kind is dict else value
     return {kind.__name__: [_pack(item, refer, left, depth - 1) for item in items]}
 
@@ -127,10 +130,10 @@ def unpack(data: Any, find: Find) -> Any:
 
     Raises BrokenProtocolError for what pack does not make.
     """
-    return _unpack(data, find, DEEPEST + 2)
+    return _unpack(data, find, [2 * MOST_ITEMS + 1000], DEEPEST + 2)
 
 
-def _unpack(data: Any, find: Find, depth: int) -> Any:
+def _unpack(data: Any, find: Find, left: list[int], depth: int) -> Any:
     if not isinstance(data, dict):
         if isinstance(data, list):
             raise BrokenProtocolError("a bare list")
@@ -140,7 +143,10 @@ def _unpack(data: Any, find: Find, depth: int) -> Any:
     for kind in (tuple, list, dict):
         items = data.get(kind.__name__)
         if isinstance(items, list):
-            values = [_unpack(item, find, depth - 1) for item in items]
+            left[0] -= len(items)
+            if left[0] < 0 or (kind is dict and len(items) > LARGEST_DICT):
+                raise BrokenProtocolError("too many items")
+            values = [_unpack(item, find, left, depth - 1) for item in items]
             try:
                 return kind(values)
             except (TypeError, ValueError) as error:

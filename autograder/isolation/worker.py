@@ -36,6 +36,7 @@ PRELOADED = "math random dataclasses typing collections.abc functools itertools 
 def main(text: str) -> None:
     """Be the template: fork a worker at every "start", until the control socket ends."""
     config = json.loads(text)
+    sys.argv[:], sys.orig_argv[:] = [""], []  # they tell where everything lies
     level = sandbox.Level(**config["level"])
     sys.path[:] = [path for path in sys.path if path != config["root"]] + config["folders"]
     sys.pycache_prefix = config["bytecode"]
@@ -49,29 +50,30 @@ def main(text: str) -> None:
     control = socket.socket(fileno=config["control"])
     workers: set[int] = set()
     while True:
-        orders, descriptors, _, _ = socket.recv_fds(control, 1024, 1)
+        orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)
         for order in orders.splitlines():  # each comes whole: they are short
             what, _, number = order.partition(b" ")
             if what == b"start":
                 worker = os.fork()
                 if worker == 0:
-                    work(config, level, rules, descriptors[0])
+                    work(config, level, rules, *descriptors)
                 workers.add(worker)
-                os.close(descriptors[0])
+                for descriptor in descriptors:
+                    os.close(descriptor)
                 control.send(b"%d\n" % worker)
             elif what == b"stack":
                 os.kill(int(number), signal.SIGUSR1)
             elif what == b"status":
                 ended = _is_at_its_end(int(number))
-                code = _end(int(number))
+                code = _end(int(number), config["seconds"])
                 control.send(b"%d\n" % code if ended else b"alive\n")
                 workers.remove(int(number))
             elif int(number) in workers:
                 workers.remove(int(number))
-                _end(int(number))
+                _end(int(number), config["seconds"])
         if not orders:
             for worker in workers:
-                _end(worker)
+                _end(worker, config["seconds"])
             return
 
 
@@ -84,7 +86,7 @@ def _is_at_its_end(worker: int) -> bool:
     return False
 
 
-def _end(worker: int) -> int:
+def _end(worker: int, seconds: float) -> int:
     """End a worker, and what it may have started where no wall keeps it from that.
 
     Return its exit code, or the signal that ended it as a negative number.
@@ -92,19 +94,34 @@ def _end(worker: int) -> int:
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may have no group of its own yet
             kill(worker, signal.SIGKILL)
-    return os.waitstatus_to_exitcode(os.waitpid(worker, 0)[1])
+    _, status, used = os.wait4(worker, 0)
+    code = os.waitstatus_to_exitcode(status)
+    # Beyond its limit of processor time a process is killed: that was its own doing.
+    out_of_time = code == -signal.SIGKILL and used.ru_utime + used.ru_stime >= seconds
+    return -signal.SIGXCPU if out_of_time else code
 
 
-def work(config: dict[str, Any], level: sandbox.Level, rules: int | None, descriptor: int) -> None:
-    """Be a worker: go behind the walls, say so, and serve until the wire ends."""
+def work(
+    config: dict[str, Any],
+    level: sandbox.Level,
+    rules: int | None,
+    wire_end: int,
+    log: int,
+    stack: int,
+) -> None:
+    """Be a worker: go behind the walls, say so, and serve until the wire ends.
+
+    What it prints goes to the log, and its stack to the other file, when it is asked for: both are
+    this worker's own, so that nothing of it can be taken for another's.
+    """
     try:
         os.setsid()
-        os.dup2(config["log"], 1)
-        os.dup2(config["log"], 2)
-        _close_all_but(descriptor, config["stack"], rules)
+        os.dup2(log, 1)
+        os.dup2(log, 2)
+        _close_all_but(wire_end, stack, rules)
         sys.stdout = sys.stderr = CappedText()
-        faulthandler.register(signal.SIGUSR1, file=config["stack"], all_threads=False)
-        wire = Wire(descriptor)
+        faulthandler.register(signal.SIGUSR1, file=stack, all_threads=False)
+        wire = Wire(wire_end)
         sandbox.enter(level, rules, config["seconds"])
     except BaseException:
         traceback.print_exc()

@@ -122,7 +122,7 @@ def test_a_syntax_error_is_named_with_its_line() -> None:
         (["check", "--engine", "nowhere"], "engine must be a folder of chapters, got 'nowhere'"),
         (["hint", "2.99"], "there is no exercise '2.99'"),
         (["check", "--chapter", "5-2"], "chapters must count upwards, got '5-2'"),
-        (["grade", "nowhere", "--out", "build/x"], "must be a folder of folders, got 'nowhere'"),
+        (["grade", "nowhere", "--out", "build/x"], "must be in a folder, got 'nowhere'"),
         (["grade", "studies", "--out", "LICENSE"], "--out must be a folder, got 'LICENSE'"),
         (["grade", "studies", "--out", "build/x", "--chapters", "1"], "there is no chapter 1"),
     ],

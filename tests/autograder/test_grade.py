@@ -101,7 +101,7 @@ def test_the_gradebook_has_a_row_a_student_below_the_points_possible(
     with (graded[0] / "gradebook.csv").open(encoding="utf-8", newline="") as file:
         header, possible, *rows = csv.reader(file)
     ids = [exercise.id for exercise in CHAPTER.exercises]
-    scores = ["score", "score on given chapters", "by hand", "waiting"]
+    scores = ["score", "score on given chapters", "by hand", "waiting", "total"]
     assert header == ["student", "status", *scores, *ids]
     assert possible[0] == "points possible"
     assert possible[2] == str(POSSIBLE)

@@ -28,23 +28,23 @@ def test_the_points_possible_stand_between_the_header_and_the_students(tmp_path:
     header, possible, ada, cleo = rows(tmp_path, report_of(), marked)
     assert header == [
         *("student", "status", "score", "score on given chapters", "by hand", "waiting"),
-        *("B2.1", "2.2", "2.3", "B3.1"),
+        *("total", "B2.1", "2.2", "2.3", "B3.1"),
     ]
-    assert possible == ["points possible", "", "11", "11", "3", "", "2", "4", "3", "5"]
-    assert ada == ["ada", "graded", "3", "8", "", "3", "2", "1", "", "0"]
-    assert cleo == ["cleo", "graded", "3", "8", "2.25", "0", "2", "1", "2.25", "0"]
+    assert possible == ["points possible", "", "11", "11", "3", "", "14", "2", "4", "3", "5"]
+    assert ada == ["ada", "graded", "3", "8", "", "3", "3", "2", "1", "", "0"]
+    assert cleo == ["cleo", "graded", "3", "8", "2.25", "0", "5.25", "2", "1", "2.25", "0"]
 
 
 def test_an_error_of_the_grader_is_no_number_and_a_zero_is_one(tmp_path: Path) -> None:
     *_, eve, eli = rows(tmp_path, failed_run(), nothing_done())
-    assert eve == ["eve", "error, retry", "", "", "", "3", "2", "1", "", ""]
-    assert eli == ["eli", "graded", "0", "0", "", "3", "0", "0", "", "0"]
+    assert eve == ["eve", "error, retry", "", "", "", "3", "", "2", "1", "", ""]
+    assert eli == ["eli", "graded", "0", "0", "", "3", "0", "0", "0", "", "0"]
 
 
 def test_an_exercise_that_a_report_does_not_have_is_empty(tmp_path: Path) -> None:
     report = report_of()
     report["exercises"] = report["exercises"][3:]
-    assert rows(tmp_path, report)[2][6:] == ["", "", "", "0"]
+    assert rows(tmp_path, report)[2][7:] == ["", "", "", "0"]
 
 
 def test_large_points_keep_their_digits(tmp_path: Path) -> None:
@@ -79,7 +79,7 @@ def test_an_ordinary_name_stays_as_it_is(name: str) -> None:
 def test_a_hostile_name_is_one_line_without_control_characters(tmp_path: Path) -> None:
     table = rows(tmp_path, hostile('a\r\nb,"c\x1b[31m\x00\ud800'), report_of())
     assert len(table) == 4
-    assert {len(row) for row in table} == {10}
+    assert {len(row) for row in table} == {11}
     assert table[2][0] == 'a b,"c\\x00\\ud800'
     text = (tmp_path / "gradebook.csv").read_text(encoding="utf-8")
     assert {c for c in text if unicodedata.category(c) in ("Cc", "Cs")} <= {"\r", "\n"}

@@ -578,7 +578,9 @@ def test_a_submission_that_is_a_pipe_holds_nothing_up(tmp_path: Path) -> None:
 def test_a_zip_that_is_too_large_is_not_opened(tmp_path: Path) -> None:
     assert boxed(make_zip(tmp_path, {VECTOR: CODE, "film": bytes(4_999_000)}, 0)) == TAKEN
     made = make_zip(tmp_path, {VECTOR: CODE, "film": bytes(5_000_000)}, 0)
-    assert boxed(made) == refused("the zip is larger than 5,000,000 bytes")
+    assert boxed(made) == refused(
+        "the zip is larger than 5,000,000 bytes: zip the folders of the chapters alone"
+    )
 
 
 def test_as_many_entries_as_allowed_are_read(tmp_path: Path) -> None:

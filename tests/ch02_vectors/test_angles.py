@@ -180,5 +180,7 @@ def test_nan_has_no_angle() -> None:
     expect_nan(call, got, cause=cause, read=read)
     call = "angles_by_vector_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     read = "the docstring of angles_by_vector_product"
-    for angle in exercises.angles_by_vector_product(lost, good):
+    angles = exercises.angles_by_vector_product(lost, good)
+    expect_exactly(f"len({call})", len(angles), 2, cause="two angles, NaN both", read=read)
+    for angle in angles:
         expect_nan(call, angle, cause=cause, read=read)

@@ -99,6 +99,19 @@ def zipped(at: Path, entries: list[tuple[str | zipfile.ZipInfo, str]]) -> Path:
     return path
 
 
+# Sources that take long to be compiled, long before they run
+
+
+@odd("Plain code that takes long to compile.", "nothing", kind="not_ending")
+def slow_to_compile(at: Path, world: World) -> None:  # noqa: ARG001
+    write(at / SUMS, WRONG + "x = [" + "lambda: [i for i in y], " * 40_000 + "]\n")
+
+
+@odd("A coding of the source that takes long to read.", "nothing", kind="not_ending")
+def slow_coding(at: Path, world: World) -> None:  # noqa: ARG001
+    write(at / SUMS, "# coding: punycode\n" + "# abc-" + "zzz" * 100_000 + "\n" + WRONG)
+
+
 # Files beside the module, which take the place of others where pytest or Python look for them
 
 

@@ -1,0 +1,38 @@
+"""Writes a stack of its own, with escape sequences for the terminal, and hangs.
+
+earns: nothing
+says: did not end
+"""
+
+import os
+
+TEXT = f'File "{__file__}", line 3 in \x1b]0;owned\x07\x1b[31m\u202e\n'
+
+
+def forge_a_stack():
+    for file in range(3, 64):
+        try:
+            os.write(file, TEXT.encode(errors="surrogatepass"))
+        except OSError:
+            pass
+    while True:
+        pass
+
+
+def add(a, b):
+    forge_a_stack()
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = None
+
+    def step(self, by):
+        pass
+
+    def __add__(self, other):
+        return self
+
+
+def total_of(f, n):
+    return None

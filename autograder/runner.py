@@ -257,10 +257,10 @@ class _Run:
         silent = hidden and self.behind is not None and not self.behind.tells
         if silent and status == "failed":  # any other word could tell what is checked, and how
             message = check["rationale"]
-        if len(message) > LONGEST_MESSAGE:
-            message = f"{message[:LONGEST_MESSAGE]}\n... and {len(message)} characters in all"
         if self.behind:
             message = clean(message)
+        if len(message) > LONGEST_MESSAGE:
+            message = f"{message[: LONGEST_MESSAGE - 50]}\n... {len(message)} characters in all"
         verdict = Verdict(name, check["exercise"], check["weight"], status, message, hidden)
         self.verdicts[name] = verdict
         self.on_verdict(len(self.verdicts), len(self.checks))

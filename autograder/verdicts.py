@@ -109,7 +109,7 @@ class Recorder:
         if report.when == "call":
             printed = report.capstdout.strip() + self.engine.stop()
             if printed and message:
-                message += f"\nprinted   {clean(printed[:2000])}"
+                message += f"\nprinted   {clean(printed)[:2000]}"
         if report.when == "call" or status == "error":
             self.report(event="verdict", name=item.name, status=status, message=message)
         return report

@@ -146,7 +146,8 @@ class Template:
     def printed(self) -> str:
         """Return what the worker has printed, or the template where there is none."""
         log = self._log if self._worker is None else self._worker.log
-        return os.pread(log, 8000, 0).decode("utf-8", errors="replace").strip()
+        printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # as where it was left out of the file
+        return printed.decode("utf-8", errors="replace").strip()
 
     def stack(self) -> str:
         """Return where the worker is, as Python's fault handler writes it."""

@@ -5,6 +5,7 @@ says: did not end
 """
 
 import os
+import stat
 
 TEXT = f'File "{__file__}", line ' + "9" * 5000 + " in add\n"
 
@@ -12,7 +13,8 @@ TEXT = f'File "{__file__}", line ' + "9" * 5000 + " in add\n"
 def forge_a_stack():
     for file in range(3, 64):
         try:
-            os.write(file, TEXT.encode(errors="surrogatepass"))
+            if stat.S_ISREG(os.fstat(file).st_mode):  # and not the wire
+                os.write(file, TEXT.encode(errors="surrogatepass"))
         except OSError:
             pass
     while True:

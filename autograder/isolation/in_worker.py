@@ -12,6 +12,7 @@ import os
 import re
 import sys
 import threading
+import time
 from collections.abc import Callable, Sequence
 from importlib.machinery import ModuleSpec
 from pathlib import Path
@@ -107,10 +108,11 @@ class InWorker:
         self.stop()  # the next worker knows it
 
     def _worker(self, new: bool = False) -> Session:
-        """Return a session with the worker that is there, or with a new one."""
+        """Return a session with the worker that is there, or a new one, and all of its time."""
         if new or self.session is None or self.session.dead:
             self.start()
         assert self.session is not None
+        self.session.deadline = time.monotonic() + self.template.seconds
         return self.session
 
     def start(self) -> None:

@@ -181,10 +181,11 @@ class Template:
             raise TemplateError("a worker was killed from outside: has the machine enough memory?")
         if answer == b"alive":
             return "the process ended its part in the middle: the code closed what the checks use"
+        if code == -signal.SIGXCPU:
+            return "the process ended in the middle: it had used up its processor time"
         if code < 0:
-            return (
-                f"the process ended in the middle: Python crashed by {signal.Signals(-code).name}"
-            )
+            name = signal.Signals(-code).name
+            return f"the process ended in the middle: Python crashed by {name}"
         return f"the process ended in the middle, with exit code {code}: is there an os._exit?"
 
     def stop_worker(self) -> None:

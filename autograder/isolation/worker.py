@@ -64,41 +64,41 @@ def main(text: str) -> None:
             elif what == b"stack":
                 os.kill(int(number), signal.SIGUSR1)
             elif what == b"status":
-                ended = _is_at_its_end(int(number))
-                code = _end(int(number), config["seconds"])
-                control.send(b"%d\n" % code if ended else b"alive\n")
+                code = _exit_code(int(number), config["seconds"])
+                control.send(b"alive\n" if code is None else b"%d\n" % code)
                 workers.remove(int(number))
             elif int(number) in workers:
                 workers.remove(int(number))
-                _end(int(number), config["seconds"])
+                _kill(int(number))
         if not orders:
             for worker in workers:
-                _end(worker, config["seconds"])
+                _kill(worker)
             return
 
 
-def _is_at_its_end(worker: int) -> bool:
-    """Say whether a worker that has closed its wire has ended, or does so within a second."""
-    for _ in range(100):
-        if os.waitid(os.P_PID, worker, os.WEXITED | os.WNOHANG | os.WNOWAIT):
-            return True
-        time.sleep(0.01)
-    return False
-
-
-def _end(worker: int, seconds: float) -> int:
-    """End a worker, and what it may have started where no wall keeps it from that.
-
-    Return its exit code, or the signal that ended it as a negative number.
-    """
+def _kill(worker: int) -> None:
+    """End a worker, and what it may have started where no wall keeps it from that."""
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may have no group of its own yet
             kill(worker, signal.SIGKILL)
-    _, status, used = os.wait4(worker, 0)
-    code = os.waitstatus_to_exitcode(status)
-    # Beyond its limit of processor time a process is killed: that was its own doing.
-    out_of_time = code == -signal.SIGKILL and used.ru_utime + used.ru_stime >= seconds
-    return -signal.SIGXCPU if out_of_time else code
+    os.waitpid(worker, 0)
+
+
+def _exit_code(worker: int, seconds: float) -> int | None:
+    """Return the exit code of a worker that has closed its wire, a signal as a negative number.
+
+    Return None for one that does not end within a second; it is killed.
+    """
+    for _ in range(100):
+        ended, status, used = os.wait4(worker, os.WNOHANG)
+        if ended:
+            code = os.waitstatus_to_exitcode(status)
+            # Beyond its limit of processor time a process is killed: that was its own doing.
+            out_of_time = used.ru_utime + used.ru_stime >= seconds
+            return -signal.SIGXCPU if code == -signal.SIGKILL and out_of_time else code
+        time.sleep(0.01)
+    _kill(worker)
+    return None
 
 
 def work(

@@ -14,7 +14,7 @@ from autograder.given import (
     with_given,
 )
 from autograder.manifest import Chapter, Exercise
-from autograder.runner import run_checks, with_needs
+from autograder.runner import GraderError, run_checks, with_needs
 from autograder.scores import results_of
 from autograder.screen import ProgressBar, Report, print_report
 
@@ -41,7 +41,10 @@ def check(
                 chapter, folders, seed=seed, exercises=wanted, on_verdict=progress.show
             )
             run = partial(run_checks, seed=seed)
-            again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
+            try:
+                again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
+            except GraderError:  # the first run stands
+                again = []
             verdicts = told_on_given(mark_inherited(first, again), again)
             results, better = (
                 [result for result in results_of(chapter, outcome) if result.exercise.id in wanted]

@@ -27,11 +27,10 @@ from autograder.grading import Assignment, digest_of, grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import best_level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.reports.feedback import write_feedback
-from autograder.reports.gradescope import write_gradescope
 from autograder.reports.marks import Marks, apply_marks, read_marks
-from autograder.reports.results import Report, read_result, replace_file, write_all, write_result
-from autograder.runner import TIME_LIMIT, GraderError, is_stopped, run_checks, stop_all
+from autograder.reports.results import read_result, write_class, write_student
+from autograder.reports.texts import Report, replace_file
+from autograder.runner import TIME_LIMIT, GraderError, is_stopped, run_checks, stopping
 from autograder.scores import shown
 from autograder.submissions.find import Submission, file_name, find_submissions
 
@@ -64,7 +63,12 @@ def grade(
     submissions, notes = find_submissions(folder)
     if out.resolve() == folder.resolve():
         raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
-    submissions = [one for one in submissions if one.path.resolve() not in _with_parents(out)]
+    submissions = [one for one in submissions if one.path.resolve() != out.resolve()]
+    for one in submissions:
+        if out.resolve().is_relative_to(one.path.resolve()):
+            raise ValueError(
+                f"--out must not lie in the submission {one.student!r}, got {str(out)!r}"
+            )
     everyone = [submission.student for submission in submissions]
     marks = read_marks(folder / "marks.csv", load_chapters(root), everyone)
     level = choose_level(folder, unsafe=unsafe)
@@ -82,8 +86,9 @@ def grade(
         with _temporary_files_in(out):
             reports = class_run.grade_all(submissions, jobs or _cores())
         moved = put_others_aside(out, everyone)
-        places = write_all(out, chapters, reports)
-        replace_file(state, json.dumps({"seed": seed, "finished": True}) + "\n")
+        places = write_class(out, chapters, reports)
+        finished = all(report["status"] == "graded" for report in reports)
+        replace_file(state, json.dumps({"seed": seed, "finished": finished}) + "\n")
     _print_class(console, reports)
     for report in reports:
         for note in report["notes"]:
@@ -91,7 +96,9 @@ def grade(
     if moved:
         console.print(f"{moved} reports of other students are in {out / 'earlier'} now.")
     if class_run.reused:
-        console.print(f"{class_run.reused} of {len(reports)} were graded before, and not again.")
+        console.print(
+            f"{len(class_run.reused)} of {len(reports)} were graded before, and not again."
+        )
     console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
@@ -146,16 +153,21 @@ def check_hidden(assignment: Assignment) -> None:
     behind = Behind(vars(assignment.level), hidden=hidden, tells=True)
     engine = [root / "solutions", root / "chapters"]
     for chapter in graded:
+        for probes in (root / "tests" / chapter.name).glob("*probes.py"):
+            if (hidden / chapter.name / probes.name).exists():
+                raise ValueError(
+                    f"{hidden / chapter.name / probes.name} has the name of a public file: "
+                    "call it hidden_probes.py"
+                )
         try:
             verdicts = run_checks(chapter, engine, seed=assignment.seed, root=root, behind=behind)
         except GraderError as error:
             raise ValueError(
                 f"the checks in {hidden / chapter.name} do not run: {error}"
             ) from error
-        checks = [verdict for verdict in verdicts if verdict.hidden]
-        if not checks:
+        if not any(verdict.hidden for verdict in verdicts):
             raise ValueError(f"there is no check in {hidden / chapter.name}: test_*.py is wanted")
-        for check in checks:
+        for check in verdicts:
             if check.status != "passed":
                 raise ValueError(f"{check.name} fails on the reference itself: {check.message}")
 
@@ -176,7 +188,7 @@ class _ClassRun:
         self.marks = marks
         self.key = key
         self.console = console
-        self.reused = 0
+        self.reused: list[str] = []
 
     def grade_all(self, submissions: list[Submission], jobs: int) -> list[Report]:
         """Grade the submissions, so many at a time, and return their reports in order."""
@@ -192,8 +204,8 @@ class _ClassRun:
             Progress(*columns, console=self.console, transient=True) as progress,
         ):
             task = progress.add_task("grading", total=len(submissions))
-            futures = [pool.submit(self.one, submission) for submission in submissions]
             try:
+                futures = [pool.submit(self.one, submission) for submission in submissions]
                 for future in as_completed(futures):
                     report = future.result()
                     reports[report["student"]] = report
@@ -202,11 +214,11 @@ class _ClassRun:
                         line = f"{len(reports)}/{len(submissions)} {report['student']}"
                         self.console.print(line, markup=False)
             except BaseException:  # Ctrl-C above all: what has landed stays, the rest is dropped
-                stop_all()
-                progress.stop()
-                line = f"Stopping: {len(reports)} of {len(submissions)} are complete. "
-                self.console.print(line + "The same command goes on from there.")
-                pool.shutdown(cancel_futures=True)
+                with stopping():
+                    progress.stop()
+                    line = f"Stopping: {len(reports)} of {len(submissions)} are complete. "
+                    self.console.print(line + "The same command goes on from there.")
+                    pool.shutdown(cancel_futures=True)
                 raise
         return [reports[submission.student] for submission in submissions]
 
@@ -219,11 +231,9 @@ class _ClassRun:
             if is_stopped():
                 raise GraderError("the run was stopped")  # in the middle of this submission
         else:
-            self.reused += 1
+            self.reused.append(submission.student)
         report = apply_marks(report, self.marks)
-        write_feedback(self.out, report)
-        write_gradescope(self.out, report)
-        write_result(self.out, report)  # last: from now on the student is not graded again
+        write_student(self.out, report)
         return report
 
     def still_holds(self, report: Report, submission: Submission) -> bool:
@@ -241,6 +251,7 @@ def _key(assignment: Assignment) -> dict[str, Any]:
     for name in names:
         checks += [*(root / "tests" / name).glob("*.py"), *(root / "solutions" / name).glob("*.py")]
         checks += [*(root / "chapters" / name).glob("*.toml")]
+        checks += [*(root / "chapters" / name).glob("*.py")]  # the complete ones are graded with
     if assignment.hidden:
         checks += assignment.hidden.rglob("*.py")
     grader = Path(__file__).parent.rglob("*.py")
@@ -309,10 +320,6 @@ def _temporary_files_in(out: Path) -> Iterator[None]:
     finally:
         tempfile.tempdir = before
         shutil.rmtree(own, ignore_errors=True)
-
-
-def _with_parents(path: Path) -> list[Path]:
-    return [path.resolve(), *path.resolve().parents]
 
 
 def _cores() -> int:

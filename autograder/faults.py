@@ -17,6 +17,10 @@ class CheckEnded(BaseException):
     """Ends a check with these words. It is no Exception, so nothing that expects one takes it."""
 
 
+class GraderFault(BaseException):
+    """Ends a check for what is no fault of the code that it checks."""
+
+
 @dataclass(frozen=True)
 class Frame:
     """A line of the student's code: folder and file, such as ch02_vectors/vector.py."""

@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter, chapters_below
-from autograder.runner import GraderError, Verdict
+from autograder.runner import Verdict
 
 LOST = ("failed", "blocked")
 Run = Callable[[Chapter, list[Path]], list[Verdict]]  # the checks of a chapter, on an engine
@@ -57,18 +57,15 @@ def run_on_given(
     """Return the verdicts of a second run, on the reference's chapters ``below``.
 
     There is none (so no verdicts) where the reference is not at hand, where nothing is lost but
-    what is not written yet, or where a loop does not end.
+    what is not written yet, or where a loop does not end. Raises GraderError as run does.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     pointless = all(_is_unwritten(verdict) for verdict in lost)
     at_hand = all(is_at_hand(other, root) for other in below)
     if not below or not at_hand or pointless or _hangs(chapter, lost):
         return []
-    try:
-        with with_given(below, engine, root) as better:
-            return run(chapter, better)
-    except GraderError:  # the first run stands
-        return []
+    with with_given(below, engine, root) as better:
+        return run(chapter, better)
 
 
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:

@@ -5,22 +5,25 @@ from __future__ import annotations
 import tempfile
 import time
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from autograder.arrange import Behind
+from autograder.faults import clean
 from autograder.given import below_and_not_given, mark_inherited, run_on_given, with_given
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.reports.results import Report
+from autograder.reports.texts import Report
 from autograder.runner import RUN_LIMIT, TIME_LIMIT, GraderError, Verdict, run_checks
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage
 
 SUBMISSION_LIMIT = 300.0  # seconds for all the chapters of a submission, which take about two each
+
+LEAST_TIME = 10.0  # seconds for a chapter, even then: its checks must be able to begin
 
 
 @dataclass(frozen=True)
@@ -38,7 +41,6 @@ class Assignment:
     hidden: Path | None = None
     root: Path = ROOT
     time_limit: float = TIME_LIMIT
-    fresh: bool = False
 
 
 def grade_submission(assignment: Assignment, submission: Submission) -> Report:
@@ -84,8 +86,8 @@ def _all_results(
     reference, and tell it.
     """
     deadline = time.monotonic() + SUBMISSION_LIMIT
-    level = asdict(assignment.level)
-    behind = Behind(level, assignment.fresh, staged.missing, assignment.hidden)
+    level, hidden = vars(assignment.level), assignment.hidden
+    behind = Behind(level, missing=staged.missing, hidden=hidden)
 
     def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
         return run_checks(
@@ -94,7 +96,7 @@ def _all_results(
             seed=assignment.seed,
             root=assignment.root,
             time_limit=assignment.time_limit,
-            run_limit=max(1.0, min(RUN_LIMIT, deadline - time.monotonic())),
+            run_limit=max(LEAST_TIME, min(RUN_LIMIT, deadline - time.monotonic())),
             behind=behind,
         )
 
@@ -107,7 +109,11 @@ def _all_results(
             pairs.append((_errors(chapter, str(error)),) * 2)
             continue
         below = below_and_not_given(chapter, assignment.given, assignment.root)
-        again = run_on_given(chapter, verdicts, engine, below, run, assignment.root)
+        try:
+            again = run_on_given(chapter, verdicts, engine, below, run, assignment.root)
+        except GraderError as error:
+            pairs.append((results(verdicts), _errors(chapter, str(error))))
+            continue
         own = results(mark_inherited(verdicts, again))
         pairs.append((own, results(again) if again else own))
     return pairs
@@ -115,6 +121,7 @@ def _all_results(
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
     """Return results for checks that could not be run: our error, and not a zero."""
+    reason = clean(reason)[:500]
     ours = [Verdict("every check", e.id, 1, "error", reason) for e in chapter.exercises]
     return results_of(chapter, ours)
 
@@ -128,7 +135,7 @@ def _report(
     own = [result for results, _ in pairs for result in results]
     given = [result for _, results in pairs for result in results]
     score, points = total(own)
-    failed = any(result.status == "error" for result in own)
+    failed = any(result.status == "error" for result in [*own, *given])
     return {
         "student": student,
         "status": "error, retry" if failed else "graded",

@@ -31,6 +31,7 @@ class InProcess:
                 self.start()
                 self._import(module)
                 self.stop()
+                report(event="imported")
 
     def after_collection(self) -> None:
         """Everything is there already: the checks' own imports need the modules."""

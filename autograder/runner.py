@@ -1,7 +1,7 @@
 """Run a chapter's checks in a process of their own, hold each to a time limit, and give verdicts.
 
 A check that hangs or ends its process costs only itself: the rest goes on in a new process.
-Nothing here needs POSIX.
+Nothing here needs POSIX, where the code is not behind walls.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import IO, Any
@@ -89,15 +89,20 @@ _processes: set[subprocess.Popen[str]] = set()
 _stopping = threading.Event()
 
 
-def stop_all() -> None:
-    """End the runs in all threads, for good; each of them raises GraderError."""
+@contextlib.contextmanager
+def stopping() -> Iterator[None]:
+    """End the runs in all threads, each of which raises GraderError; let none begin in here."""
     _stopping.set()
     for process in list(_processes):
         _kill(process)
+    try:
+        yield
+    finally:
+        _stopping.clear()
 
 
 def is_stopped() -> bool:
-    """Say whether stop_all has been called."""
+    """Say whether runs are being ended."""
     return _stopping.is_set()
 
 
@@ -170,12 +175,16 @@ class _Run:
                     start_new_session=True,
                 )
                 _processes.add(process)
+                if is_stopped():  # it has been started behind the back of who ends them all
+                    _kill(process)
                 try:
                     current = self._follow(process)
                 finally:
                     _processes.discard(process)
                     _kill(process)
                     process.wait()  # a stray child may hold on to its output, which stays open
+                    if process.stdin:
+                        process.stdin.close()
                 stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - 2000))
                 self.stderr = stderr.read().decode("utf-8", errors="replace").strip()
             if self.finished or current is None or time.monotonic() > self.deadline:
@@ -194,6 +203,7 @@ class _Run:
             if hung:
                 self._note_hang(self.checks[name]["exercise"])
                 self.loops.append(why.rpartition("in ")[2])
+            self.finished = len(self.verdicts) == len(self.checks)
 
     def _config(self, folder: Path) -> str:
         """Return what the process of the checks is told, in the form that it reads."""
@@ -237,6 +247,8 @@ class _Run:
         match event["event"]:
             case "import":
                 return "import", event["module"]
+            case "imported":
+                return None
             case "broken":
                 self.broken[event["module"]] = event["message"]
             case "start":
@@ -254,9 +266,10 @@ class _Run:
     def _decide(self, name: str, status: str, message: str) -> None:
         check = self.checks[name]
         hidden = check["rationale"] is not None
-        silent = hidden and self.behind is not None and not self.behind.tells
-        if silent and status == "failed":  # any other word could tell what is checked, and how
-            message = check["rationale"]
+        if hidden and self.behind is not None and not self.behind.tells:
+            # Any other word could tell what is checked, and how.
+            words = {"failed": check["rationale"], "error": "the grader failed on this check"}
+            message = words.get(status, "")
         if self.behind:
             message = clean(message)
         if len(message) > LONGEST_MESSAGE:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from autograder.explain import explain_exception
-from autograder.faults import CheckEnded, clean
+from autograder.faults import CheckEnded, GraderFault, clean
 from autograder.in_process import InProcess
 
 if TYPE_CHECKING:
@@ -100,9 +100,9 @@ class Recorder:
         status, message = "passed", ""
         if call.excinfo is not None:
             error = call.excinfo.value
-            ours = report.when != "call" or type(error).__name__ == "TemplateError"
+            ours = report.when != "call" or isinstance(error, GraderFault)
             status = "error" if ours else "failed"
-            if isinstance(error, (pytest.fail.Exception, CheckEnded)):
+            if isinstance(error, (pytest.fail.Exception, CheckEnded, GraderFault)):
                 message = str(error)
             else:
                 message = explain_exception(error, self.engine.engine, self.config["complete"])

@@ -69,6 +69,7 @@ class Session:
         except TimeoutError:
             self.on_hang()
         except (EOFError, OSError):
+            self.dead = "the process of the code has ended"
             self._fail(self.how_it_ended())
         if reply.get("id") != message["id"]:
             raise BrokenProtocolError("an answer to another question")

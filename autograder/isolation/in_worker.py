@@ -88,12 +88,15 @@ class InWorker:
             code = self._worker(file.stat().st_size > LARGE).ask("compile", str(file))
             if type(code) is str:
                 self.template.keep_bytecode(file, code)
+        if module in self.modules:
+            self.report(event="imported")
 
     def _import(self, module: str) -> None:
         self.report(event="import", module=module)
         session = self._worker()
         try:
             session.ask("import", module)
+            self.report(event="imported")
             return
         except WorkerFailure as error:
             file = module.replace(".", "/") + ".py"

@@ -2,7 +2,7 @@
 
 Landlock leaves it a few folders to read, and nothing to write. The seccomp filter leaves it the
 system calls that computing needs: no processes, no sockets, no signals to others. Limits bound its
-memory, time and files. Nothing here is loaded before the student's code has no say any more.
+memory, time and files. All of it stands before any of the student's code is there.
 """
 
 from __future__ import annotations
@@ -175,7 +175,6 @@ def enter(level: Level, rules: int | None, seconds: int) -> None:
 
 
 def _limit(seconds: int) -> None:
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     limits: dict[str, int] = {
         "RLIMIT_FSIZE": FILE_SIZE,
         "RLIMIT_CORE": 0,
@@ -187,7 +186,16 @@ def _limit(seconds: int) -> None:
         limits |= {"RLIMIT_AS": MEMORY, "RLIMIT_NPROC": 0}
     for name, value in limits.items():
         if hasattr(resource, name):
-            resource.setrlimit(getattr(resource, name), (value, value))
+            _lower(getattr(resource, name), value, value)
+    _lower(resource.RLIMIT_CPU, seconds, seconds + 1)
+
+
+def _lower(kind: int, soft: int, hard: int) -> None:
+    """Set a limit, and keep the one there is where it is lower already."""
+    _, there = resource.getrlimit(kind)
+    if there != resource.RLIM_INFINITY:
+        soft, hard = min(soft, there), min(hard, there)
+    resource.setrlimit(kind, (soft, hard))
 
 
 def _drop_privileges() -> None:

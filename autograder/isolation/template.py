@@ -20,8 +20,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, NoReturn
 
+from autograder.faults import GraderFault
 from autograder.isolation.handles import Session, WorkerFailure
-from autograder.isolation.sandbox import Level, SandboxError, landlock_version, seccomp_works_here
+from autograder.isolation.sandbox import Level, landlock_version, seccomp_works_here
 from autograder.isolation.wire import Wire
 from autograder.manifest import ROOT
 
@@ -33,7 +34,7 @@ HELD_BY_SECCOMP = ("reaching the network", "starting a process", "sending a sign
 HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network")
 
 
-class TemplateError(Exception):
+class TemplateError(GraderFault):
     """A worker did not come up, and that is no fault of the code that it would have run."""
 
 
@@ -55,7 +56,7 @@ class Template:
 
     ``engine`` is folders of chapters, which go on the worker's path with the folder of the probes,
     behind the standard library. What it keeps goes into ``folder``. A worker has ``seconds`` for
-    all that it is asked. ``fresh`` starts a new template for each worker: slower, but nothing of
+    what it is asked. ``fresh`` starts a new template for each worker: slower, but nothing of
     one worker can be left for the next, which is what a wall without seccomp needs.
     """
 
@@ -184,8 +185,8 @@ class Template:
         if code == -signal.SIGXCPU:
             return "the process ended in the middle: it had used up its processor time"
         if code < 0:
-            name = signal.Signals(-code).name
-            return f"the process ended in the middle: Python crashed by {name}"
+            name = signal.strsignal(-code) or f"signal {-code}"
+            return f"the process ended in the middle: Python crashed ({name})"
         return f"the process ended in the middle, with exit code {code}: is there an os._exit?"
 
     def stop_worker(self) -> None:
@@ -283,7 +284,7 @@ def holds(level: Level) -> bool:
             session = template.start_worker(_no_answer)
             through: list[str] = session.ask("test_the_walls", attempts, str(forbidden))
             return through == []
-        except (TemplateError, SandboxError, WorkerFailure):
+        except (TemplateError, WorkerFailure):
             return False
         finally:
             template.close()

@@ -14,8 +14,6 @@ from autograder.reports.gradescope import write_gradescope
 from autograder.reports.texts import Report, replace_file
 from autograder.submissions.find import file_name
 
-__all__ = ["Report", "read_result", "replace_file", "write_all", "write_result"]
-
 NUMBER = (int, float)
 SCORE = (int, float, type(None))
 # The form of a report and its parts: each key with the types that its value may have. Reports
@@ -69,12 +67,15 @@ def read_result(path: Path) -> Report | None:
     return report if _is_report(report) else None
 
 
-def write_all(out: Path, chapters: list[Chapter], reports: Sequence[Report]) -> list[Path]:
-    """Write everything that a class leaves, and return the places to look at."""
-    for report in reports:
-        write_result(out, report)
-        write_gradescope(out, report)
-        write_feedback(out, report)
+def write_student(out: Path, report: Report) -> None:
+    """Write everything about one student; the results last, by which it counts as complete."""
+    write_feedback(out, report)
+    write_gradescope(out, report)
+    write_result(out, report)
+
+
+def write_class(out: Path, chapters: list[Chapter], reports: Sequence[Report]) -> list[Path]:
+    """Write what is made of all reports, and return the places to look at."""
     index = write_index(out, chapters, reports)
     gradebook = write_gradebook(out, chapters, reports)
     return [index, gradebook, *(out / name for name in ("feedback", "gradescope", "results"))]

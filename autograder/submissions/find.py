@@ -45,7 +45,8 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
             notes.append(f"{printable(path.name)} was left out: it is {what}")
             continue
         new = Submission(printable(path.stem if is_zip else path.name), path)
-        # Keyed by the reports' name, so that no report can ever be written over another.
+        # Keyed by the reports' name, so that no report is written over another,
+        # on file systems that tell A from a.
         old = found.setdefault(file_name(new.student), new)
         if old is not new:
             raise ValueError(

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter
 from autograder.submissions.find import printable
-from autograder.submissions.folders import Found, NotTakenError, refuse_all, search_folder
+from autograder.submissions.folders import Found, NotTakenError, cause, refuse_all, search_folder
 from autograder.submissions.zips import search_zip
 
 LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thousand
@@ -71,7 +71,7 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
             raise NotTakenError("the submission is a symbolic link")
         return (search_folder if stat.S_ISDIR(mode) else search_zip)(submission, wanted)
     except OSError as error:
-        refused = NotTakenError(f"the submission cannot be read: {error.strerror}")
+        refused = NotTakenError(f"the submission cannot be read: {cause(error)}")
     except NotTakenError as error:
         refused = error
     everything = [refuse_all((name,), files, str(refused)) for name, files in wanted.items()]

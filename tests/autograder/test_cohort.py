@@ -20,7 +20,7 @@ from typing import Any
 
 import pytest
 
-from autograder import cohort
+from autograder import cohort, grading
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from small import RIGHT, make_root
@@ -138,7 +138,7 @@ def test_what_is_complete_is_not_graded_again(
     assert scores(out) == {"ann": 6.0, "bob": 6.0, "cem": 6.0, "dee": 5.0}
 
 
-@pytest.mark.parametrize("change", ["seed", "checks", "error", "cut off"])
+@pytest.mark.parametrize("change", ["seed", "checks", "complete module", "error", "cut off"])
 def test_what_no_longer_holds_is_graded_again(
     submissions: Path, root: Path, tmp_path: Path, change: str
 ) -> None:
@@ -153,6 +153,8 @@ def test_what_no_longer_holds_is_graded_again(
         case "checks":
             checks = root / "tests/ch90_small/test_small.py"
             checks.write_text(checks.read_text(encoding="utf-8") + "\n# new\n", encoding="utf-8")
+        case "complete module":
+            (root / "chapters/ch90_small/plots.py").write_text("x = 1\n", encoding="utf-8")
         case "error":
             report["status"] = "error, retry"
     text = json.dumps(report)
@@ -182,7 +184,7 @@ def test_a_new_run_draws_a_seed_and_a_stopped_one_keeps_its_own(
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
 def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Path) -> None:
     submissions, out = tmp_path / "class", tmp_path / "out"
-    for number in range(12):
+    for number in range(20):
         hand_in(submissions, f"student {number:02}", RIGHT if number % 3 else HALF)
     program = (
         "import sys; from pathlib import Path; from autograder import cohort;"
@@ -205,20 +207,20 @@ def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Pa
         process.send_signal(signal.SIGKILL)
         process.wait()
         now = results(out)
-        assert goal <= len(now) < 12, "it was killed in the middle"
+        assert goal <= len(now) < 20, "it was killed in the middle"
         assert {student: now[student] for student in landed} == landed, "nothing was graded twice"
         landed = now
     done = subprocess.run(
         command, cwd=ROOT, env=environment, capture_output=True, encoding="utf-8", check=True
     )
-    assert f"{len(landed)} of 12 were graded before, and not again." in done.stdout
+    assert f"{len(landed)} of 20 were graded before, and not again." in done.stdout
     final = results(out)
     assert {student: final[student] for student in landed} == landed
     assert len({report["seed"] for report in final.values()}) == 1
     with (out / "gradebook.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    assert [row["student"] for row in rows[1:]] == [f"student {n:02}" for n in range(12)]
-    assert [row["score"] for row in rows[1:]] == ["6" if n % 3 else "5" for n in range(12)]
+    assert [row["student"] for row in rows[1:]] == [f"student {n:02}" for n in range(20)]
+    assert [row["score"] for row in rows[1:]] == ["6" if n % 3 else "5" for n in range(20)]
     assert _judges_in(tmp_path) == []
     assert [*temporary.iterdir(), *out.glob(".temporary")] == [], "killed runs left nothing"
 
@@ -296,8 +298,20 @@ def test_an_empty_submission_is_noted(
     note = "nothing was found of ch90_small/small.py and so on, at most three levels down"
     assert results(tmp_path / "out")["dee"]["notes"] == [note]
     assert f"dee: {note}" in screen
-    with pytest.raises(ValueError, match="must not be the folder of the class"):
-        grade(submissions, submissions, root)
+
+
+@pytest.mark.parametrize(
+    ("place", "complaint"),
+    [
+        (".", "must not be the folder of the class"),
+        ("ann/grades", "must not lie in the submission"),
+    ],
+)
+def test_reports_do_not_go_where_submissions_are(
+    submissions: Path, root: Path, place: str, complaint: str
+) -> None:
+    with pytest.raises(ValueError, match=complaint):
+        grade(submissions, submissions / place, root)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no lock")
@@ -365,6 +379,54 @@ def test_hidden_checks_that_are_wrong_themselves_stop_the_run_before_it_begins(
     with pytest.raises(ValueError, match=complaint):
         grade(submissions, tmp_path / "out", root, hidden=tmp_path / "hidden")
     assert not (tmp_path / "out/results").exists()
+
+
+def test_hidden_probes_do_not_take_the_place_of_public_ones(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    (root / "tests/ch90_small/probes.py").touch()
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / "probes.py").touch()
+    with pytest.raises(ValueError, match=r"probes\.py has the name of a public file"):
+        grade(submissions, tmp_path / "out", root, hidden=tmp_path / "hidden")
+
+
+def test_a_hidden_check_that_the_grader_fails_on_tells_nothing_either(
+    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    fixture = "\n\n@pytest.fixture(autouse=True)\ndef odd():\n    raise OSError('secret fault')\n"
+    (hidden / "test_more.py").write_text(HIDDEN + fixture, encoding="utf-8")
+    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    monkeypatch.setattr(cohort, "check_hidden", lambda _: None)
+    out = tmp_path / "out"
+    assert grade(submissions, out, root, hidden=tmp_path / "hidden") == 1
+    assert scores(out) == {"ann": None, "bob": None, "cem": None}
+    assert "the grader failed on this check" in everything_in(out / "feedback")
+    assert "secret" not in everything_in(out)
+
+
+def test_after_an_error_the_same_command_grades_that_student_alone(
+    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, real = tmp_path / "out", grading.stage
+
+    def fails(path: Path, *arguments: Any) -> Any:
+        if path.name == "bob":
+            raise OSError("the disk is full")
+        return real(path, *arguments)
+
+    with monkeypatch.context() as context:
+        context.setattr(grading, "stage", fails)
+        assert grade(submissions, out, root, None) == 1
+    before = results(out)
+    assert before["bob"]["status"] == "error, retry"
+    assert grade(submissions, out, root, None) == 0
+    after = results(out)
+    assert (after["ann"], after["cem"]) == (before["ann"], before["cem"])
+    assert after["bob"]["score"] == 5.0
 
 
 def test_hidden_checks_of_no_chapter_are_refused(

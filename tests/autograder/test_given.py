@@ -9,18 +9,23 @@ import sys
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from autograder.check import check as check_chapters
 from autograder.given import (
     mark_inherited,
     run_on_given,
     told_on_given,
     with_given,
 )
+from autograder.grading import Assignment, grade_submission
 from autograder.handout import make_handout
-from autograder.manifest import ROOT, select_chapters
+from autograder.isolation.sandbox import Level
+from autograder.manifest import ROOT, Chapter, select_chapters
 from autograder.runner import GraderError, Verdict, run_checks
+from autograder.submissions.find import Submission
 
 CH02, CH03 = select_chapters("2-3")
 REFERENCE = [ROOT / "solutions", ROOT / "chapters"]
@@ -175,13 +180,34 @@ def test_a_chapter_that_is_not_written_yet_is_not_run_a_second_time() -> None:
     assert run_on_given(CH03, wrong, REFERENCE, [], never) == [], "all below is given"
 
 
-def test_a_fault_of_the_second_run_leaves_the_first_as_it_is() -> None:
-    def fails(*_: object) -> list[Verdict]:
+def test_a_fault_of_the_second_run_leaves_the_first_as_it_is(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    real = run_checks
+
+    def fails_on_given(chapter: Chapter, engine: list[Path], **options: Any) -> list[Verdict]:
+        if "given" in engine[0].name:
+            raise GraderError("the disk is full")
+        return real(chapter, engine, **options)
+
+    monkeypatch.setattr("autograder.check.run_checks", fails_on_given)
+    engine = [ROOT / "sample_class/hana", ROOT / "chapters"]
+    assert not check_chapters([CH03], None, engine, "1", [])
+    assert "inherited" not in capsys.readouterr().out
+
+
+def test_a_fault_of_the_second_run_is_no_score_on_given_chapters(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fails(*_: Any, **__: Any) -> list[Verdict]:
         raise GraderError("the disk is full")
 
-    wrong = [Verdict("a", "B3.1", 1, "failed", "wrong")]
-    assert run_on_given(CH03, wrong, REFERENCE, [CH02], fails) == []
-    assert mark_inherited(wrong, []) == wrong
+    monkeypatch.setattr("autograder.grading.run_on_given", fails)
+    hana = Submission("hana", ROOT / "sample_class/hana")
+    report = grade_submission(Assignment([CH03], "1", Level()), hana)
+    assert report["status"] == "error, retry"
+    assert report["score"] > 0
+    assert report["score_on_given"] is None
 
 
 def test_a_check_that_fails_both_times_is_told_as_it_fails_on_the_reference() -> None:

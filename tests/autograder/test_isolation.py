@@ -312,7 +312,7 @@ def test_a_call_back_that_ends_the_check_is_not_caught_by_the_student(session: S
     [
         ("leave", [0], "in the middle, with exit code 0"),
         ("leave", [3], "in the middle, with exit code 3"),
-        ("crash", [], "in the middle: Python crashed by SIGSEGV"),
+        ("crash", [], "in the middle: Python crashed .Segmentation fault"),
         ("close_everything", [], "in the middle: the code closed what the checks use"),
     ],
 )
@@ -336,9 +336,29 @@ def test_a_worker_that_the_machine_kills_is_no_fault_of_the_student(
         session = template.start_worker(hang)
         assert template._worker is not None
         os.kill(template._worker.number, signal.SIGKILL)
-        with pytest.raises(TemplateError, match="killed from outside"):
+        with pytest.raises(TemplateError, match="killed from outside") as caught:
+            session.ask("show", 1)
+        assert not isinstance(caught.value, Exception), "no check can expect it"
+        with pytest.raises(WorkerFailure, match="has ended"):
             session.ask("show", 1)
         assert template.start_worker(hang).ask("show", 1) == "1"
+
+
+def test_a_fresh_template_serves_each_check_as_a_forked_one_does(
+    tmp_path: Path, level: Level
+) -> None:
+    (tmp_path / "engine/ch91_box").mkdir(parents=True)
+    (tmp_path / "engine/ch91_box/box.py").write_text(MODULE, encoding="utf-8")
+    (tmp_path / "own").mkdir()
+    own = tmp_path / "own"
+    template = Template(level, [str(tmp_path / "engine")], str(own), own, 5.0, fresh=True)
+    with contextlib.closing(template):
+        processes = set()
+        for n in (1, 2):
+            assert name(template.start_worker(hang), "Box")(n).n == n
+            assert template._process is not None
+            processes.add(template._process.pid)
+    assert len(processes) == 2
 
 
 def test_a_worker_that_does_not_answer_is_a_hang(session: Session) -> None:
@@ -395,10 +415,15 @@ def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.Monkey
     assert not holds(Level(landlock=True)), "everything can be read"
 
 
-def test_a_template_that_cannot_start_says_so(tmp_path: Path, level: Level) -> None:
+def test_a_template_that_cannot_start_says_so(
+    tmp_path: Path, level: Level, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("autograder.isolation.template.ROOT", tmp_path)  # it has no autograder
     template = Template(level, [], str(tmp_path), tmp_path, 1.0)
-    template.level = "no level"  # type: ignore[assignment]
-    with contextlib.closing(template), pytest.raises((TemplateError, TypeError, AttributeError)):
+    with (
+        contextlib.closing(template),
+        pytest.raises(TemplateError, match="(?s)did not come up: .*autograder"),
+    ):
         template.start_worker(hang)
 
 

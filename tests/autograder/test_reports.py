@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from autograder.reports.marks import Mark, apply_marks
-from autograder.reports.results import read_result, replace_file, write_all, write_result
+from autograder.reports.results import read_result, write_class, write_result, write_student
+from autograder.reports.texts import replace_file
 from graded import CHAPTERS, failed_run, hostile, nothing_done, report_of
 
 
@@ -78,14 +79,19 @@ def test_a_result_of_another_form_is_none(
 def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> None:
     cleo = apply_marks(report_of("cleo"), {("cleo", "2.3"): Mark(2.5, "")})
     reports = [cleo, nothing_done(), failed_run()]
-    places = write_all(tmp_path, CHAPTERS, reports)
+    for report in reports:
+        write_student(tmp_path, report)
+    places = write_class(tmp_path, CHAPTERS, reports)
     assert all(place.exists() for place in places)
     assert {place.name for place in places} == {path.name for path in tmp_path.iterdir()}
     files = {path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")}
     assert len(files) == 2 + 3 * 3
     again = [read_result(tmp_path / "results" / f"{r['student']}.json") for r in reports]
     assert again == reports
-    write_all(tmp_path, CHAPTERS, [report for report in again if report])
+    for report in again:
+        assert report is not None
+        write_student(tmp_path, report)
+    write_class(tmp_path, CHAPTERS, [report for report in again if report])
     assert files == {
         path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")
     }

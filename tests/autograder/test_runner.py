@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -220,6 +221,22 @@ def test_an_exception_that_hangs_or_fails_when_it_is_shown_costs_its_check(
         verdicts = run(root, chapter, error + RIGHT.replace("return x + x", "raise Odd"))
         assert statuses(verdicts) == ["failed", "failed", "passed", "passed"]
         assert words in verdicts["test_double"].message
+
+
+def test_after_a_hang_in_the_last_check_nothing_is_started(
+    root: Path, chapter: Chapter, run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    started = []
+    real = runner.arrange
+
+    def arrange(*arguments: Any) -> Any:
+        started.append(1)
+        return real(*arguments)
+
+    monkeypatch.setattr(runner, "arrange", arrange)
+    code = RIGHT.replace("return 4 * x", "while x == 0: pass\n    return 4 * x")
+    assert statuses(run(root, chapter, code)) == ["passed", "passed", "passed", "failed"]
+    assert len(started) == 1
 
 
 def test_what_builds_on_a_hang_waits_for_it_once(root: Path, chapter: Chapter, run: Run) -> None:

@@ -26,8 +26,7 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
     """Return the submissions in a class's folder, sorted by student, and notes on what is none.
 
     A submission is a folder or a .zip file that is named after the student. Links are never
-    followed. Hidden files, caches, a README.md
-    and marks.csv are passed over without a note.
+    followed. Hidden files, caches, a README.md and marks.csv are passed over without a note.
     Raises ValueError where it is no folder, has no submission, or has two of one student, and
     OSError where it cannot be read.
     """

@@ -160,7 +160,7 @@ def run() -> Iterator[Run]:
     kept = os.environ.get("HOSTILE_KEEP")
     # Beside pytest's own temporary folders, which other users cannot enter: whatever user the
     # grader gives its workers, nothing but its walls may stop them.
-    base = Path(kept or tempfile.mkdtemp(prefix="hostile-run-")).resolve()
+    base = Path(kept or tempfile.mkdtemp(prefix="corpus-")).resolve()
     base.mkdir(parents=True, exist_ok=True)
     base.chmod(0o755)
     started: set[int] = set()
@@ -179,7 +179,7 @@ def run() -> Iterator[Run]:
         before, others = snapshot(world), descendants()
         code = grade(world)
         time.sleep(0.5)  # what is being ended has the time to end
-        started = descendants() - others | bearing_our_mark()
+        started = descendants() - others | bearing_the_mark_of(world)
         survivors = [name for pid in started if (name := process_name(pid))]
         screen = (base / "screen.txt").read_text(encoding="utf-8", errors="replace")
         results = read_results(world.out)
@@ -208,6 +208,7 @@ def grade(world: World) -> int | None:
         "PYTHONPATH": str(TESTS.parent),
         "PYTHONUTF8": "1",
         "HOSTILE_SECRET": TOKENS["the environment"],
+        "HOSTILE_RUN": world.run,
     }
     places = [str(path) for path in (world.submissions, world.out, world.root)]
     command = [sys.executable, "-c", GRADE, *places, SEED, str(TIME_LIMIT)]
@@ -277,12 +278,12 @@ def descendants() -> set[int]:
     return found - {os.getpid()}
 
 
-def bearing_our_mark() -> set[int]:
-    """Return the processes that have the environment of the grader."""
-    found = set()
+def bearing_the_mark_of(world: World) -> set[int]:
+    """Return the processes that have the environment of this run's grader."""
+    found, mark = set(), f"HOSTILE_RUN={world.run}"
     for path in Path("/proc").glob("[0-9]*/environ"):
         with contextlib.suppress(OSError):
-            if TOKENS["the environment"].encode() in path.read_bytes():
+            if mark.encode() in path.read_bytes():
                 found.add(int(path.parent.name))
     return found
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import json
 import os
@@ -110,7 +111,7 @@ def choose_level(folder: Path, *, unsafe: bool) -> Level:
     level = best_level()
     if level.is_wall or folder.resolve() == SAMPLE_CLASS:
         return level
-    if unsafe and os.name == "posix" and os.geteuid() != 0:
+    if unsafe and os.geteuid() != 0:
         return level
     no_wall = (
         "there is no wall here to put around a submission (it takes Linux with Landlock on x86-64, "
@@ -295,13 +296,10 @@ def _only_run(out: Path) -> Iterator[Path]:
         raise ValueError(f"--out must be a folder, got {str(out)!r}")
     out.mkdir(parents=True, exist_ok=True)
     with (out / ".lock").open("w") as lock:
-        if sys.platform != "win32":
-            import fcntl
-
-            try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except BlockingIOError:
-                raise ValueError(f"another run is grading into {str(out)!r}") from None
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise ValueError(f"another run is grading into {str(out)!r}") from None
         yield out / "run.json"
 
 
@@ -313,7 +311,7 @@ def _temporary_files_in(out: Path) -> Iterator[None]:
     """
     own, before = out / ".temporary", tempfile.tempdir
     shutil.rmtree(own, ignore_errors=True)
-    own.mkdir(mode=0o700)
+    own.mkdir(mode=0o700, exist_ok=True)
     tempfile.tempdir = str(own.resolve())
     try:
         yield

@@ -12,6 +12,8 @@ from autograder.explain import explain_import
 from autograder.faults import fault_of
 from autograder.missing import MissingNameError, answer_for_missing, broken_module
 
+Tell = Callable[..., None]  # tells the runner of an event
+
 
 class InProcess:
     """The student's modules, imported beside the checks."""
@@ -21,17 +23,17 @@ class InProcess:
         self.time_limit = time_limit
         self.stack_file = Path(stack_file).open("w")  # noqa: SIM115 - lives as long as we
 
-    def open(self, modules: list[str], broken: dict[str, str], report: Callable[..., None]) -> None:
+    def open(self, modules: list[str], broken: dict[str, str], tell: Tell) -> None:
         """Import the student's modules before any check does, so that a bad one stops no other."""
         for module, message in broken.items():
             sys.modules[module] = broken_module(module, message)
         for module in modules:
             if module not in sys.modules:
-                report(event="import", module=module)
+                tell(event="import", module=module)
                 self.start()
                 self._import(module)
                 self.stop()
-                report(event="imported")
+                tell(event="imported")
 
     def after_collection(self) -> None:
         """Everything is there already: the checks' own imports need the modules."""

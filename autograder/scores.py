@@ -61,4 +61,4 @@ def total(results: Iterable[Result]) -> tuple[float | None, int]:
 
 def shown(score: float | None) -> str:
     """Return a score as people read it: 2.5, or - where there is none."""
-    return "-" if score is None else f"{score:g}"
+    return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,12 +18,11 @@ import pytest
 
 from autograder.explain import explain_exception
 from autograder.faults import CheckEnded, GraderFault, clean
-from autograder.in_process import InProcess
+from autograder.in_process import InProcess, Tell
 
 if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker
 
-Report = Callable[..., None]
 # Built-in plugins that no check uses; leaving them out saves a sixth of the time to the answer.
 UNUSED_PLUGINS = (
     "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin setuponly "
@@ -34,14 +33,14 @@ UNUSED_PLUGINS = (
 class Recorder:
     """A pytest plugin that picks the checks to run, limits their time and reports verdicts."""
 
-    def __init__(self, config: dict[str, Any], report: Report) -> None:
+    def __init__(self, config: dict[str, Any], tell: Tell) -> None:
         self.config = config
-        self.report = report
+        self.tell = tell
         self.engine = _engine(config)
 
     def pytest_sessionstart(self) -> None:
         """Make the student's modules ready for the checks to import."""
-        self.engine.open(self.config["modules"], self.config["broken"], self.report)
+        self.engine.open(self.config["modules"], self.config["broken"], self.tell)
 
     def pytest_collection_finish(self) -> None:
         """Tell what cannot be imported, where that was not needed to collect the checks."""
@@ -76,7 +75,7 @@ class Recorder:
             }
             for item in items
         ]
-        self.report(event="checks", checks=checks)
+        self.tell(event="checks", checks=checks)
         left_out = [item for item in items if item.name in self.config["done"]]
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if item not in left_out]
@@ -84,7 +83,7 @@ class Recorder:
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
         """Start the time limit of the check itself, and its worker if it has one."""
-        self.report(event="start", name=item.name)
+        self.tell(event="start", name=item.name)
         self.engine.start()  # until its report is made: a student's exception may hang in its str
         return (yield)
 
@@ -111,13 +110,13 @@ class Recorder:
             if printed and message:
                 message += f"\nprinted   {clean(printed)[:2000]}"
         if report.when == "call" or status == "error":
-            self.report(event="verdict", name=item.name, status=status, message=message)
+            self.tell(event="verdict", name=item.name, status=status, message=message)
         return report
 
     def pytest_sessionfinish(self, exitstatus: int) -> None:
         code = pytest.ExitCode
         if exitstatus in (code.OK, code.TESTS_FAILED, code.NO_TESTS_COLLECTED):
-            self.report(event="end")
+            self.tell(event="end")
 
 
 def _engine(config: dict[str, Any]) -> InProcess | InWorker:
@@ -149,7 +148,7 @@ def main() -> int:
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what the student prints is no verdict
 
-    def report(**event: Any) -> None:
+    def tell(**event: Any) -> None:
         wire.write(json.dumps(event) + "\n")
         wire.flush()
 
@@ -157,7 +156,7 @@ def main() -> int:
     arguments += [f"--seed={config['seed']}", *(f"--engine={path}" for path in config["engine"])]
     for plugin in UNUSED_PLUGINS.split():
         arguments += ["-p", f"no:{plugin}"]
-    return int(pytest.main(arguments, plugins=[Recorder(config, report)]))
+    return int(pytest.main(arguments, plugins=[Recorder(config, tell)]))
 
 
 if __name__ == "__main__":

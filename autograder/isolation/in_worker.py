@@ -13,7 +13,7 @@ import re
 import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import ModuleType
@@ -21,11 +21,11 @@ from typing import Any, NoReturn
 
 from autograder.explain import explain_import
 from autograder.faults import Fault
+from autograder.in_process import Tell
 from autograder.isolation.handles import Handle, Session, StudentLeft, WorkerFailure
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template
 
-Report = Callable[..., None]
 LARGE = 50_000  # bytes of a file that is given all of a worker's time to be compiled
 CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 
@@ -59,13 +59,13 @@ class InWorker:
         self.modules: list[str] = []
         self.broken: dict[str, str] = {}
 
-    def open(self, modules: list[str], broken: dict[str, str], report: Report) -> None:
+    def open(self, modules: list[str], broken: dict[str, str], tell: Tell) -> None:
         """Serve the checks' imports from now on. What is imported is found out after_collection."""
         threading.Thread(target=_leave_with_our_parent, daemon=True).start()
         sys.meta_path.insert(0, ChapterFinder(self))
         self.modules = modules
         self.broken = dict(broken)
-        self.report = report
+        self.tell = tell
 
     def after_collection(self) -> None:
         """Find out which modules can be imported, so that no check pays for a bad one."""
@@ -83,20 +83,20 @@ class InWorker:
         if module in self.broken:
             return
         if module in self.modules:
-            self.report(event="import", module=module)
+            self.tell(event="import", module=module)
         with contextlib.suppress(WorkerFailure):  # a file on which Python itself fails
             code = self._worker(file.stat().st_size > LARGE).ask("compile", str(file))
             if type(code) is str:
                 self.template.keep_bytecode(file, code)
         if module in self.modules:
-            self.report(event="imported")
+            self.tell(event="imported")
 
     def _import(self, module: str) -> None:
-        self.report(event="import", module=module)
+        self.tell(event="import", module=module)
         session = self._worker()
         try:
             session.ask("import", module)
-            self.report(event="imported")
+            self.tell(event="imported")
             return
         except WorkerFailure as error:
             file = module.replace(".", "/") + ".py"
@@ -107,7 +107,7 @@ class InWorker:
                 raise
             message = explain_import(fault, module, self.engine)
         self.broken[module] = message
-        self.report(event="broken", module=module, message=message)
+        self.tell(event="broken", module=module, message=message)
         self.stop()  # the next worker knows it
 
     def _worker(self, new: bool = False) -> Session:

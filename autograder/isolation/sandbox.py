@@ -15,7 +15,7 @@ import resource
 import struct
 import sys
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -44,7 +44,7 @@ class Level:
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
-        names = [name for name, up in asdict(self).items() if up]
+        names = [name for name, up in vars(self).items() if up]
         if not self.is_wall:
             return (
                 "none: the submission ran in a process of its own with limits of memory and time, "

@@ -7,6 +7,8 @@ import unicodedata
 from pathlib import Path
 from typing import Any
 
+from autograder.scores import shown
+
 Report = dict[str, Any]  # one student's results, as they stand in results/<student>.json
 
 LONGEST = 4000  # characters of one text in a report; a check's own message has a few hundred
@@ -49,7 +51,7 @@ def clean_all(value: Any) -> Any:
 
 def number(value: float | None) -> str:
     """Return points as people write them: 18.27, 2.5, 3, and nothing where there are none."""
-    return "" if value is None else f"{value:.2f}".rstrip("0").rstrip(".")
+    return "" if value is None else shown(value)
 
 
 def check_title(name: str) -> str:

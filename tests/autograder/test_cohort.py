@@ -181,7 +181,6 @@ def test_a_new_run_draws_a_seed_and_a_stopped_one_keeps_its_own(
     assert results(out) == before
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
 def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Path) -> None:
     submissions, out = tmp_path / "class", tmp_path / "out"
     for number in range(20):
@@ -225,7 +224,6 @@ def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Pa
     assert [*temporary.iterdir(), *out.glob(".temporary")] == [], "killed runs left nothing"
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGINT for one process")
 def test_a_run_that_is_interrupted_stops_at_once_and_leaves_what_is_complete(
     tmp_path: Path,
 ) -> None:
@@ -314,7 +312,6 @@ def test_reports_do_not_go_where_submissions_are(
         grade(submissions, submissions / place, root)
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="there is no lock")
 def test_two_runs_do_not_share_a_folder(submissions: Path, root: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     with (
@@ -440,11 +437,7 @@ def test_marks_of_a_person_are_merged_on_every_run(
     submissions: Path, root: Path, tmp_path: Path
 ) -> None:
     manifest = root / "chapters/ch90_small/chapter.toml"
-    written = (
-        '\n[[exercise]]\nid = "90.2"\ntitle = "Why"\nkind = "written"\nstars = 1\npoints = 3\n'
-    )
-    text = manifest.read_text(encoding="utf-8") + written + 'hints = ["think"]\nterms = []\n'
-    manifest.write_text(text, encoding="utf-8")
+    manifest.write_text(manifest.read_text(encoding="utf-8") + WRITTEN, encoding="utf-8")
     out = tmp_path / "out"
     grade(submissions, out, root)
     assert results(out)["bob"]["waiting"] == 3

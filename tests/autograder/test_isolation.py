@@ -41,8 +41,6 @@ from autograder.isolation.wire import (
     unpack,
 )
 
-pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
-
 MODULE = """
 import os
 

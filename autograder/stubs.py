@@ -90,7 +90,8 @@ def stub_module(source: str, messages: dict[str, str]) -> str:
     """Return a module's source with the named bodies taken out.
 
     ``messages`` gives, for each name such as ``Vector3.dot``, what its stub raises. Helpers that
-    only those bodies use lose their bodies too; imports and constants that only they use go.
+    only those bodies use lose their bodies too; imports and private constants that only they use
+    go. Public constants stay: docstrings speak of them.
     Raises ValueError where the module does not define a name.
     """
     defined = functions(ast.parse(source))
@@ -102,7 +103,7 @@ def stub_module(source: str, messages: dict[str, str]) -> str:
         messages = messages | helpers
         stub = _without_bodies(module, messages)
     gone = _used_names(source) - _used_names(stub.code)
-    kept = [statement for statement in stub.body if _assigned_name(statement) not in gone]
+    kept = [statement for statement in stub.body if _private_constant(statement) not in gone]
     return _tidied(stub.with_changes(body=kept).code)
 
 
@@ -137,12 +138,12 @@ def _used_names(source: str) -> set[str]:
     return names | {node.attr for node in nodes if isinstance(node, ast.Attribute)}
 
 
-def _assigned_name(statement: cst.CSTNode) -> str | None:
-    """Return NAME where the statement is ``NAME = value``."""
+def _private_constant(statement: cst.CSTNode) -> str | None:
+    """Return _NAME where the statement is ``_NAME = value``."""
     match statement:
         case cst.SimpleStatementLine(
             body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
-        ):
+        ) if name.startswith("_"):
             return str(name)
     return None
 

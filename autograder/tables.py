@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from autograder.definitions import own_name
-from autograder.manifest import Chapter
+from autograder.manifest import Chapter, Exercise
 
 BEGIN = "<!-- exercises: `make stubs` writes this table from chapter.toml -->"
 END = "<!-- end of exercises -->"
@@ -16,13 +16,21 @@ def exercise_table(chapter: Chapter) -> str:
     rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
     rows.append("|---|---|---|---|---|---|---|")
     for exercise in chapter.exercises:
-        places = ", ".join(f"`{own_name(name)}`" for name in exercise.edit) or "`answers.md`"
+        places = "; ".join(_places(exercise)) or "`answers.md`"
         stars, needs = "\\*" * exercise.stars, ", ".join(exercise.needs)
         rows.append(
             f"| {exercise.id} | {exercise.title} | {exercise.kind} | {stars} | {exercise.points} "
             f"| {places} | {needs} |"
         )
     return "\n".join(rows)
+
+
+def _places(exercise: Exercise) -> list[str]:
+    """Return each file with the names whose bodies are written in it."""
+    files: dict[str, list[str]] = {}
+    for name in exercise.edit:
+        files.setdefault(name.partition(".")[0], []).append(f"`{own_name(name)}`")
+    return [f"`{module}.py`: {', '.join(names)}" for module, names in files.items()]
 
 
 def with_table(readme: str, chapter: Chapter) -> str:

@@ -9,6 +9,8 @@ from collections.abc import Sequence
 
 from ch02_vectors.vector import Vector3
 
+GRAVITATIONAL_CONSTANT = 6.67428e-11  # N m^2/kg^2
+
 
 def speed_ratio(first_mass: float, second_mass: float) -> float:
     """Exercise 3.1: return how many times the speed of the second particle the first one has.

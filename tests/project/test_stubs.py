@@ -28,8 +28,9 @@ from os.path import (
 )
 
 LIMIT = 3.0
+SIDES = 4.0
 # What the answer starts from.
-SECRET = 4.0
+_SECRET = 4.0
 
 
 class Ball:
@@ -40,7 +41,7 @@ class Ball:
 
     def volume(self) -> float:
         """Return the volume."""
-        return _cube(self.radius) * math.pi * SECRET / 3.0
+        return _cube(self.radius) * math.pi * _SECRET / SIDES
 
     @property
     def diameter(self) -> float:
@@ -99,6 +100,7 @@ import random
 from os.path import basename
 
 LIMIT = 3.0
+SIDES = 4.0
 
 
 class Ball:

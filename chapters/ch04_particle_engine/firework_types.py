@@ -1,0 +1,44 @@
+"""The nine types of firework of the show, and two of your own.
+
+The first three have the numbers of the book's table; what else a type does is ours. Types 1, 2, 4,
+6 and 8 are rockets, which leave others behind.
+"""
+
+from __future__ import annotations
+
+from ch04_particle_engine.fireworks import FireworkRule, Payload
+
+FIREWORK_TYPES = (
+    # A shell that bursts into slow and fast sparks.
+    FireworkRule(
+        1, 0.5, 1.4, (-5, 25, -5), (5, 28, 5), damping=0.1, payloads=(Payload(3, 5), Payload(5, 5))
+    ),
+    # A low rocket with two bursting candles.
+    FireworkRule(2, 0.5, 1.0, (-5, 10, -5), (5, 20, 5), damping=0.8, payloads=(Payload(4, 2),)),
+    # Sparks that stop in the air.
+    FireworkRule(3, 0.5, 1.5, (-5, -5, -5), (5, 5, 5), damping=0.1),
+    # A candle that flies on for a moment and bursts into a fountain.
+    FireworkRule(4, 0.2, 0.5, (-12, 2, -5), (12, 6, 5), damping=0.7, payloads=(Payload(7, 12),)),
+    # Sparks that fall far.
+    FireworkRule(5, 0.8, 1.6, (-12, -4, -8), (12, 8, 8), damping=0.5),
+    # A high shell with a crown, which bursts once more.
+    FireworkRule(
+        6, 1.3, 1.5, (-2, 22, -2), (2, 24, 2), damping=0.7, payloads=(Payload(8, 8), Payload(9, 10))
+    ),
+    # The drops of a fountain.
+    FireworkRule(7, 0.6, 1.0, (-3, 4, -3), (3, 9, 3), damping=0.6),
+    # An arm of a crown.
+    FireworkRule(8, 0.5, 0.7, (-14, 0, -14), (14, 8, 14), damping=0.3, payloads=(Payload(3, 4),)),
+    # Glitter that hardly moves and goes out at once.
+    FireworkRule(9, 0.1, 0.9, (-6, -6, -6), (6, 6, 6), damping=0.05),
+)
+
+
+def own_types() -> list[FireworkRule]:
+    """Mini-project 4.2: return the rules of two firework types of your own, 10 and 11.
+
+    They differ from each other and from the nine in more than their type. One of them or both
+    leave fireworks behind, of types 1 to 11, and none of the eleven leads back to itself, so that
+    every show with them ends.
+    """
+    raise NotImplementedError("Exercise 4.2: Two types of your own")

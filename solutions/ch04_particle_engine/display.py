@@ -1,0 +1,83 @@
+"""Keep the display alive (project 4.1): a game whose rules need no screen.
+
+Rockets burn down. A player who clicks on one before it has burnt out makes it burst, and another
+rocket of its type starts from the ground. The display lives as long as there is a rocket; who waits
+until the last moment scores more, and may be too late.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from ch04_particle_engine.fireworks import Firework, FireworksShow
+
+REACH = 2.5  # m, from the click to the rocket
+LATE = 0.4  # s of fuse left: below it a click is worth more
+MISSES_ALLOWED = 5
+
+
+@dataclass
+class Display:
+    """A game: its show, the score, the clicks that hit nothing and the time played in s."""
+
+    show: FireworksShow
+    score: int = 0
+    misses: int = 0
+    time: float = 0.0
+
+
+def find_rocket(display: Display, x: float, y: float) -> Firework | None:
+    """Project 4.1: return the rocket nearest to a point of the X-Y plane, None for none in REACH.
+
+    Rockets are the fireworks whose rule has payloads, whatever lit them. One without any fuse left,
+    an age of 0 or less, is past saving and is not found; one at exactly REACH is found.
+    """
+    nearest, distance = None, REACH
+    for rocket in _rockets(display):
+        position = rocket.particle.position
+        away = math.hypot(position.x - x, position.y - y)
+        if rocket.age > 0.0 and away <= distance:
+            nearest, distance = rocket, away
+    return nearest
+
+
+def click(display: Display, x: float, y: float) -> bool:
+    """Project 4.1: click on a point of the X-Y plane, and say whether a rocket was hit.
+
+    The rocket that find_rocket finds gets an age of 0, so that it bursts in the next update, and
+    then another of its type is launched, if the show has room. That scores 1, or 3 where its fuse
+    was shorter than LATE. A click that hits no rocket is a miss. When the game is over a click does
+    nothing and hits nothing.
+    """
+    if is_over(display):
+        return False
+    rocket = find_rocket(display, x, y)
+    if rocket is None:
+        display.misses += 1
+        return False
+    display.score += 3 if rocket.age < LATE else 1
+    rocket.age = 0.0
+    display.show.launch(rocket.type)
+    return True
+
+
+def is_over(display: Display) -> bool:
+    """Project 4.1: say whether the game has ended: no rocket is left, or too many clicks missed.
+
+    MISSES_ALLOWED may miss, the next one ends the game. A rocket that was clicked on counts until
+    it has burst. A game begins when something has been launched.
+    """
+    return display.misses > MISSES_ALLOWED or not _rockets(display)
+
+
+def tick(display: Display, duration: float) -> None:
+    """Let a frame in s pass in the game, where it is not over."""
+    if not is_over(display):
+        display.show.update(duration)
+        display.time += duration
+
+
+def _rockets(display: Display) -> list[Firework]:
+    rules = display.show.rules
+    return [firework for firework in display.show.fireworks if rules[firework.type].payloads]

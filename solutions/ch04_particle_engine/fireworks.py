@@ -1,0 +1,227 @@
+"""Fireworks (book 4.2): particles that burn for a while and leave others behind.
+
+What a type of firework does is data, a rule; the show only reads it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from random import Random
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.arguments import finite, not_negative, positive
+from ch03_laws_of_motion.particle import Particle
+
+Numbers = tuple[float, float, float]
+
+GRAVITY = (0.0, -9.81, 0.0)  # m/s^2
+LAUNCH_PLACES = (-5.0, 0.0, 5.0)  # m along X, on the ground
+POLICIES = ("keep_old", "drop_oldest")
+
+
+@dataclass(frozen=True)
+class Payload:
+    """What a firework leaves behind: ``count`` fireworks of a type.
+
+    Raises ValueError where the count is below 1, TypeError where it is no whole number.
+    """
+
+    type: int
+    count: int
+
+    def __post_init__(self) -> None:
+        _whole("count", self.count)
+
+
+@dataclass(frozen=True)
+class FireworkRule:
+    """What fireworks of a type do: how long they burn, how they fly and what they leave behind.
+
+    Ages in s and velocities in m/s are drawn between a smallest and a largest one, velocities for
+    each component. ``damping`` is the share of the velocity that is kept per second.
+
+    Raises ValueError where an age or the damping is negative, a number is not finite, or a smallest
+    is above its largest.
+    """
+
+    type: int
+    min_age: float
+    max_age: float
+    min_velocity: Numbers
+    max_velocity: Numbers
+    damping: float
+    payloads: Sequence[Payload] = ()
+
+    def __post_init__(self) -> None:
+        not_negative("damping", self.damping)
+        not_negative("min_age", self.min_age)
+        if not self.min_age <= finite("max_age", self.max_age):
+            raise ValueError(
+                f"max_age must be min_age, {self.min_age!r}, or more, got {self.max_age!r}"
+            )
+        for low, high in zip(self.min_velocity, self.max_velocity, strict=True):
+            if not finite("min_velocity", low) <= finite("max_velocity", high):
+                raise ValueError(
+                    "max_velocity must be min_velocity or more on every axis, got "
+                    f"{self.min_velocity!r} and {self.max_velocity!r}"
+                )
+
+
+class Firework:
+    """A burning particle: its ``type``, its ``particle``, and its ``age``: the fuse left in s."""
+
+    __slots__ = ("age", "particle", "type")
+
+    def __init__(self, type: int, age: float, particle: Particle) -> None:
+        self.type = type
+        self.age = age
+        self.particle = particle
+
+
+def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = None) -> Firework:
+    """Return a new firework of a rule, with numbers drawn from ``random`` (4.2.3).
+
+    Its age and each component of its velocity are drawn evenly between the rule's limits. A parent
+    gives it its place, and its velocity on top of the drawn one; without one it starts on the
+    ground, at one of LAUNCH_PLACES. Mass 1, GRAVITY as the acceleration, the damping of the rule.
+    """
+    velocity = Vector3(*map(random.uniform, rule.min_velocity, rule.max_velocity))
+    if parent is None:
+        position = Vector3(random.choice(LAUNCH_PLACES), 0.0, 0.0)
+    else:
+        position = parent.position
+        velocity += parent.velocity
+    particle = Particle(position, velocity, Vector3(*GRAVITY), damping=rule.damping)
+    return Firework(rule.type, random.uniform(rule.min_age, rule.max_age), particle)
+
+
+def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
+    """Return the types that lead back to themselves, in ascending order: they never end.
+
+    Type 1 does where it leaves type 2 behind and type 2 leaves type 1, and so does type 2; a type 3
+    that leaves type 1 behind never ends either, but does not come back.
+    """
+    leaves = {rule.type: {payload.type for payload in rule.payloads} for rule in rules}
+    endless = []
+    for type in leaves:
+        reached: set[int] = set()
+        ahead = [type]
+        while ahead:
+            for next_type in leaves.get(ahead.pop(), set()) - reached:
+                reached.add(next_type)
+                ahead.append(next_type)
+        if type in reached:
+            endless.append(type)
+    return sorted(endless)
+
+
+class FireworksShow:
+    """Fireworks that burn, in the order in which they were lit, the oldest first.
+
+    At most ``capacity`` burn at a time. When that is full, "keep_old" lights no new ones, as the
+    book's text says, and "drop_oldest" puts out the oldest to make room, as its listing does
+    (E-20). ``dropped`` counts those not lit and those put out. So rules that light each other for
+    ever stay within the capacity, however many sparks they ask for.
+
+    The same seed gives the same show.
+
+    Raises ValueError where two rules have one type, a payload has a type without a rule, the
+    capacity is below 1, or there is no such policy.
+    """
+
+    def __init__(
+        self,
+        rules: Iterable[FireworkRule],
+        capacity: int,
+        seed: int,
+        when_full: str = "keep_old",
+    ) -> None:
+        self.rules: dict[int, FireworkRule] = {}
+        for rule in rules:
+            if rule.type in self.rules:
+                raise ValueError(f"rules must have one rule a type, got two of type {rule.type!r}")
+            self.rules[rule.type] = rule
+        for rule in self.rules.values():
+            for payload in rule.payloads:
+                if payload.type not in self.rules:
+                    raise ValueError(
+                        f"rules must have a rule for each payload, got type {rule.type!r} with "
+                        f"payload {payload.type!r} and no rule for that"
+                    )
+        if when_full not in POLICIES:
+            raise ValueError(f"when_full must be one of {', '.join(POLICIES)}, got {when_full!r}")
+        self.capacity = _whole("capacity", capacity)
+        self.when_full = when_full
+        self.random = Random(seed)
+        self.fireworks: list[Firework] = []
+        self.dropped = 0
+
+    def launch(self, type: int) -> None:
+        """Light one firework of a type on the ground (4.2.3).
+
+        Raises ValueError where there is no rule for the type.
+        """
+        if type not in self.rules:
+            raise ValueError(f"type must be one of {sorted(self.rules)}, got {type!r}")
+        self.light([(type, 1, None)])
+
+    def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
+        """Light fireworks, each birth a (type, count, parent), as far as the policy lets them.
+
+        They come behind those that burn already, in the order of the births. When there is no room
+        for all, "keep_old" lights the first of them, and "drop_oldest" lights those that would be
+        left if the oldest were put out again and again: the last ones. A call never makes more than
+        the capacity, whatever the counts.
+        """
+        room = self.capacity
+        if self.when_full == "keep_old":
+            room -= len(self.fireworks)
+        else:
+            births = births[::-1]  # the last ones first, since they are the ones to stay
+        lit: list[list[Firework]] = []
+        for type, count, parent in births:
+            allowed = min(count, room)
+            room -= allowed
+            self.dropped += count - allowed
+            rule = self.rules[type]
+            lit.append([make_firework(rule, self.random, parent) for _ in range(allowed)])
+        for group in lit if self.when_full == "keep_old" else reversed(lit):
+            self.fireworks += group
+        too_many = max(0, len(self.fireworks) - self.capacity)
+        self.dropped += too_many
+        del self.fireworks[:too_many]
+
+    def update(self, duration: float) -> None:
+        """Move every firework on by a frame in s, and light what the burnt-out ones leave (4.2.3).
+
+        Each moves, and its age shrinks by the duration. One whose age is below 0, or that is below
+        the ground (y < 0), is burnt out; at 0 it burns on. When all have moved, the burnt-out ones
+        are removed. Then their payloads are lit, with the burnt-out one's particle as the parent,
+        those of the oldest first.
+
+        Raises ValueError where the duration is not positive and finite; nothing has moved then.
+        """
+        positive("duration", duration)
+        burning: list[Firework] = []
+        births: list[tuple[int, int, Particle | None]] = []
+        for firework in self.fireworks:
+            particle = firework.particle
+            particle.integrate(duration)
+            firework.age -= duration
+            if firework.age >= 0.0 and particle.position.y >= 0.0:
+                burning.append(firework)
+            else:
+                payloads = self.rules[firework.type].payloads
+                births += [(payload.type, payload.count, particle) for payload in payloads]
+        self.fireworks = burning
+        self.light(births)
+
+
+def _whole(name: str, value: int) -> int:
+    """Return a whole number of 1 or more."""
+    if not isinstance(value, int):
+        raise TypeError(f"{name} must be a whole number, got {value!r}")
+    if value < 1:
+        raise ValueError(f"{name} must be 1 or more, got {value!r}")
+    return value

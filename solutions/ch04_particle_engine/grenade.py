@@ -1,0 +1,60 @@
+"""What makes a grenade (mini-project 4.1): it bounces, and it bursts when its fuse has burnt.
+
+A bounce here is a rule of this one shot. Chapter 7 makes contacts that any particle can have.
+"""
+
+from __future__ import annotations
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+
+FUSE = 4.0  # s, from the throw to the burst
+BOUNCE = 0.5  # the share of the speed downwards that a bounce turns upwards
+SLIDE = 0.8  # the share of the speed along the ground that a bounce keeps
+FRAGMENTS = 12
+FRAGMENT_SPEED = 15.0  # m/s, relative to the grenade
+
+# The 12 corners of an icosahedron, from the golden ratio: in opposite pairs, and evenly spread.
+_CORNERS = [
+    corner
+    for one in (-1.0, 1.0)
+    for long in (-1.618033988749895, 1.618033988749895)
+    for corner in ((0.0, one, long), (one, long, 0.0), (long, 0.0, one))
+]
+
+
+def bounce(particle: Particle) -> None:
+    """Mini-project 4.1: put a particle that is below the ground, y < 0, back on it, in place.
+
+    Its y becomes 0. Where it moves down, its velocity changes too: BOUNCE of that speed is turned
+    upwards, and SLIDE of what is along X and Z is kept. One that is on or above the ground stays as
+    it is.
+    """
+    if particle.position.y >= 0.0:
+        return
+    particle.position.y = 0.0
+    velocity = particle.velocity
+    if velocity.y < 0.0:
+        velocity.x *= SLIDE
+        velocity.y *= -BOUNCE
+        velocity.z *= SLIDE
+
+
+def fragments(particle: Particle) -> list[Particle]:
+    """Mini-project 4.1: return the FRAGMENTS pieces into which a grenade bursts, at its place.
+
+    They have equal masses, which add up to the grenade's, and its acceleration and damping.
+    Relative to it each flies with FRAGMENT_SPEED in a direction of its own, and together they have
+    the momentum that it had: the directions add up to zero. The grenade stays as it is.
+    """
+    pieces = []
+    for direction in _CORNERS:
+        piece = Particle(
+            particle.position,
+            particle.velocity + Vector3(*direction).normalized() * FRAGMENT_SPEED,
+            particle.acceleration,
+            mass=particle.mass / FRAGMENTS,
+            damping=particle.damping,
+        )
+        pieces.append(piece)
+    return pieces

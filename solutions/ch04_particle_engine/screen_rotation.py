@@ -1,0 +1,47 @@
+"""Sparks that turn on the screen at a constant rate: a picture, and no physics (4.2.3, E-35).
+
+A turn that never changes its rate needs no step: the angle at any time is known.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ch03_laws_of_motion.arguments import finite, positive
+
+Point = tuple[float, float]
+
+
+def screen_angle(start: float, rate: float, time: float) -> float:
+    """Going further: return the angle after a time in s, in radians, from -pi to pi.
+
+    It is ``start`` at the time 0 and grows by ``rate`` a second; whole turns are left out.
+
+    Raises ValueError where one of them is not finite.
+
+    >>> screen_angle(0.5, 2.0, 0.25)
+    1.0
+    """
+    angle = finite("start", start) + finite("rate", rate) * finite("time", time)
+    return math.remainder(angle, 2.0 * math.pi)
+
+
+def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
+    """Going further: return the four corners of a square on the screen, one after the other.
+
+    At the angle 0 its sides, of length ``size``, are level and upright; a positive angle turns it
+    from X towards Y. The first corner is the one that is above and to the right at the angle 0, and
+    the others follow in the sense of the turn.
+
+    Raises ValueError where a coordinate or the angle is not finite, or the size not positive.
+
+    >>> screen_corners((10.0, 20.0), 2.0, 0.0)
+    [(11.0, 21.0), (9.0, 21.0), (9.0, 19.0), (11.0, 19.0)]
+    """
+    x, y = finite("center", center[0]), finite("center", center[1])
+    half = positive("size", size) / 2.0
+    cosine, sine = math.cos(finite("angle", angle)) * half, math.sin(angle) * half
+    return [
+        (x + a * cosine - b * sine, y + a * sine + b * cosine)
+        for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1))
+    ]

@@ -1,0 +1,229 @@
+"""What must run beside the student's code: loops of frames, and drawing many numbers.
+
+Each function takes and returns plain numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from random import Random
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine.ballistics import BallisticRange
+from ch04_particle_engine.catherine_wheel import CatherineWheel
+from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
+from ch04_particle_engine.fireworks import (
+    FireworkRule,
+    FireworksShow,
+    Payload,
+    endless_types,
+    make_firework,
+)
+from ch04_particle_engine.grenade import fragments
+
+Components = tuple[float, float, float]
+State = tuple[Components, Components]
+
+# type, ages, smallest and largest velocity, damping, payloads as (type, count)
+RuleData = tuple[int, float, float, Components, Components, float, Sequence[tuple[int, int]]]
+
+
+def rule(data: RuleData) -> FireworkRule:
+    """Return the rule of these numbers."""
+    type, min_age, max_age, low, high, damping, payloads = data
+    left = tuple(Payload(*payload) for payload in payloads)
+    return FireworkRule(type, min_age, max_age, low, high, damping, left)
+
+
+def show_of(rules: Sequence[RuleData], capacity: int, when_full: str, seed: int) -> FireworksShow:
+    """Return a show with these rules."""
+    return FireworksShow([rule(data) for data in rules], capacity, seed, when_full)
+
+
+def xyz(v: Vector3) -> Components:
+    return v.x, v.y, v.z
+
+
+def shot_after(name: str, duration: float, frames: int) -> State:
+    """Fire a shot, let frames pass and return its position and velocity."""
+    at = BallisticRange()
+    at.fire(name)
+    shot = at.shots[0]
+    for _ in range(frames):
+        at.update(duration)
+    return xyz(shot.particle.position), xyz(shot.particle.velocity)
+
+
+def frames_in_flight(name: str, duration: float, most: int) -> int:
+    """Fire a shot and return the number of the frame that drops it, most + 1 if none does."""
+    at = BallisticRange()
+    at.fire(name)
+    for frame in range(1, most + 1):
+        at.update(duration)
+        if len(at.shots) == 0:
+            return frame
+    return most + 1
+
+
+def landing(name: str, duration: float) -> tuple[float, float]:
+    """Fire a shot and return when and at which z it reaches y = 0, within its last frame."""
+    at = BallisticRange()
+    at.fire(name)
+    time = 0.0
+    for _ in range(round(6.0 / duration)):
+        p, v = xyz(at.shots[0].particle.position), xyz(at.shots[0].particle.velocity)
+        at.update(duration)
+        if len(at.shots) == 0:
+            left = -p[1] / v[1]
+            return time + left, p[2] + v[2] * left
+        time += duration
+    return time, p[2]
+
+
+def shots_over(names: Sequence[str], duration: float, frames: int) -> list[list[str]]:
+    """Fire shots together and return the types in flight after each frame."""
+    at = BallisticRange()
+    for name in names:
+        at.fire(name)
+    seen = []
+    for _ in range(frames):
+        at.update(duration)
+        seen.append([shot.type for shot in at.shots])
+    return seen
+
+
+def heights_of(name: str, duration: float, frames: int) -> list[float]:
+    """Fire a shot and return the height of the first shot in flight after each frame."""
+    at = BallisticRange()
+    at.fire(name)
+    heights = []
+    for _ in range(frames):
+        at.update(duration)
+        heights += [shot.particle.position.y for shot in at.shots[:1]]
+    return heights
+
+
+def burst(position: Components, velocity: Components, mass: float) -> list[list[float]]:
+    """Burst a grenade; return mass, damping, position, velocity, acceleration of each fragment."""
+    particle = Particle(
+        Vector3(*position), Vector3(*velocity), Vector3(0, -10, 0), mass=mass, damping=0.9
+    )
+    return [
+        [piece.mass, piece.damping, *piece.position, *piece.velocity, *piece.acceleration]
+        for piece in fragments(particle)
+    ]
+
+
+def lit(data: RuleData, seed: int, count: int, parent: State | None = None) -> list[list[float]]:
+    """Make fireworks; return type, age, position, velocity, acceleration, mass, damping of each."""
+    random, made_rule = Random(seed), rule(data)
+    made = []
+    for _ in range(count):
+        source = None if parent is None else Particle(Vector3(*parent[0]), Vector3(*parent[1]))
+        firework = make_firework(made_rule, random, source)
+        p = firework.particle
+        vectors = [*xyz(p.position), *xyz(p.velocity), *xyz(p.acceleration)]
+        made.append([firework.type, firework.age, *vectors, p.mass, p.damping])
+    return made
+
+
+def sparks(
+    rules: Sequence[RuleData],
+    launches: Sequence[int],
+    capacity: int,
+    when_full: str,
+    seed: int,
+    duration: float,
+    frames: int,
+) -> list[list[int]]:
+    """Launch fireworks and return the types that burn after each frame, oldest first."""
+    show = show_of(rules, capacity, when_full, seed)
+    for type in launches:
+        show.launch(type)
+    seen = []
+    for _ in range(frames):
+        show.update(duration)
+        seen.append([firework.type for firework in show.fireworks])
+    return seen
+
+
+def show_after(
+    rules: Sequence[RuleData], launches: Sequence[int], seed: int, duration: float, frames: int
+) -> list[list[float]]:
+    """Launch fireworks, let frames pass, and return type, age, position, velocity of each."""
+    show = show_of(rules, 500, "keep_old", seed)
+    for type in launches:
+        show.launch(type)
+    for _ in range(frames):
+        show.update(duration)
+    return [
+        [f.type, f.age, *xyz(f.particle.position), *xyz(f.particle.velocity)]
+        for f in show.fireworks
+    ]
+
+
+def endless(leaves: dict[int, list[int]]) -> list[int]:
+    """Return the endless types of rules that leave one firework of each of these types behind."""
+    still = (0.0, 0.0, 0.0)
+    rules = [
+        rule((type, 1.0, 1.0, still, still, 1.0, [(other, 1) for other in after]))
+        for type, after in leaves.items()
+    ]
+    return endless_types(rules)
+
+
+def as_data(of: FireworkRule) -> list[object]:
+    payloads = [(payload.type, payload.count) for payload in of.payloads]
+    velocities = [*of.min_velocity, *of.max_velocity]
+    return [of.type, of.min_age, of.max_age, *velocities, of.damping, payloads]
+
+
+def own_rules() -> list[list[object]]:
+    """Return the student's own types as plain numbers."""
+    return [as_data(of) for of in own_types()]
+
+
+def nine_rules() -> list[list[object]]:
+    """Return the nine types as plain numbers."""
+    return [as_data(of) for of in FIREWORK_TYPES]
+
+
+def own_show(type: int, seed: int, duration: float, frames: int) -> list[int]:
+    """Launch a firework among all eleven types and return how many burn after each frame."""
+    show = FireworksShow([*FIREWORK_TYPES, *own_types()], 2000, seed)
+    show.launch(type)
+    counts = []
+    for _ in range(frames):
+        show.update(duration)
+        counts.append(len(show.fireworks))
+    return counts
+
+
+def sparks_of_a_wheel(sparks_per_second: float, duration: float, frames: int) -> list[int]:
+    """Turn a wheel and return how many sparks there are after each frame."""
+    still = (0.0, 0.0, 0.0)
+    show = show_of([(7, 90.0, 90.0, still, still, 1.0, ())], 5000, "keep_old", 1)
+    wheel = CatherineWheel(show, 7, Vector3(0, 5, 0), 1.0, 2.0, sparks_per_second)
+    counts = []
+    for _ in range(frames):
+        wheel.update(duration)
+        counts.append(len(show.fireworks))
+    return counts
+
+
+def stepped(
+    position: Components,
+    velocity: Components,
+    acceleration: Components,
+    damping: float,
+    duration: float,
+    frames: int,
+) -> State:
+    """Integrate a particle and return its position and velocity."""
+    particle = Particle(
+        Vector3(*position), Vector3(*velocity), Vector3(*acceleration), damping=damping
+    )
+    for _ in range(frames):
+        particle.integrate(duration)
+    return xyz(particle.position), xyz(particle.velocity)

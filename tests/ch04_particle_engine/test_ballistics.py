@@ -1,0 +1,180 @@
+"""Aiming and firing: mini-project 4.3, first part, and build task B4.2."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch04_particle_engine import ballistics
+from ch04_particle_engine.ballistics import BallisticRange
+from expect import expect_close, expect_error, expect_exactly, xyz
+
+# The book's table, and the numbers of the grenade: mass, velocity, acceleration, damping.
+TABLE = {
+    "pistol": (2.0, (0.0, 0.0, 35.0), (0.0, -1.0, 0.0), 0.99),
+    "artillery": (200.0, (0.0, 30.0, 40.0), (0.0, -20.0, 0.0), 0.99),
+    "fireball": (1.0, (0.0, 0.0, 10.0), (0.0, 0.6, 0.0), 0.9),
+    "laser": (0.1, (0.0, 0.0, 100.0), (0.0, 0.0, 0.0), 0.99),
+    "grenade": (0.6, (0.0, 12.0, 12.0), (0.0, -10.0, 0.0), 0.9),
+}
+QUARTER = math.pi / 2.0
+
+
+def types_of(at: Any) -> tuple[str, ...]:
+    """Return the types of the shots in flight."""
+    return tuple(shot.type for shot in at.shots)
+
+
+# 4.3a Aiming
+
+
+@pytest.mark.exercise("4.3a")
+def test_the_axes_of_aiming(rng: Random) -> None:
+    speed = round(rng.uniform(2.0, 90.0), 3)
+    read = "the docstring of aim"
+    for azimuth, elevation, wanted, cause in (
+        (0.0, 0.0, (0.0, 0.0, speed), "straight down the range: along Z"),
+        (QUARTER, 0.0, (speed, 0.0, 0.0), "a quarter of a turn of azimuth is along X"),
+        (0.0, QUARTER, (0.0, speed, 0.0), "a quarter of a turn of elevation is straight up"),
+        (0.0, -QUARTER, (0.0, -speed, 0.0), "a negative elevation is down"),
+    ):
+        call = f"aim({speed}, {azimuth}, {elevation})"
+        got = xyz(ballistics.aim(speed, azimuth, elevation))
+        # The cosine of a quarter of a turn is 6e-17, not 0.
+        expect_close(call, got, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("4.3a")
+def test_azimuth_and_elevation_together(rng: Random) -> None:
+    speed = round(rng.uniform(2.0, 90.0), 3)
+    azimuth, elevation = round(rng.uniform(0.4, 1.1), 3), round(rng.uniform(0.4, 1.1), 3)
+    cause = (
+        "what is up is speed x sin(elevation); speed x cos(elevation) is left along the ground, "
+        "and the azimuth shares that out between X and Z"
+    )
+    read = "the docstring of aim"
+    for a, e in ((azimuth, elevation), (-azimuth, elevation), (azimuth + math.pi, -elevation)):
+        call = f"aim({speed}, {a}, {e})"
+        got = xyz(ballistics.aim(speed, a, e))
+        level = speed * math.cos(e)
+        wanted = (level * math.sin(a), speed * math.sin(e), level * math.cos(a))
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("4.3a", weight=0.5)
+@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
+def test_speed_and_angles_are_finite(bad: float) -> None:
+    cause = "finite and not_negative of arguments.py, in chapter 3, refuse it in one line"
+    read = "the docstring of aim"
+    for data in ((bad, 0.0, 0.0), (3.0, bad, 0.0), (3.0, 0.0, bad), (-3.0, 0.0, 0.0)):
+        call = f"aim{data}"
+        expect_error(
+            call,
+            lambda data=data: ballistics.aim(*data),
+            ValueError,
+            allowed=lambda: ballistics.aim(0.0, -9.0, 9.0),
+            cause=cause,
+            read=read,
+        )
+
+
+# B4.2 Fire a shot
+
+
+@pytest.mark.exercise("B4.2")
+@pytest.mark.parametrize("name", TABLE)
+def test_a_shot_starts_as_its_type_says(name: str) -> None:
+    mass, velocity, acceleration, damping = TABLE[name]
+    call = f'r = BallisticRange(); r.fire("{name}"); r.shots'
+    cause = "one Shot with a Particle of the numbers in SHOT_TYPES, at MUZZLE"
+    read = "the docstring of fire; book 4.1.2"
+    at = BallisticRange()
+    at.fire(name)
+    expect_exactly(f"{call}, their types", types_of(at), (name,), cause=cause, read=read)
+    shot = at.shots[0]
+    expect_close(f"{call}[0].age", shot.age, 0.0, cause=cause, read=read)
+    p, own = shot.particle, f"{call}[0].particle"
+    expect_close(f"{own}.position", xyz(p.position), (0.0, 1.5, 0.0), cause=cause, read=read)
+    expect_close(f"{own}.velocity", xyz(p.velocity), velocity, cause=cause, read=read)
+    expect_close(f"{own}.acceleration", xyz(p.acceleration), acceleration, cause=cause, read=read)
+    expect_close(f"{own}.mass", p.mass, mass, cause=cause, read=read)
+    expect_close(f"{own}.damping", p.damping, damping, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.2")
+def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_common(
+    rng: Random,
+) -> None:
+    names = rng.sample(sorted(TABLE), 3)
+    names.append(names[0])
+    calls = "; ".join(f'r.fire("{name}")' for name in names)
+    call = f"r = BallisticRange(); {calls}; r.shots"
+    cause = "append the new shot behind the others"
+    read = "the docstring of BallisticRange"
+    at = BallisticRange()
+    for name in names:
+        at.fire(name)
+    expect_exactly(f"{call}, their types", types_of(at), tuple(names), cause=cause, read=read)
+    cause = "each shot has a particle of its own, and each range its own shots"
+    at.shots[0].particle.velocity.x = 99.0
+    call = f"{call}[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
+    expect_close(call, at.shots[3].particle.velocity.x, 0.0, cause=cause, read=read)
+    call = f"{call}; BallisticRange().shots, how many"
+    expect_exactly(call, len(BallisticRange().shots), 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.2")
+def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> None:
+    azimuth = round(rng.uniform(0.3, 1.2), 3)
+    cause = "without an elevation the shot has that of its type's velocity, 30 up and 40 along"
+    read = "the docstring of fire"
+    for name, up, along in (("artillery", 30.0, 40.0), ("pistol", 0.0, 35.0)):
+        call = f'r.fire("{name}", azimuth={azimuth}); r.shots[-1].particle.velocity'
+        at = BallisticRange()
+        at.fire(name, azimuth=azimuth)
+        wanted = (along * math.sin(azimuth), up, along * math.cos(azimuth))
+        got = xyz(at.shots[-1].particle.velocity)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B4.2")
+def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
+    read = "the docstring of fire"
+    for elevation in (round(rng.uniform(0.3, 1.2), 3), 0.0):
+        cause = "with the whole speed of the type's velocity, 50 m/s: its length, not its z"
+        if elevation == 0.0:
+            cause = "an elevation of 0 is level: ask whether it is None, since 0 counts as false"
+        call = f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.velocity'
+        at = BallisticRange()
+        at.fire("artillery", elevation=elevation)
+        wanted = (0.0, 50.0 * math.sin(elevation), 50.0 * math.cos(elevation))
+        got = xyz(at.shots[-1].particle.velocity)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+        cause = "gravity points down wherever the shot is aimed: only the velocity is turned"
+        call = f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.acceleration'
+        got = xyz(at.shots[-1].particle.acceleration)
+        expect_close(call, got, (0.0, -20.0, 0.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.2", weight=0.5)
+def test_what_cannot_be_fired_is_refused_and_nothing_flies() -> None:
+    cause = "look for the name first, and make the shot before it joins the others"
+    read = "the docstring of fire"
+    at = BallisticRange()
+    for call, attempt in (
+        ('r.fire("cannon")', lambda: at.fire("cannon")),
+        ('r.fire("pistol", azimuth=math.nan)', lambda: at.fire("pistol", azimuth=math.nan)),
+        ('r.fire("pistol", elevation=math.inf)', lambda: at.fire("pistol", elevation=math.inf)),
+    ):
+        expect_error(
+            call,
+            attempt,
+            ValueError,
+            allowed=lambda: BallisticRange().fire("pistol"),
+            cause=cause,
+            read=read,
+        )
+        expect_exactly(f"{call}; len(r.shots)", len(at.shots), 0, cause=cause, read=read)

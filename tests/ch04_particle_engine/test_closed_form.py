@@ -1,0 +1,269 @@
+"""States without steps: B4.8 for one particle, B4.9 for all sparks of a burst."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine import closed_form, probes
+from draw import Components, components, number
+from expect import expect_close, expect_error, expect_unchanged, expect_vector, xyz
+
+FACTORS = "the docstring of drag_factors"
+STATE = "the docstring of state_after"
+
+
+def particle_of(
+    x: Components, v: Components, a: Components, damping: float, mass: float = 1.0
+) -> tuple[str, Any]:
+    """Return a particle and the words that make it."""
+    words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, damping={damping})"
+    p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), damping=damping, mass=mass)
+    return words, p
+
+
+@pytest.mark.exercise("B4.8")
+def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
+    cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k, with k = -ln d"
+    read = FACTORS
+    for damping, time in (
+        (0.5, 1.0),
+        (round(rng.uniform(0.1, 0.9), 3), round(rng.uniform(1.0, 9.0), 3)),
+        (1.5, round(rng.uniform(1.0, 3.0), 3)),  # above 1 it gains speed, by the same formula
+    ):
+        call = f"drag_factors({damping}, {time})"
+        k = -math.log(damping)
+        gone = -math.expm1(-k * time) / k
+        wanted = (math.exp(-k * time), gone, (time - gone) / k)
+        # The difference t - gone may lose two digits.
+        got = closed_form.drag_factors(damping, time)
+        size = max(1.0, *wanted)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11 * size)
+
+
+@pytest.mark.exercise("B4.8")
+def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
+    time = round(rng.uniform(1.0, 9.0), 3)
+    read = FACTORS
+    for damping, t, wanted, cause in (
+        (1.0, time, (1.0, time, time * time / 2.0), "without damping: 1, t and t^2 / 2; k is 0"),
+        (0.0, time, (0.0, 0.0, 0.0), "a damping of 0 stops everything at once; ln 0 is no number"),
+        (0.5, 0.0, (1.0, 0.0, 0.0), "no time, no change"),
+        (0.0, 0.0, (1.0, 0.0, 0.0), "no time, no change, whatever the damping"),
+    ):
+        call = f"drag_factors({damping}, {t})"
+        got = closed_form.drag_factors(damping, t)
+        expect_close(call, got, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.8")
+@pytest.mark.parametrize("below", [1e-13, 1e-9, 1e-6, 1e-3])
+def test_the_factors_hold_for_a_damping_next_to_1(below: float) -> None:
+    damping, t = 1.0 - below, 2.0
+    call = f"drag_factors({damping!r}, {t})"
+    cause = (
+        "for small k t, 1 - d^t and t - gone are differences of numbers that are nearly equal, and "
+        "lose their digits: math.expm1 and a few terms of the series do not"
+    )
+    read = FACTORS
+    k = -math.log1p(-(1.0 - damping))  # 1 - damping is exact, below itself may not be
+    kt = k * t
+    # Five terms: what is left is (k t)^5 / 2520 of it, below 1e-17.
+    gone = t * (1.0 - kt / 2.0 + kt**2 / 6.0 - kt**3 / 24.0 + kt**4 / 120.0)
+    fallen = t * t * (0.5 - kt / 6.0 + kt**2 / 24.0 - kt**3 / 120.0 + kt**4 / 720.0)
+    got = closed_form.drag_factors(damping, t)
+    # A series that was cut early, or a limit in another place, may be as far off as 1e-9.
+    wanted = (1.0 - k * gone, gone, fallen)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9)
+
+
+@pytest.mark.exercise("B4.8")
+def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
+    cause = "v(t) = v kept + a gone and p(t) = p + v gone + a fallen, axis by axis"
+    read = STATE
+    x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
+    for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
+        words, p = particle_of(x, v, a, damping)
+        call = f"{words}; state_after(p, {time})[0]"
+        position, _ = closed_form.state_after(p, time)
+        # The times are known to 5e-8 s, and the shell has up to 50 m/s.
+        got = expect_vector(call, position, cause=cause, read=read)
+        expect_close(call, got, (0.0, 0.0, reach), cause=cause, read=read, tolerance=1e-5)
+
+
+@pytest.mark.exercise("B4.8")
+def test_without_damping_it_is_the_parabola(rng: Random) -> None:
+    x, v, a, t = components(rng), components(rng), components(rng), round(rng.uniform(2, 9), 3)
+    words, p = particle_of(x, v, a, 1.0)
+    call = f"{words}; state_after(p, {t})"
+    cause = "p + v t + a t^2 / 2 and v + a t"
+    read = STATE
+    position, velocity = closed_form.state_after(p, t)
+    wanted = tuple(x[i] + v[i] * t + a[i] * t * t / 2.0 for i in range(3))
+    # Rounding of numbers up to 500.
+    got = xyz(position)
+    expect_close(f"{call}[0]", got, wanted, cause=cause, read=read, tolerance=1e-11)
+    wanted = tuple(v[i] + a[i] * t for i in range(3))
+    got = xyz(velocity)
+    expect_close(f"{call}[1]", got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B4.8")
+def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
+    x, v, a = components(rng), components(rng), components(rng)
+    damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
+    words, p = particle_of(x, v, a, damping)
+    call = f"{words}; state_after(p, {first}), and from there {second} s more"
+    cause = "the state after a + b seconds is that b seconds after the one after a"
+    read = STATE
+    middle = closed_form.state_after(p, first)
+    _, q = particle_of(xyz(middle[0]), xyz(middle[1]), a, damping)
+    later, at_once = closed_form.state_after(q, second), closed_form.state_after(p, first + second)
+    for i in range(2):
+        got, wanted = xyz(later[i]), xyz(at_once[i])
+        expect_close(f"{call}, [{i}]", got, wanted, cause=cause, read=read, tolerance=1e-11)
+    call = f"{words}; state_after(p, {first})[1]"
+    cause = "its velocity must be the change of its position: dp/dt = v"
+    step = 1e-4
+    around = [closed_form.state_after(p, first + s)[0] for s in (-step, step)]
+    low, high = (xyz(position) for position in around)
+    slope = tuple((high[i] - low[i]) / (2.0 * step) for i in range(3))
+    # The central difference errs by h^2 / 6 times the third derivative, some 30 m/s^3.
+    expect_close(call, xyz(middle[1]), slope, cause=cause, read=read, tolerance=1e-6)
+
+
+@pytest.mark.exercise("B4.8")
+def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
+    x, v, a = components(rng), components(rng), (number(rng), -9.81, number(rng))
+    damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
+    words, p = particle_of(x, v, a, damping)
+    cause = "half the frame, half the error: integrate is of first order, and this is its limit"
+    read = f"{STATE}; chapter 3's integrate"
+    call = f"{words}; state_after(p, {t})"
+    exact = [xyz(vector) for vector in closed_form.state_after(p, t)]
+    for i, name in enumerate(("position", "velocity")):
+        errors = []
+        for frames in (2000, 4000):
+            stepped = probes.stepped(x, v, a, damping, t / frames, frames)
+            errors.append(math.dist(stepped[i], exact[i]))
+        call = f"{words}; error of the {name} after {t} s in 2000 frames over that in 4000"
+        # Each error is of the order of 10 / 2000; the next order bends the ratio by as little.
+        ratio = errors[0] / max(errors[1], 1e-300)
+        expect_close(call, ratio, 2.0, cause=cause, read=read, tolerance=0.02)
+
+
+@pytest.mark.exercise("B4.8")
+def test_the_particle_stays_as_it_is(rng: Random) -> None:
+    x, v, a = components(rng), components(rng), components(rng)
+    words, p = particle_of(x, v, a, 0.5)
+    call = f"{words}; position, velocity = state_after(p, t)"
+    cause = "return new vectors: the state of the particle is still needed"
+    read = STATE
+    for t in (2.0, 0.0):
+        state = closed_form.state_after(p, t)
+        state[0].x = state[1].x = 99.0
+        expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
+        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+        expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.8")
+def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
+    x, v, a = components(rng), components(rng), components(rng)
+    words, p = particle_of(x, v, a, 0.5, mass=math.inf)
+    call = f"{words}; p.mass = math.inf; position, velocity = state_after(p, 3)"
+    cause = "integrate leaves it as it is, so it is there at any time"
+    read = STATE
+    position, velocity = closed_form.state_after(p, 3.0)
+    expect_close(f"{call}; position", xyz(position), x, cause=cause, read=read)
+    expect_close(f"{call}; velocity", xyz(velocity), v, cause=cause, read=read)
+    position.x = 99.0
+    cause = "return new vectors"
+    expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.8", weight=0.5)
+@pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
+def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
+    cause = "not_negative of arguments.py, in chapter 3, refuses it in one line"
+    read = f"{FACTORS}, and of state_after"
+    for call, attempt in (
+        (f"drag_factors({bad}, 1)", lambda: closed_form.drag_factors(bad, 1.0)),
+        (f"drag_factors(0.5, {bad})", lambda: closed_form.drag_factors(0.5, bad)),
+        (f"drag_factors(1, {bad})", lambda: closed_form.drag_factors(1.0, bad)),
+        (f"state_after(Particle(), {bad})", lambda: closed_form.state_after(Particle(), bad)),
+    ):
+        expect_error(
+            call,
+            attempt,
+            ValueError,
+            allowed=lambda: (
+                closed_form.drag_factors(0.5, 0.0),
+                closed_form.state_after(Particle(), 0.0),
+            ),
+            cause=cause,
+            read=read,
+        )
+
+
+# B4.9 All sparks of a burst at once
+
+BURST = "the docstring of burst_positions"
+
+
+@pytest.mark.exercise("B4.9")
+def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
+    start, a = number(rng), number(rng)
+    speeds = [number(rng) for _ in range(5)]
+    cause = "start + speed x gone + acceleration x fallen, one after the other as they were given"
+    read = BURST
+    t = round(rng.uniform(1.0, 3.0), 3)
+    call = f"burst_positions({start}, {speeds}, {a}, 1.0, {t})"
+    got = closed_form.burst_positions(start, speeds, a, 1.0, t)
+    wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    damping = round(rng.uniform(0.2, 0.8), 3)
+    k = -math.log(damping)
+    gone = -math.expm1(-k * t) / k
+    call = f"burst_positions({start}, {speeds}, {a}, {damping}, {t})"
+    got = closed_form.burst_positions(start, speeds, a, damping, t)
+    wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B4.9")
+def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
+    start = number(rng)
+    read = BURST
+    call = f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)"
+    cause = "at the time 0 all sparks are where they started"
+    got = closed_form.burst_positions(start, [3.0, -4.0], -10.0, 0.5, 0.0)
+    expect_close(call, got, [start, start], cause=cause, read=read)
+    call = f"burst_positions({start}, [], -10.0, 0.5, 1.0), how many"
+    cause = "no sparks, no positions"
+    got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
+    expect_close(call, got, 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.9", weight=0.5)
+@pytest.mark.parametrize("bad", [math.inf, math.nan])
+def test_a_burst_starts_somewhere(bad: float) -> None:
+    cause = "finite of arguments.py refuses it in one line; the rest drag_factors refuses"
+    read = BURST
+    good = (1.0, [2.0], -10.0, 0.5, 1.0)
+    for i in (0, 2, 3, 4):
+        data = (*good[:i], bad, *good[i + 1 :])
+        call = f"burst_positions{data}"
+        expect_error(
+            call,
+            lambda data=data: closed_form.burst_positions(*data),
+            ValueError,
+            allowed=lambda: closed_form.burst_positions(*good),
+            cause=cause,
+            read=read,
+        )

@@ -1,0 +1,181 @@
+"""Keep the display alive, project 4.1: the rules of the game, without a screen."""
+
+from __future__ import annotations
+
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine import display, probes
+from draw import number
+from expect import expect_close, expect_exactly
+
+STILL = (0.0, 0.0, 0.0)
+# Type 1 is a rocket that leaves three sparks of type 2; type 3 is another rocket.
+RULES: list[probes.RuleData] = [
+    (1, 2.0, 2.0, STILL, STILL, 1.0, ((2, 3),)),
+    (2, 5.0, 5.0, STILL, STILL, 1.0, ()),
+    (3, 1.0, 1.0, STILL, STILL, 1.0, ((2, 1),)),
+]
+
+
+def game(*lit: tuple[int, float, float], z: float = 0.0) -> Any:
+    """Return a game with fireworks of these types at these places in the X-Y plane."""
+    show = probes.show_of(RULES, 50, "keep_old", 1)
+    for type, x, y in lit:
+        show.light([(type, 1, Particle(Vector3(x, y, z)))])
+    return display.Display(show)
+
+
+def types(of: Any) -> list[int]:
+    return [firework.type for firework in of.show.fireworks]
+
+
+@pytest.mark.exercise("P4.1")
+def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
+    x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
+    read = "the docstring of find_rocket"
+    cause = "the smallest distance to the click, not the first rocket in the list"
+    call = f"rockets at ({x} - 2, {y}), ({x} + 1, {y}) and ({x}, {y} + 1.5); "
+    call += f"find_rocket(display, {x}, {y})"
+    found = display.find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
+    what = None if found is None else found.type
+    expect_exactly(f"{call}, its type", what, 3, cause=cause, read=read)
+    for away, reached in ((2.4, True), (2.6, False)):
+        cause = "REACH is 2.5 m"
+        if away > 2.0:
+            cause += ": the distance in the plane, with both coordinates squared"
+        place = (x + away * 0.6, y - away * 0.8)
+        call = f"one rocket, {away} m from the click; find_rocket(display, {x}, {y}) is None"
+        found = display.find_rocket(game((1, *place)), x, y)
+        expect_exactly(call, found is None, not reached, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_what_lies_behind_on_the_screen_is_found_too(rng: Random) -> None:
+    x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
+    call = f"one rocket at ({x}, {y}, 40); find_rocket(display, {x}, {y}) is None"
+    cause = "a screen shows X and Y: z does not count"
+    read = "the docstring of find_rocket"
+    found = display.find_rocket(game((1, x, y), z=40.0), x, y)
+    expect_exactly(call, found is None, False, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_sparks_are_no_rockets() -> None:
+    call = "a spark at (0, 20), a rocket at (2, 20); find_rocket(display, 0, 20), its type"
+    cause = "rockets are the fireworks whose rule has payloads"
+    read = "the docstring of find_rocket"
+    found = display.find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
+    what = None if found is None else found.type
+    expect_exactly(call, what, 1, cause=cause, read=read)
+    call = "a spark at (0, 20); find_rocket(display, 0, 20) is None"
+    found = display.find_rocket(game((2, 0.0, 20.0)), 0.0, 20.0)
+    expect_exactly(call, found is None, True, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_a_rocket_without_a_fuse_is_past_saving() -> None:
+    call = "rockets at (0, 20) with the age 0 and at (2, 20); find_rocket(display, 0, 20), its type"
+    cause = "an age of 0 bursts in the next update: otherwise one rocket could be clicked on twice"
+    read = "the docstring of find_rocket"
+    a_game = game((1, 0.0, 20.0), (3, 2.0, 20.0))
+    a_game.show.fireworks[0].age = 0.0
+    found = display.find_rocket(a_game, 0.0, 20.0)
+    what = None if found is None else found.type
+    expect_exactly(call, what, 3, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_a_click_bursts_the_rocket_and_launches_another() -> None:
+    call = "rockets of types 1 and 3 at (0, 20) and (9, 20); click(display, 9, 20)"
+    read = "the docstring of click"
+    a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
+    cause = "it hit a rocket"
+    hit = display.click(a_game, 9.0, 20.0)
+    expect_exactly(call, hit, True, cause=cause, read=read)
+    cause = "another rocket of the same type is launched, and the one that was hit still burns"
+    expect_exactly(f"{call}; types in the show", types(a_game), [1, 3, 3], cause=cause, read=read)
+    cause = "its age is 0: it bursts in the next update, by the show's own rule"
+    ages = tuple(firework.age for firework in a_game.show.fireworks)
+    expect_close(f"{call}; ages", ages, (2.0, 0.0, 1.0), cause=cause, read=read)
+    height = a_game.show.fireworks[2].particle.position.y
+    cause = "it starts from the ground: show.launch"
+    expect_close(f"{call}; height of the new one", height, 0.0, cause=cause, read=read)
+    a_game.show.update(0.001)
+    cause = "the rocket that was hit has left its payload, of type 2"
+    name = f"{call}; show.update(0.001); how many of type 2"
+    expect_exactly(name, types(a_game).count(2), 1, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_a_late_click_scores_more() -> None:
+    read = "the docstring of click"
+    for fuse, score, cause in (
+        (1.5, 1, "a click scores 1"),
+        (0.41, 1, "a fuse of 0.41 s is not shorter than LATE, 0.4 s"),
+        (0.39, 3, "a fuse shorter than LATE scores 3: look at it before it is set to 0"),
+    ):
+        call = f"a rocket at (0, 20) with {fuse} s of fuse; click(display, 0, 20); display.score"
+        a_game = game((1, 0.0, 20.0))
+        a_game.show.fireworks[0].age = fuse
+        display.click(a_game, 0.0, 20.0)
+        expect_exactly(call, a_game.score, score, cause=cause, read=read)
+        cause = "a hit is no miss"
+        name = call.replace("display.score", "display.misses")
+        expect_exactly(name, a_game.misses, 0, cause=cause, read=read)
+    call = "two rockets are clicked on, one after the other; display.score"
+    cause = "each hit adds to the score"
+    a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
+    display.click(a_game, 0.0, 20.0)
+    display.click(a_game, 9.0, 20.0)
+    expect_exactly(call, a_game.score, 2, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_a_click_into_the_dark_is_a_miss() -> None:
+    call = "a rocket at (0, 20); click(display, 30, 20)"
+    cause = "no rocket is within reach: the misses grow by 1, and nothing else changes"
+    read = "the docstring of click"
+    a_game = game((1, 0.0, 20.0))
+    hit = display.click(a_game, 30.0, 20.0)
+    expect_exactly(call, hit, False, cause=cause, read=read)
+    counted = (a_game.misses, a_game.score)
+    expect_exactly(f"{call}; misses and score", counted, (1, 0), cause=cause, read=read)
+    expect_exactly(f"{call}; types in the show", types(a_game), [1], cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
+    read = "the docstring of is_over"
+    rocket, spark = (1, 0.0, 20.0), (2, 0.0, 20.0)
+    for lit, misses, over, cause in (
+        ((rocket,), 0, False, "a rocket burns"),
+        ((rocket, spark), 5, False, "MISSES_ALLOWED, 5, may miss"),
+        ((rocket, spark), 6, True, "the sixth miss ends it"),
+        ((spark, spark), 0, True, "sparks alone do not keep the display alive"),
+        ((), 0, True, "nothing burns"),
+    ):
+        call = f"fireworks of types {[type for type, *_ in lit]}, {misses} misses; is_over(display)"
+        a_game = game(*lit)
+        a_game.misses = misses
+        expect_exactly(call, display.is_over(a_game), over, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_a_click_after_the_end_does_nothing() -> None:
+    call = "a rocket at (0, 20), 6 misses; click(display, 0, 20)"
+    cause = "ask is_over first"
+    read = "the docstring of click"
+    a_game = game((1, 0.0, 20.0))
+    a_game.misses = 6
+    hit = display.click(a_game, 0.0, 20.0)
+    expect_exactly(call, hit, False, cause=cause, read=read)
+    display.click(a_game, 30.0, 20.0)
+    counted = (a_game.misses, a_game.score)
+    name = f"{call}; click(display, 30, 20); misses and score"
+    expect_exactly(name, counted, (6, 0), cause=cause, read=read)
+    expect_exactly(f"{call}; types in the show", types(a_game), [1], cause=cause, read=read)

@@ -1,0 +1,299 @@
+"""A firework from its rule, B4.4, and the slots of a show, B4.5."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine import probes
+from draw import components
+from expect import expect_close, expect_error, expect_exactly
+
+# The book's first rule, but for its payload.
+FIRST: probes.RuleData = (
+    1, 0.5, 1.4, (-5.0, 25.0, -5.0), (5.0, 28.0, 5.0), 0.1, ()
+)  # fmt: skip
+MANY = 400  # draws, whose mean is within 5 standard deviations of the middle
+STILL = (0.0, 0.0, 0.0)
+
+
+def simple(type: int, *payloads: tuple[int, int]) -> probes.RuleData:
+    """Return a rule without anything random: 2 s, straight up."""
+    return (type, 2.0, 2.0, (0.0, 9.0, 0.0), (0.0, 9.0, 0.0), 1.0, payloads)
+
+
+def show(capacity: int, when_full: str, types: int = 4) -> Any:
+    """Return a show with rules of the types 1 to 4 without payloads."""
+    rules = [simple(type) for type in range(1, types + 1)]
+    return probes.show_of(rules, capacity, when_full, 1)
+
+
+def burning(a_show: Any) -> list[int]:
+    """Return the types that burn, oldest first."""
+    return [firework.type for firework in a_show.fireworks]
+
+
+def expect_even(
+    call: str, drawn: list[float], low: float, high: float, *, cause: str, read: str
+) -> None:
+    """Expect numbers drawn evenly between two limits."""
+    __tracebackhide__ = True
+    outside = sum(not low <= number <= high for number in drawn)
+    name = f"{call}, how many outside {low} to {high}"
+    expect_exactly(name, outside, 0, cause=cause, read=read)
+    # The standard deviation of the mean of n even draws is their range / sqrt(12 n).
+    tolerance = 5.0 * (high - low) / math.sqrt(12.0 * len(drawn))
+    name = f"{call}, the mean of {len(drawn)}"
+    middle = (low + high) / 2.0
+    mean = math.fsum(drawn) / len(drawn)
+    expect_close(name, mean, middle, cause=cause, read=read, tolerance=tolerance)
+    # A quarter of even draws lies in each outer quarter; the deviation is sqrt(n 3 / 16).
+    quarter = (high - low) / 4.0
+    for part, inside in (
+        ("lowest", sum(number < low + quarter for number in drawn)),
+        ("highest", sum(number > high - quarter for number in drawn)),
+    ):
+        name = f"{call}, how many of {len(drawn)} in the {part} quarter"
+        spread = 5.0 * math.sqrt(len(drawn) * 3.0 / 16.0)
+        wanted = len(drawn) / 4.0
+        expect_close(name, inside, wanted, cause=cause, read=read, tolerance=spread)
+
+
+# B4.4 A firework from its rule
+
+
+@pytest.mark.exercise("B4.4")
+def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
+    seed = rng.randrange(10**6)
+    call = f"make_firework(rule, Random({seed})).age, min_age=0.5, max_age=1.4"
+    cause = "random.uniform(min_age, max_age), anew for each firework"
+    read = "the docstring of make_firework; book 4.2.1"
+    ages = [firework[1] for firework in probes.lit(FIRST, seed, MANY)]
+    expect_even(call, ages, 0.5, 1.4, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.4")
+def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None:
+    seed = rng.randrange(10**6)
+    low, high = FIRST[3], FIRST[4]
+    call = f"make_firework(rule, Random({seed})).particle.velocity, from {low} to {high}"
+    read = "the docstring of make_firework; book 4.2.1"
+    velocities = [firework[5:8] for firework in probes.lit(FIRST, seed, MANY)]
+    shares = []
+    for axis in range(3):
+        cause = "random.uniform of the smallest and the largest on this axis"
+        drawn = [velocity[axis] for velocity in velocities]
+        name = f"{call}, on {'XYZ'[axis]}"
+        expect_even(name, drawn, low[axis], high[axis], cause=cause, read=read)
+        middle, width = (low[axis] + high[axis]) / 2.0, high[axis] - low[axis]
+        shares.append([(number - middle) / width for number in drawn])
+    cause = "one number drawn for all three axes sends every spark along one line: draw three"
+    for i, j in ((0, 1), (1, 2), (2, 0)):
+        pairs = zip(shares[i], shares[j], strict=True)
+        correlation = 12.0 / MANY * math.fsum(a * b for a, b in pairs)
+        name = f"{call}, correlation of {'XYZ'[i]} and {'XYZ'[j]}"
+        # The deviation of the correlation of n independent pairs is 1 / sqrt(n).
+        tolerance = 5.0 / math.sqrt(MANY)
+        expect_close(name, correlation, 0.0, cause=cause, read=read, tolerance=tolerance)
+
+
+@pytest.mark.exercise("B4.4")
+def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Random) -> None:
+    seed = rng.randrange(10**6)
+    call = f"make_firework(rule, Random({seed})).particle.position"
+    cause = "LAUNCH_PLACES along X, -5, 0 and 5, each as often as the others; y and z are 0"
+    read = "the docstring of make_firework; book 4.2.3"
+    places = [tuple(firework[2:5]) for firework in probes.lit(FIRST, seed, MANY)]
+    for x in (-5.0, 0.0, 5.0):
+        name = f"{call}, how many of {MANY} at ({x}, 0, 0)"
+        # A third of them; five times the deviation sqrt(n 2 / 9).
+        spread = 5.0 * math.sqrt(MANY * 2.0 / 9.0)
+        found = places.count((x, 0.0, 0.0))
+        expect_close(name, found, MANY / 3.0, cause=cause, read=read, tolerance=spread)
+
+
+@pytest.mark.exercise("B4.4")
+def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
+    seed, x, v, own = rng.randrange(10**6), components(rng), components(rng), components(rng)
+    data: probes.RuleData = (3, 1.0, 1.0, own, own, 0.5, ())
+    call = f"make_firework(rule, random, Particle(Vector3{x}, Vector3{v})), velocities of {own}"
+    read = "the docstring of make_firework; book 4.2.3"
+    (firework,) = probes.lit(data, seed, 1, (x, v))
+    cause = "it starts where its parent is"
+    expect_close(f"{call}.particle.position", firework[2:5], x, cause=cause, read=read)
+    cause = "its velocity is the drawn one plus that of its parent"
+    wanted = tuple(a + b for a, b in zip(v, own, strict=True))
+    expect_close(f"{call}.particle.velocity", firework[5:8], wanted, cause=cause, read=read)
+    cause = "one parent has many children: it must stay as it is"
+    family = probes.lit(data, seed, 3, (x, v))
+    expect_close(f"{call}, the third", family[2][5:8], wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.4")
+def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng: Random) -> None:
+    type, damping = rng.randrange(1, 10), round(rng.uniform(0.1, 0.9), 3)
+    data: probes.RuleData = (type, 1.0, 2.0, STILL, STILL, damping, ())
+    call = f"make_firework(rule, random), type {type} and damping {damping}"
+    read = "the docstring of make_firework"
+    for parent in (None, (components(rng), components(rng))):
+        (firework,) = probes.lit(data, 1, 1, parent)
+        cause = "the type and the damping of the rule"
+        expect_close(f"{call}; its type", firework[0], type, cause=cause, read=read)
+        expect_close(f"{call}; its damping", firework[12], damping, cause=cause, read=read)
+        cause = "every firework has the mass 1 and falls with GRAVITY, (0, -9.81, 0)"
+        gravity = (0.0, -9.81, 0.0)
+        expect_close(f"{call}; acceleration", firework[8:11], gravity, cause=cause, read=read)
+        expect_close(f"{call}; its mass", firework[11], 1.0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.4")
+def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> None:
+    seed = rng.randrange(10**6)
+    call = f"make_firework(rule, Random({seed})) 5 times, and the same once more"
+    cause = "draw from the argument random, not from the module: the same seed, the same show"
+    read = "the docstring of make_firework"
+    once, again = (probes.lit(FIRST, seed, 5) for _ in range(2))
+    numbers = [number for firework in once for number in firework]
+    repeated = [number for firework in again for number in firework]
+    expect_close(call, repeated, numbers, cause=cause, read=read, tolerance=0.0)
+    call = f"make_firework(rule, Random({seed})) and with Random({seed + 1}): velocities that agree"
+    cause = "another seed gives other numbers"
+    other = probes.lit(FIRST, seed + 1, 5)
+    same = sum(a[5:8] == b[5:8] for a, b in zip(once, other, strict=True))
+    expect_exactly(call, same, 0, cause=cause, read=read)
+
+
+# B4.5 Slots, and what happens when they are full
+
+
+@pytest.mark.exercise("B4.5")
+def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> None:
+    order = rng.sample([1, 2, 3, 4], 4)
+    call = "; ".join(f"show.launch({type})" for type in order) + "; the types of show.fireworks"
+    cause = "each is lit behind those that burn already: the oldest is the first"
+    read = "the docstrings of FireworksShow and launch"
+    for when_full in ("keep_old", "drop_oldest"):
+        a_show = show(9, when_full)
+        for type in order:
+            a_show.launch(type)
+        expect_exactly(call, burning(a_show), order, cause=cause, read=read)
+        expect_exactly(f"{call}; show.dropped", a_show.dropped, 0, cause=cause, read=read)
+    cause = "on the ground, as make_firework makes it without a parent"
+    height = a_show.fireworks[0].particle.position.y
+    expect_close(f"{call}[0], its y", height, 0.0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.5")
+def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
+    call = 'capacity 3, "keep_old"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
+    cause = "those that burn keep their slots, as the book's text says (E-20)"
+    read = "the docstring of FireworksShow; errata.md"
+    a_show = show(3, "keep_old")
+    for type in (1, 2, 3, 4, 1):
+        a_show.launch(type)
+    expect_exactly(call, burning(a_show), [1, 2, 3], cause=cause, read=read)
+    cause = "dropped counts those that were not lit"
+    expect_exactly(f"{call}; show.dropped", a_show.dropped, 2, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.5")
+def test_drop_oldest_puts_out_the_oldest() -> None:
+    call = 'capacity 3, "drop_oldest"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
+    cause = "the oldest makes room for each new one, as in the book's listing (E-20)"
+    read = "the docstring of FireworksShow; errata.md"
+    a_show = show(3, "drop_oldest")
+    for type in (1, 2, 3, 4, 1):
+        a_show.launch(type)
+    expect_exactly(call, burning(a_show), [3, 4, 1], cause=cause, read=read)
+    cause = "dropped counts those that were put out"
+    expect_exactly(f"{call}; show.dropped", a_show.dropped, 2, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.5")
+@pytest.mark.parametrize(
+    ("when_full", "wanted", "cause"),
+    [
+        ("keep_old", [1, 2, 2, 3], "one burns, so the first three of the births have room"),
+        ("drop_oldest", [3, 3, 3, 4], "the last four of the births stay, and the oldest goes out"),
+    ],
+)
+def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], cause: str) -> None:
+    births = [(2, 2, None), (3, 4, None), (4, 1, None)]
+    call = f'capacity 4, "{when_full}"; launch 1; show.light({births}); the types'
+    read = "the docstring of light"
+    a_show = show(4, when_full)
+    a_show.launch(1)
+    a_show.light(births)
+    expect_exactly(call, burning(a_show), wanted, cause=cause, read=read)
+    cause = "8 were asked for and 4 burn: dropped counts the other 4, however they were lost"
+    expect_exactly(f"{call}; show.dropped", a_show.dropped, 4, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.5")
+def test_births_have_their_own_parents(rng: Random) -> None:
+    x, v = components(rng), components(rng)
+    call = f"show.light([(1, 2, Particle(Vector3{x}, Vector3{v})), (2, 1, None)]); positions"
+    cause = "give each birth's parent to make_firework"
+    read = "the docstring of light"
+    a_show = show(9, "keep_old")
+    a_show.light([(1, 2, Particle(Vector3(*x), Vector3(*v))), (2, 1, None)])
+    expect_exactly(f"{call}: types", burning(a_show), [1, 1, 2], cause=cause, read=read)
+    lit = a_show.fireworks
+    places = [lit[i].particle.position for i in (0, 1, 2)]
+    got = [place.x for place in places[:2]] + [place.y for place in places]
+    wanted = [x[0], x[0], x[1], x[1], 0.0]
+    expect_close(f"{call}: x of two and y of three", got, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.5")
+@pytest.mark.parametrize("when_full", ["keep_old", "drop_oldest"])
+def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str) -> None:
+    births = [(1, 10**9, None), (2, 10**9, None)]
+    call = f'capacity 50, "{when_full}"; show.light({births})'
+    cause = "work out how many have room before any is made: no more than 50 are ever made"
+    read = "the docstring of light"
+    a_show = show(50, when_full)
+    a_show.light(births)
+    type = 1 if when_full == "keep_old" else 2
+    expect_exactly(f"{call}; types", burning(a_show), [type] * 50, cause=cause, read=read)
+    name = f"{call}; show.dropped"
+    expect_exactly(name, a_show.dropped, 2 * 10**9 - 50, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.5")
+def test_the_same_seed_launches_the_same(rng: Random) -> None:
+    seed = rng.randrange(10**6)
+    rules = [FIRST]
+    call = f"two shows with the seed {seed}: launch 1 three times"
+    cause = "draw from self.random, which the seed has made"
+    read = "the docstring of FireworksShow"
+    runs = [probes.show_after(rules, [1, 1, 1], s, 0.01, 0) for s in (seed, seed, seed + 1)]
+    numbers = [[number for firework in run for number in firework] for run in runs]
+    expect_exactly(f"{call}, how many burn", len(runs[0]), 3, cause=cause, read=read)
+    expect_close(call, numbers[1], numbers[0], cause=cause, read=read, tolerance=0.0)
+    cause = "another seed gives another show"
+    same = sum(a == b for a, b in zip(runs[0], runs[2], strict=True))
+    call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
+    expect_exactly(call, same, 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.5", weight=0.5)
+def test_a_type_without_a_rule_is_not_launched() -> None:
+    call = "show.launch(7), rules for 1 to 4"
+    cause = "look for the type first, and name it in the ValueError"
+    read = "the docstring of launch"
+    a_show = show(9, "keep_old")
+    expect_error(
+        call,
+        lambda: a_show.launch(7),
+        ValueError,
+        allowed=lambda: show(9, "keep_old").launch(4),
+        cause=cause,
+        read=read,
+    )
+    expect_exactly(f"{call}; how many burn", len(a_show.fireworks), 0, cause=cause, read=read)

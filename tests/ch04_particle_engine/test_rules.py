@@ -1,0 +1,127 @@
+"""Rules without an end, B4.7, and two types of one's own, mini-project 4.2."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from ch04_particle_engine import probes
+from expect import expect_exactly
+
+
+def words(leaves: dict[int, list[int]]) -> str:
+    """Return the call for rules, each given by the types that it leaves behind."""
+    shown = "; ".join(f"{type} leaves {after or 'none'}" for type, after in leaves.items())
+    return f"endless_types(rules), where {shown}"
+
+
+@pytest.mark.exercise("B4.7")
+def test_rules_that_end_have_no_endless_types() -> None:
+    cause = "every way down ends at a type without payloads"
+    read = "the docstring of endless_types"
+    for leaves in (
+        {1: []},
+        {1: [2], 2: [3], 3: []},
+        {1: [2, 3], 2: [4], 3: [4], 4: []},  # met twice, but never comes back
+        {4: [], 3: [4], 2: [4], 1: [3, 2]},
+    ):
+        call = words(leaves)
+        expect_exactly(call, probes.endless(leaves), [], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.7")
+def test_a_type_that_leaves_its_own_is_endless(rng: Random) -> None:
+    type = rng.randrange(2, 9)
+    leaves = {1: [], type: [1, type]}
+    call = words(leaves)
+    cause = "it leads back to itself at once"
+    read = "the docstring of endless_types"
+    expect_exactly(call, probes.endless(leaves), [type], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.7")
+def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
+    read = "the docstring of endless_types"
+    ring = rng.sample(range(1, 30), 5)
+    for leaves, wanted, cause in (
+        (
+            {type: [ring[(i + 1) % 5]] for i, type in enumerate(ring)},
+            sorted(ring),
+            "each leads back to itself by way of the others; name them in ascending order",
+        ),
+        (
+            {9: [1], 1: [2, 3], 2: [3], 3: [1], 4: [9], 5: []},
+            [1, 2, 3],
+            "9 and 4 lead into the ring, but nothing comes back to them",
+        ),
+        ({1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]}, [1, 2, 3, 4], "there are two rings"),
+    ):
+        call = words(leaves)
+        expect_exactly(call, probes.endless(leaves), wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.7")
+def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
+    call = "endless_types(rules), 62 types, of which each leaves two of the next pair"
+    cause = (
+        "there are 2^30 ways down: remember the types that have been reached, and do not look at "
+        "one again"
+    )
+    read = "the docstring of endless_types"
+    leaves = {i: [i + 2 - i % 2, i + 3 - i % 2] for i in range(60)}
+    leaves |= {60: [], 61: []}
+    expect_exactly(call, probes.endless(leaves), [], cause=cause, read=read)
+
+
+# 4.2 Two types of your own
+
+READ = "the docstring of own_types; book 4.2.1"
+
+
+@pytest.mark.exercise("4.2")
+def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
+    call = "own_types(), their types"
+    cause = "two rules, with the types 10 and 11"
+    read = READ
+    rules = probes.own_rules()
+    numbers = sorted(rule[0] for rule in rules)
+    expect_exactly(call, numbers, [10, 11], cause=cause, read=read)
+    call = "own_types(), types of their payloads"
+    cause = "give one of them a payload"
+    left = [type for rule in rules for type, _ in rule[-1]]
+    expect_exactly(f"{call}, any at all", len(left) > 0, True, cause=cause, read=read)
+    cause = "a payload is of a type that has a rule: 1 to 11"
+    unknown = [type for type in left if not 1 <= type <= 11]
+    expect_exactly(f"{call}, others than 1 to 11", unknown, [], cause=cause, read=read)
+
+
+@pytest.mark.exercise("4.2")
+def test_your_types_are_like_no_other() -> None:
+    call = "own_types() and FIREWORK_TYPES, rules that differ in nothing but their type"
+    cause = "a copy with another number is no type of your own: change ages, flight or payload"
+    read = READ
+    own, nine = probes.own_rules(), probes.nine_rules()
+    expect_exactly("own_types(), how many", len(own), 2, cause=cause, read=read)
+    all_of = [*own, *nine]
+    same = [
+        (own[i][0], all_of[j][0])
+        for i in range(2)
+        for j in range(i + 1, len(all_of))
+        if own[i][1:] == all_of[j][1:]
+    ]
+    expect_exactly(call, same, [], cause=cause, read=read)
+
+
+@pytest.mark.exercise("4.2")
+def test_your_types_burn_and_come_to_an_end(rng: Random) -> None:
+    seed = rng.randrange(10**6)
+    read = READ
+    for type in (10, 11):
+        call = f"FireworksShow([*FIREWORK_TYPES, *own_types()], 2000, {seed}).launch({type}); "
+        call += "show.update(0.05) 800 times; how many burn"
+        counts = probes.own_show(type, seed, 0.05, 800)
+        cause = "something must be seen for 0.2 s at least: an age above 0, and not into the ground"
+        expect_exactly(f"{call}, any after 0.2 s", counts[3] > 0, True, cause=cause, read=read)
+        cause = "after 40 s it is dark: types that lead back to themselves never end"
+        expect_exactly(f"{call}, after 40 s", counts[-1], 0, cause=cause, read=read)

@@ -1,0 +1,101 @@
+"""A bullet slow enough to be seen, build task B4.1."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch04_particle_engine import scaling
+from expect import expect_close, expect_error
+
+
+@pytest.mark.exercise("B4.1")
+def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
+    cause = "m v^2 / 2: the book's text leaves out the half (E-18)"
+    read = "book 4.1.1; errata.md"
+    call = "muzzle_energy(0.005, 500)"
+    expect_close(call, scaling.muzzle_energy(0.005, 500), 625.0, cause=cause, read=read)
+    mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
+    call = f"muzzle_energy({mass}, {speed})"
+    got = scaling.muzzle_energy(mass, speed)
+    expect_close(call, got, 0.5 * mass * speed * speed, cause=cause, read=read)
+    call = f"muzzle_energy({mass}, 0)"
+    cause = "what stands still has no energy: a speed of 0 is one"
+    expect_close(call, scaling.muzzle_energy(mass, 0), 0.0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.1")
+def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
+    cause = "the speed is squared in the energy, so the mass grows by the factor squared"
+    read = "book 4.1.1; the module's docstring says which way the factor divides (E-19)"
+    for mass, factor in (
+        (0.005, 20.0),
+        (round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)),
+        (round(rng.uniform(2.0, 90.0), 3), 0.25),
+    ):
+        call = f"slowed_mass({mass}, {factor})"
+        got = scaling.slowed_mass(mass, factor)
+        expect_close(call, got, mass * factor * factor, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.1")
+def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
+    cause = (
+        "the same ground takes factor times as long, and the fall goes as the square of the time: "
+        "g / factor^2. The book divides once (E-2)"
+    )
+    read = "book 4.1.1; errata.md"
+    for gravity, factor in (
+        (10.0, 20.0),
+        (-round(rng.uniform(2.0, 20.0), 3), round(rng.uniform(2.0, 9.0), 3)),
+        (9.81, 0.5),
+        (0.0, 4.0),
+    ):
+        call = f"slowed_gravity({gravity}, {factor})"
+        got = scaling.slowed_gravity(gravity, factor)
+        expect_close(call, got, gravity / (factor * factor), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.1", weight=0.5)
+@pytest.mark.parametrize("bad", [0.0, -2.0, math.inf, math.nan])
+def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
+    cause = "positive of arguments.py, in chapter 3, refuses it in one line"
+    read = "the docstrings in scaling.py"
+    for name, data, good in (
+        ("muzzle_energy", (bad, 3.0), (2.0, 3.0)),
+        ("slowed_mass", (bad, 3.0), (2.0, 3.0)),
+        ("slowed_mass", (2.0, bad), (2.0, 3.0)),
+        ("slowed_gravity", (2.0, bad), (2.0, 3.0)),
+    ):
+        call = f"{name}{data}"
+        function = getattr(scaling, name)
+        expect_error(
+            call,
+            lambda function=function, data=data: function(*data),
+            ValueError,
+            allowed=lambda function=function, good=good: function(*good),
+            cause=cause,
+            read=read,
+        )
+
+
+@pytest.mark.exercise("B4.1", weight=0.5)
+@pytest.mark.parametrize("bad", [math.inf, math.nan])
+def test_speed_and_gravity_are_finite(bad: float) -> None:
+    cause = "finite and not_negative of arguments.py, in chapter 3, refuse it in one line"
+    read = "the docstrings in scaling.py"
+    for call, attempt in (
+        (f"muzzle_energy(2, {bad})", lambda: scaling.muzzle_energy(2.0, bad)),
+        ("muzzle_energy(2, -3)", lambda: scaling.muzzle_energy(2.0, -3.0)),
+        (f"slowed_gravity({bad}, 2)", lambda: scaling.slowed_gravity(bad, 2.0)),
+    ):
+        expect_error(
+            call,
+            attempt,
+            ValueError,
+            allowed=lambda: scaling.muzzle_energy(2.0, 0.0) + scaling.slowed_gravity(-9.0, 3.0),
+            cause=cause,
+            read=read,
+        )

@@ -1,0 +1,108 @@
+"""Sparks that turn on the screen, going further G4.1."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch04_particle_engine import screen_rotation
+from draw import number
+from expect import expect_close, expect_error
+
+ANGLE, CORNERS = "the docstring of screen_angle", "the docstring of screen_corners"
+
+
+@pytest.mark.exercise("G4.1")
+def test_the_angle_grows_by_the_rate(rng: Random) -> None:
+    cause = "start + rate x time"
+    read = ANGLE
+    start, rate = round(rng.uniform(-0.5, 0.5), 3), round(rng.uniform(0.2, 0.9), 3)
+    for turning in (rate, -rate):
+        call = f"screen_angle({start}, {turning}, 2.5)"
+        got = screen_rotation.screen_angle(start, turning, 2.5)
+        expect_close(call, got, start + 2.5 * turning, cause=cause, read=read, tolerance=1e-14)
+
+
+@pytest.mark.exercise("G4.1")
+def test_whole_turns_are_left_out(rng: Random) -> None:
+    read = ANGLE
+    for rate in (round(rng.uniform(3.0, 9.0), 3), -round(rng.uniform(3.0, 9.0), 3)):
+        call = f"screen_angle(0.5, {rate}, 20)"
+        cause = "from -pi to pi: what is beyond has whole turns in it"
+        got = screen_rotation.screen_angle(0.5, rate, 20.0)
+        # Which end of the range a half turn is at is not fixed.
+        name = f"{call}, size"
+        expect_close(name, min(abs(got), math.pi), abs(got), cause=cause, read=read, tolerance=1e-9)
+        cause = "only whole turns: the direction is that of start + rate x time"
+        direction = (math.cos(got), math.sin(got))
+        angle = 0.5 + 20.0 * rate
+        wanted = (math.cos(angle), math.sin(angle))
+        name = f"{call}, its cosine and sine"
+        expect_close(name, direction, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("G4.1")
+def test_the_corners_of_a_square(rng: Random) -> None:
+    x, y, size = number(rng), number(rng), round(rng.uniform(0.5, 3.0), 3)
+    angle = round(rng.uniform(0.2, 1.2), 3)
+    read = CORNERS
+    half = size / 2.0
+    for turned, cause in (
+        (0.0, "half a side to the right and half a side up, and on from there, X towards Y"),
+        (math.pi / 2.0, "after a quarter of a turn each corner is where the next one was"),
+        (angle, "turn each corner about the center: (a cos t - b sin t, a sin t + b cos t)"),
+    ):
+        call = f"screen_corners(({x}, {y}), {size}, {turned})"
+        corners = screen_rotation.screen_corners((x, y), size, turned)
+        got = [coordinate for corner in corners for coordinate in corner]
+        wanted = []
+        for i in range(4):  # the corners are at 45 degrees, half a diagonal from the center
+            direction = turned + math.pi / 4.0 + i * math.pi / 2.0
+            away = half * math.sqrt(2.0)
+            wanted += [x + away * math.cos(direction), y + away * math.sin(direction)]
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("G4.1", weight=0.5)
+@pytest.mark.parametrize("bad", [math.inf, math.nan])
+def test_what_is_drawn_is_finite(bad: float) -> None:
+    cause = "finite and positive of arguments.py, in chapter 3, refuse it in one line"
+    read = f"{ANGLE}, and of screen_corners"
+    for call, attempt in (
+        (f"screen_angle({bad}, 1, 1)", lambda: screen_rotation.screen_angle(bad, 1.0, 1.0)),
+        (f"screen_angle(1, {bad}, 1)", lambda: screen_rotation.screen_angle(1.0, bad, 1.0)),
+        (f"screen_angle(1, 1, {bad})", lambda: screen_rotation.screen_angle(1.0, 1.0, bad)),
+        (
+            f"screen_corners(({bad}, 0), 1, 1)",
+            lambda: screen_rotation.screen_corners((bad, 0.0), 1.0, 1.0),
+        ),
+        (
+            f"screen_corners((0, {bad}), 1, 1)",
+            lambda: screen_rotation.screen_corners((0.0, bad), 1.0, 1.0),
+        ),
+        (
+            f"screen_corners((0, 0), {bad}, 1)",
+            lambda: screen_rotation.screen_corners((0.0, 0.0), bad, 1.0),
+        ),
+        (
+            "screen_corners((0, 0), 0, 1)",
+            lambda: screen_rotation.screen_corners((0.0, 0.0), 0.0, 1.0),
+        ),
+        (
+            f"screen_corners((0, 0), 1, {bad})",
+            lambda: screen_rotation.screen_corners((0.0, 0.0), 1.0, bad),
+        ),
+    ):
+        expect_error(
+            call,
+            attempt,
+            ValueError,
+            allowed=lambda: (
+                screen_rotation.screen_angle(0.0, 0.0, 0.0),
+                screen_rotation.screen_corners((0.0, 0.0), 1.0, 0.0),
+            ),
+            cause=cause,
+            read=read,
+        )

@@ -1,0 +1,260 @@
+"""The show goes on, build task B4.6."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine import probes
+from draw import components
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+
+READ = "the docstring of update; book 4.2.3"
+UP, STILL = (0.0, 9.0, 0.0), (0.0, 0.0, 0.0)
+
+
+def fixed(
+    type: int, age: float, velocity: probes.Components = UP, *payloads: tuple[int, int]
+) -> probes.RuleData:
+    """Return a rule without anything random and without damping."""
+    return (type, age, age, velocity, velocity, 1.0, payloads)
+
+
+def show_with(
+    rules: list[probes.RuleData],
+    births: list[tuple[int, int, Any]],
+    capacity: int = 50,
+    when_full: str = "keep_old",
+) -> Any:
+    """Return a show in which these births have been lit."""
+    a_show = probes.show_of(rules, capacity, when_full, 1)
+    a_show.light(births)
+    return a_show
+
+
+def at(position: probes.Components, velocity: probes.Components = STILL) -> Particle:
+    return Particle(Vector3(*position), Vector3(*velocity))
+
+
+def types(a_show: Any) -> list[int]:
+    return [firework.type for firework in a_show.fireworks]
+
+
+@pytest.mark.exercise("B4.6")
+def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -> None:
+    h, v = round(rng.uniform(0.1, 0.4), 3), components(rng)
+    call = f"two fireworks at (0, 20, 0) with the velocity {v} and 3 s of fuse; show.update({h})"
+    cause = "integrate each particle once: p + v h, and then the velocity with gravity"
+    a_show = show_with([fixed(1, 3.0, v)], [(1, 2, at((0.0, 20.0, 0.0)))])
+    a_show.update(h)
+    expect_exactly(f"{call}, how many", len(a_show.fireworks), 2, cause=cause, read=READ)
+    for firework in a_show.fireworks:
+        wanted = (v[0] * h, 20.0 + v[1] * h, v[2] * h)
+        got = xyz(firework.particle.position)
+        expect_close(f"{call}, a position", got, wanted, cause=cause, read=READ, tolerance=1e-13)
+        got = xyz(firework.particle.velocity)
+        wanted = (v[0], v[1] - 9.81 * h, v[2])
+        expect_close(f"{call}, a velocity", got, wanted, cause=cause, read=READ, tolerance=1e-13)
+        cause = "the age is the fuse that is left: it shrinks by the duration"
+        age = firework.age
+        expect_close(f"{call}, an age", age, 3.0 - h, cause=cause, read=READ, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B4.6")
+def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
+    call = "0.5 s of fuse; show.update(0.125) 4 times and once more; how many burn after each"
+    cause = "at 0 it still burns, below 0 it is burnt out"
+    seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
+    counts = [len(types) for types in seen]
+    expect_exactly(call, counts, [1, 1, 1, 1, 0], cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B4.6")
+def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
+    call = "one at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); show.update(0.125)"
+    cause = "y < 0 ends it, however much fuse is left, and its payload is lit all the same"
+    rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
+    a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
+    a_show.update(0.0625)
+    name = f"{call.replace('0.125', '0.0625')}, types"
+    on_ground = "at y = 0 it is on the ground, not below it"
+    expect_exactly(name, types(a_show), [1], cause=on_ground, read=READ)
+    a_show.update(0.125)
+    expect_exactly(f"{call}, types", types(a_show), [2, 2, 2], cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B4.6")
+def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Random) -> None:
+    v, own = components(rng), components(rng)
+    call = f"one at (0, 20, 0) with velocity {v} and 0.1 s of fuse, payload (2, 2) with {own} of "
+    call += "its own; show.update(0.25)"
+    a_show = show_with([fixed(1, 0.1, v, (2, 2)), fixed(2, 1.5, own)], [(1, 1, at((0, 20, 0)))])
+    a_show.update(0.25)
+    cause = "a payload of two is two fireworks"
+    expect_exactly(f"{call}, types", types(a_show), [2, 2], cause=cause, read=READ)
+    for firework in a_show.fireworks:
+        cause = "it starts at the place after the last step, and moves from the next frame on"
+        wanted = (v[0] * 0.25, 20.0 + v[1] * 0.25, v[2] * 0.25)
+        got = xyz(firework.particle.position)
+        expect_close(f"{call}, a position", got, wanted, cause=cause, read=READ, tolerance=1e-13)
+        cause = "its velocity is its own plus that of the burnt-out one, gravity and all"
+        wanted = (v[0] + own[0], v[1] - 9.81 * 0.25 + own[1], v[2] + own[2])
+        got = xyz(firework.particle.velocity)
+        expect_close(f"{call}, a velocity", got, wanted, cause=cause, read=READ, tolerance=1e-13)
+        cause = "its fuse is whole: it burns from the next frame on"
+        expect_close(f"{call}, an age", firework.age, 1.5, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B4.6")
+def test_neighbours_that_burn_out_together_are_all_removed() -> None:
+    rules = [fixed(1, 0.1), fixed(2, 5.0)]
+    call = "types 1 1 2 1 1 2 1, type 1 with 0.1 s of fuse; show.update(0.25); types"
+    cause = (
+        "removing from the list that a loop runs over skips the next one: make a new list of "
+        "those that burn on"
+    )
+    a_show = show_with(
+        rules, [(1, 2, None), (2, 1, None), (1, 2, None), (2, 1, None), (1, 1, None)]
+    )
+    a_show.update(0.25)
+    expect_exactly(call, types(a_show), [2, 2], cause=cause, read=READ)
+    call = call.replace("types", "their ages", 2).replace("their ages", "types", 1)
+    ages = [firework.age for firework in a_show.fireworks]
+    cause = "each moves on exactly once a frame"
+    expect_close(call, ages, [4.75, 4.75], cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B4.6")
+def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
+    rules = [fixed(1, 0.1, UP, (2, 2)), fixed(2, 5.0)]
+    call = 'capacity 3, "keep_old", three of type 1 burn out together, payload (2, 2); types'
+    cause = "remove all that have burnt out, and only then light: three slots are free"
+    a_show = show_with(rules, [(1, 3, at((0.0, 20.0, 0.0)))], 3)
+    a_show.update(0.25)
+    expect_exactly(call, types(a_show), [2, 2, 2], cause=cause, read=READ)
+    cause = "six were asked for, and three had no room"
+    expect_exactly(f"{call}; show.dropped", a_show.dropped, 3, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B4.6")
+def test_payloads_follow_the_policy_too() -> None:
+    rules = [fixed(1, 0.1, UP, (3, 3)), fixed(2, 5.0), fixed(3, 5.0)]
+    read = "the docstrings of FireworksShow and update"
+    for when_full, wanted in (("keep_old", [2, 2, 3, 3]), ("drop_oldest", [2, 3, 3, 3])):
+        call = f'capacity 4, "{when_full}"; types 1 2 2; 1 burns out, payload (3, 3); types'
+        cause = "payloads are lit as any births are: by light, which knows the policy"
+        births = [(1, 1, at((0.0, 20.0, 0.0))), (2, 2, None)]
+        a_show = show_with(rules, births, 4, when_full)
+        a_show.update(0.25)
+        expect_exactly(call, types(a_show), wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.6")
+def test_the_oldest_comes_first_from_generation_to_generation() -> None:
+    rules = [
+        fixed(1, 0.3, UP, (3, 2), (4, 1)),
+        fixed(2, 0.2, UP, (5, 1)),
+        fixed(3, 9.0),
+        fixed(4, 0.3, UP, (6, 1)),
+        fixed(5, 9.0),
+        fixed(6, 9.0),
+    ]
+    call = "launch 1, 2, 1; show.update(0.25) 3 times; the types after each"
+    cause = (
+        "the payloads of the oldest come first, each in the order of its rule, and all of them "
+        "behind what burns already"
+    )
+    seen = probes.sparks(rules, [1, 2, 1], 50, "keep_old", 1, 0.25, 4)
+    wanted = [
+        "1 1 5",
+        "5 3 3 4 3 3 4",
+        "5 3 3 4 3 3 4",
+        "5 3 3 3 3 6 6",
+    ]
+    got = [" ".join(str(type) for type in types) for types in seen]
+    call = call.replace("3 times", "4 times")
+    expect_exactly(call, got, wanted, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B4.6")
+def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
+    many = rng.randrange(3, 7)
+    rules = [
+        (1, 0.5, 1.4, (-5.0, 25.0, -5.0), (5.0, 28.0, 5.0), 0.1, ((3, many), (5, 2))),
+        (3, 0.5, 1.5, (-1.0, 5.0, -1.0), (1.0, 9.0, 1.0), 0.1, ((5, 3),)),
+        (5, 90.0, 90.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.001, ()),
+    ]
+    call = f"type 1 leaves {many} of 3 and 2 of 5, type 3 leaves 3 of 5; launch 1 twice; "
+    call += "show.update(0.05) 80 times; how many of each type burn"
+    cause = "every payload of everyone that burns out, and none twice"
+    seen = probes.sparks(rules, [1, 1], 500, "keep_old", rng.randrange(10**6), 0.05, 80)
+    last = seen[-1]
+    got = {type: last.count(type) for type in (1, 3, 5)}
+    wanted = {1: 0, 3: 0, 5: 2 * (2 + 3 * many)}
+    expect_exactly(call, got, wanted, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B4.6")
+def test_rules_without_an_end_stay_within_the_capacity() -> None:
+    rules = [fixed(1, 0.1, UP, (1, 10))]
+    cause = "each leaves ten of its own kind: light keeps the number within the capacity"
+    read = "the docstring of FireworksShow"
+    for when_full in ("keep_old", "drop_oldest"):
+        call = f'capacity 50, "{when_full}", type 1 leaves 10 of type 1; launch 1; show.update(0.2)'
+        call += " 30 times; the number that burns"
+        seen = probes.sparks(rules, [1], 50, when_full, 1, 0.2, 30)
+        counts = [len(types) for types in seen]
+        most = max(counts)
+        expect_exactly(f"{call}, at most", most, 50, cause=cause, read=read)
+        expect_exactly(f"{call}, after 3", counts[:3], [10, 50, 50], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.6")
+def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
+    seed = rng.randrange(10**6)
+    rules = [
+        (1, 0.1, 0.4, (-5.0, 5.0, -5.0), (5.0, 8.0, 5.0), 0.1, ((3, 5),)),
+        (3, 0.1, 2.5, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), 0.1, ()),
+    ]
+    call = f"two shows with the seed {seed}: launch 1, 1, 3; show.update(0.05) 12 times"
+    cause = "nothing is drawn but from self.random, and in the same order each time"
+    read = "the docstring of FireworksShow"
+    once, again, other = (
+        probes.show_after(rules, [1, 1, 3], s, 0.05, 12) for s in (seed, seed, seed + 1)
+    )
+    numbers, repeated = (
+        [number for firework in run for number in firework] for run in (once, again)
+    )
+    many = len(once) > 0
+    expect_exactly(f"{call}; something burns", many, True, cause=cause, read=read)
+    expect_close(call, repeated, numbers, cause=cause, read=read, tolerance=0.0)
+    cause = "another seed gives another show"
+    same = sum(firework in once for firework in other)
+    call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
+    expect_exactly(call, same, 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.6", weight=0.5)
+@pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
+def test_a_frame_of_a_show_is_positive_and_finite(bad: float) -> None:
+    call = f"show.update({bad})"
+    cause = "look at the duration first, whether or not anything burns"
+    read = "the docstring of update"
+    rules = [fixed(1, 2.0)]
+    for births in ([], [(1, 1, None)]):
+        a_show = show_with(rules, births)
+        expect_error(
+            call,
+            lambda a_show=a_show: a_show.update(bad),
+            ValueError,
+            allowed=lambda: show_with(rules, [(1, 1, None)]).update(0.5),
+            cause=cause,
+            read=read,
+        )
+    now = (a_show.fireworks[0].age, a_show.fireworks[0].particle.position.y)
+    expect_unchanged(call, "its age and its height", now, (2.0, 0.0), cause=cause, read=read)

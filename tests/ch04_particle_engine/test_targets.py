@@ -1,0 +1,235 @@
+"""Target blocks: the segment test 4.3b and the blow 4.3c."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine import targets
+from ch04_particle_engine.ballistics import BallisticRange
+from ch04_particle_engine.targets import TargetBlock
+from draw import Components, components, number
+from expect import expect_close, expect_exactly, expect_unchanged, xyz
+
+READ = "the docstring of hit_fraction"
+# A box from (1, 2, 3) to (3, 6, 9): numbers that are exact in binary.
+CENTER, SIZE = (2.0, 4.0, 6.0), (2.0, 4.0, 6.0)
+
+
+def words(start: Components, end: Components) -> str:
+    """Return the call for this box in words."""
+    return f"hit_fraction(Vector3{start}, Vector3{end}, box), box from (1, 2, 3) to (3, 6, 9)"
+
+
+def fraction(start: Components, end: Components) -> float | None:
+    """Return what comes back for this box."""
+    box = TargetBlock(Vector3(*CENTER), SIZE, mass=10.0)
+    return targets.hit_fraction(Vector3(*start), Vector3(*end), box)
+
+
+@pytest.mark.exercise("4.3b")
+def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
+    cause = "the fraction of the way at which the first face is crossed"
+    for start, end, wanted in (
+        ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
+        ((2.0, 4.0, 17.0), (2.0, 4.0, 1.0), 0.5),  # from behind
+        ((-1.0, 4.0, 6.0), (7.0, 4.0, 6.0), 0.25),
+        ((2.0, 10.0, 6.0), (2.0, -6.0, 6.0), 0.25),
+    ):
+        call = words(start, end)
+        got = fraction(start, end)
+        expect_close(call, got, wanted, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("4.3b")
+def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: Random) -> None:
+    cause = (
+        "on each axis alone there is a stretch between the two faces: the box is entered at the "
+        "latest of their beginnings, not at the first"
+    )
+    # From outside on all axes to the middle of the box: entered at the greatest of the three.
+    sizes = tuple(round(rng.uniform(1.0, 3.0), 3) for _ in range(3))
+    center = components(rng)
+    away = tuple(number(rng, 4.0, 9.0) for _ in range(3))
+    start = tuple(c + a for c, a in zip(center, away, strict=True))
+    call = f"hit_fraction(Vector3{start}, Vector3{center}, block), "
+    call += f"block = TargetBlock(Vector3{center}, {sizes}, mass=10)"
+    block = TargetBlock(Vector3(*center), sizes, mass=10.0)
+    got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
+    wanted = max(1.0 - side / 2.0 / abs(a) for side, a in zip(sizes, away, strict=True))
+    expect_close(call, got, wanted, cause=cause, read=READ, tolerance=1e-12)
+
+
+@pytest.mark.exercise("4.3b")
+def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
+    z = round(rng.uniform(10.2, 11.4), 3)
+    call = f"hit_fraction(Vector3(0, 1, 10), Vector3(0, 1, 11.67), thin block at z = {z})"
+    cause = "neither end is inside, and yet the way goes through: ask for the way, not its ends"
+    block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
+    got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.0, 1.0, 11.67), block)
+    wanted = (z - 0.005 - 10.0) / 1.67
+    expect_close(call, got, wanted, cause=cause, read=READ, tolerance=1e-12)
+
+
+@pytest.mark.exercise("4.3b")
+def test_a_way_beside_before_or_behind_the_box_misses() -> None:
+    for start, end, cause in (
+        ((3.5, 4.0, 1.0), (3.5, 4.0, 9.0), "it passes beside the box, along Z"),
+        ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), "it passes below the box"),
+        ((2.0, 4.0, 0.0), (2.0, 4.0, 2.9), "it ends before the box: only fractions up to 1 count"),
+        ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), "it starts behind the box: only fractions from 0 on"),
+        ((2.0, 4.0, -1.0), (2.0, 4.0, -9.0), "it goes away from the box"),
+    ):
+        call = words(start, end)
+        got = fraction(start, end)
+        expect_exactly(call, got, None, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("4.3b")
+def test_a_way_that_cuts_the_corner_misses() -> None:
+    cause = "it is between the faces of X, and of Z, but never between both at the same time"
+    for start, end in (
+        ((0.0, 4.0, 8.0), (4.0, 4.0, 16.0)),
+        ((4.0, 4.0, 4.0), (2.0, 4.0, 1.0)),
+    ):
+        call = words(start, end)
+        got = fraction(start, end)
+        expect_exactly(call, got, None, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("4.3b")
+def test_touching_counts_and_so_does_a_start_inside() -> None:
+    for start, end, wanted, cause in (
+        ((2.0, 4.0, 1.0), (2.0, 4.0, 3.0), 1.0, "it ends on the face: touching counts"),
+        ((3.0, 4.0, 1.0), (3.0, 4.0, 9.0), 0.25, "it runs along the face: touching counts"),
+        ((2.0, 4.0, 9.0), (2.0, 4.0, 12.0), 0.0, "it starts on the face: touching counts"),
+        ((2.0, 4.0, 5.0), (2.0, 4.0, 30.0), 0.0, "it starts inside: there at once"),
+        ((2.0, 4.0, 5.0), (2.5, 5.0, 7.0), 0.0, "it starts and ends inside"),
+        ((2.0, 4.0, 5.0), (2.0, 4.0, 5.0), 0.0, "no way at all, but inside"),
+    ):
+        call = words(start, end)
+        got = fraction(start, end)
+        expect_close(call, got, wanted, cause=cause, read=READ, tolerance=0.0)
+    cause = "no way at all, and outside"
+    call = words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0))
+    got = fraction((2.0, 4.0, 2.0), (2.0, 4.0, 2.0))
+    expect_exactly(call, got, None, cause=cause, read=READ)
+
+
+# 4.3c Blocks of several masses
+
+STRIKE = "the docstring of strike_first"
+
+
+@pytest.mark.exercise("4.3c")
+def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> None:
+    v, mass, block_mass = components(rng), round(rng.uniform(0.5, 2.0), 3), 8.0
+    before = (number(rng), 0.0, number(rng))
+    call = f"strike_first(start, p, [block]), p with mass {mass} and velocity {v}, block with mass "
+    call += f"8 and velocity {before}"
+    cause = "v' = v + m v_shot / M along X and Z; the ground takes what is along Y"
+    block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=block_mass)
+    block.particle.velocity = Vector3(*before)
+    p = Particle(Vector3(0.0, 1.0, 5.0), Vector3(*v), mass=mass)
+    struck = targets.strike_first(Vector3(0.0, 1.0, 3.0), p, [block])
+    got = xyz(block.particle.velocity)
+    wanted = (
+        before[0] + mass * v[0] / block_mass,
+        0.0,
+        before[2] + mass * v[2] / block_mass,
+    )
+    # A rounding or two of numbers up to 20.
+    name = f"{call}; block.particle.velocity"
+    expect_close(name, got, wanted, cause=cause, read=STRIKE, tolerance=1e-13)
+    cause = "each hit is counted once, and the block that was hit comes back"
+    expect_exactly(f"{call}; block.hits", block.hits, 1, cause=cause, read=STRIKE)
+    call += ", what comes back: its hits and mass"
+    struck_is = None if struck is None else (struck.hits, struck.particle.mass)
+    expect_exactly(call, struck_is, (1, 8.0), cause=cause, read=STRIKE)
+
+
+@pytest.mark.exercise("4.3c")
+def test_a_block_that_nothing_moves_is_hit_and_stays(rng: Random) -> None:
+    v = components(rng)
+    call = f"strike_first(start, p, [block]), p with velocity {v}, block with mass math.inf"
+    cause = "its inverse mass is 0, so it gains no velocity: no division by an infinite mass"
+    block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=float("inf"))
+    p = Particle(Vector3(0.0, 1.0, 5.0), Vector3(*v), mass=3.0)
+    targets.strike_first(Vector3(0.0, 1.0, 3.0), p, [block])
+    got = xyz(block.particle.velocity)
+    expect_close(f"{call}; block.particle.velocity", got, (0.0, 0.0, 0.0), cause=cause, read=STRIKE)
+    cause = "a hit is a hit, whether or not the block moves"
+    expect_exactly(f"{call}; block.hits", block.hits, 1, cause=cause, read=STRIKE)
+
+
+@pytest.mark.exercise("4.3c")
+def test_only_the_first_block_on_the_way_is_hit() -> None:
+    call = "strike_first(Vector3(0, 1, 0), p at z = 20, blocks at z = 15, 5 and 10), their hits"
+    cause = "the smallest fraction of the way, not the first in the list, and no other block"
+    blocks = [
+        TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (15.0, 5.0, 10.0)
+    ]
+    p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
+    targets.strike_first(Vector3(0.0, 1.0, 0.0), p, blocks)
+    hits = tuple(block.hits for block in blocks)
+    expect_exactly(call, hits, (0, 1, 0), cause=cause, read=STRIKE)
+    speeds = tuple(block.particle.velocity.z for block in blocks)
+    call = call.replace("their hits", "their speeds along Z")
+    expect_close(call, speeds, (0.0, 10.0, 0.0), cause=cause, read=STRIKE)
+
+
+@pytest.mark.exercise("4.3c")
+def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
+    call = "strike_first(Vector3(0, 1, 5), p at z = 20, blocks at z = 10 and 5), their hits"
+    cause = "a fraction of 0 is a hit: ask `is None`, since 0 counts as false"
+    blocks = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (10.0, 5.0)]
+    p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
+    targets.strike_first(Vector3(0.0, 1.0, 5.0), p, blocks)
+    hits = tuple(block.hits for block in blocks)
+    expect_exactly(call, hits, (0, 1), cause=cause, read=STRIKE)
+
+
+@pytest.mark.exercise("4.3c")
+def test_a_shot_that_hits_nothing_changes_nothing() -> None:
+    call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block at x = 9)"
+    cause = "None is on the way, so None comes back, and no block has a hit"
+    block = TargetBlock(Vector3(9.0, 1.0, 5.0), (2.0, 2.0, 1.0), mass=5.0)
+    p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
+    got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
+    expect_exactly(f"{call} is None", got is None, True, cause=cause, read=STRIKE)
+    expect_exactly(f"{call}; block.hits", block.hits, 0, cause=cause, read=STRIKE)
+    now = xyz(block.particle.velocity)
+    expect_unchanged(call, "its velocity", now, (0.0, 0.0, 0.0), cause=cause, read=STRIKE)
+    call = "strike_first(Vector3(0, 1, 0), p, [])"
+    got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [])
+    expect_exactly(f"{call} is None", got is None, True, cause=cause, read=STRIKE)
+
+
+@pytest.mark.exercise("4.3c")
+def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
+    call = 'a block of 35 kg, 2 cm thick, at z = 20; r.fire("laser"); r.update(0.05) 5 times; '
+    cause = "each shot asks strike_first with the place it had before its step, and is then gone"
+    read = "the docstring of update"
+    block = TargetBlock(Vector3(0.0, 1.5, 20.0), (2.0, 2.0, 0.02), mass=35.0, damping=1.0)
+    at = BallisticRange([block])
+    at.fire("laser")
+    for _ in range(3):
+        at.update(0.05)
+    name = f"{call.replace('5 times', '3 times')}shots in flight"
+    expect_exactly(name, len(at.shots), 1, cause="it is not there yet", read=read)
+    for _ in range(2):
+        at.update(0.05)
+    expect_exactly(f"{call}block.hits", block.hits, 1, cause=cause, read=read)
+    expect_exactly(f"{call}shots in flight", len(at.shots), 0, cause=cause, read=read)
+    cause = "it gets the momentum that the shot has after its step"
+    speed = block.particle.velocity.z
+    wanted = 0.1 * 100.0 * 0.99**0.25 / 35.0
+    expect_close(f"{call}its speed", speed, wanted, cause=cause, read=read)
+    at.update(0.5)
+    cause = "the blocks move with each update: integrate their particles too"
+    moved = block.particle.position.z
+    name = f"{call}r.update(0.5); where it is"
+    expect_close(name, moved, 20.0 + 0.5 * wanted, cause=cause, read=read)

@@ -11,7 +11,7 @@ READY := .venv/ready
 ENGINE ?= chapters
 
 .DEFAULT_GOAL := help
-.PHONY: help setup check hint plot
+.PHONY: help setup check hint plot demo
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\): .*## /  make \1|/p' $(MAKEFILE_LIST) | awk -F'|' '{printf "%-15s %s\n", $$1, $$2}'
@@ -31,5 +31,8 @@ hint: $(READY) ## a hint for an exercise (EX=2.5; N=2 for the first two)
 
 plot: $(READY) ## draw a chapter with your engine (CH=2)
 	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)")
+
+demo: $(READY) ## play a demo with your engine (DEMO=fireworks or ballistics)
+	@$(RUN) -m studies demo --engine "$(ENGINE)" "$(or $(DEMO),$(error name a demo: make demo DEMO=fireworks))"
 
 -include instructor.mk

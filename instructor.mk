@@ -1,6 +1,6 @@
 # The commands of instructors and of those who work on the companion itself.
 SUBMISSIONS ?= sample_class
-OURS := $(wildcard chapters/*/plots.py)
+OURS := $(wildcard chapters/*/plots.py chapters/*/demos.py)
 
 .PHONY: grade handout stubs test lint bench
 

@@ -1,4 +1,4 @@
-"""The commands of the studies: python -m studies plot, python -m studies bench."""
+"""The commands of the studies: python -m studies plot, demo or bench."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import importlib
 import importlib.util
 import sys
 
-COMMANDS = ("plot", "bench")  # a hand-out has the first alone
+COMMANDS = ("plot", "demo", "bench")  # a hand-out lacks the last
 
 
 def main() -> int:

@@ -20,9 +20,10 @@ def main(arguments: list[str]) -> int:
     parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = Console(highlight=False)
-    from studies.benchmarks import check, grading, particles, vectors  # these import chapters
+    from studies.benchmarks import check, grading, particles, sparks, vectors  # import chapters
 
-    lines = [*check.lines(), *vectors.lines(console), *particles.lines(), *grading.lines(console)]
+    lines = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
+    lines += grading.lines(console)
     table = Table("what", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("ratio", "spread", "target"):
         table.add_column(heading, justify="right", no_wrap=True)

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 # Okabe and Ito's colours: told apart by colour-blind readers, and of different greys in print.
 BLUE, ORANGE, GREEN, GREY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
+RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
 
 Numbers = tuple[float, float, float]
 

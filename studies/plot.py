@@ -52,7 +52,7 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
     try:
         plots = importlib.import_module(f"{chapter.name}.plots").PLOTS
     except (Exception, SystemExit) as error:
-        print(f"chapter {chapter.number} cannot be drawn: {_reason(error)}")
+        print(f"chapter {chapter.number} cannot be drawn: {reason(error)}")
         return False
     finally:
         faulthandler.cancel_dump_traceback_later()
@@ -71,24 +71,24 @@ def draw(plot: Callable[[], Picture], folder: Path) -> bool:
     try:
         picture = plot()
     except (Exception, SystemExit) as error:
-        print(f"{name}: not drawn, {_reason(error)}")
+        print(f"{name}: not drawn, {reason(error)}")
         return False
     finally:
         faulthandler.cancel_dump_traceback_later()
     picture.figure.savefig(png, dpi=110)
     with table.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([picture.columns, *picture.rows])
-    print(f"{name}: {_shown(png)} and {_shown(table)}")
+    print(f"{name}: {shown(png)} and {shown(table)}")
     return True
 
 
-def _reason(error: BaseException) -> str:
+def reason(error: BaseException) -> str:
     """Return the exception and the student's line that raised it."""
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
     last = traceback.extract_tb(error.__traceback__)[-1]
-    return f"{type(error).__name__}: {error} ({_shown(Path(last.filename))}, line {last.lineno})"
+    return f"{type(error).__name__}: {error} ({shown(Path(last.filename))}, line {last.lineno})"
 
 
-def _shown(path: Path) -> Path:
+def shown(path: Path) -> Path:
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

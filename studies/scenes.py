@@ -18,6 +18,8 @@ from ch03_laws_of_motion.particle import Particle
 if TYPE_CHECKING:
     import pymunk
 
+    from ch04_particle_engine.ballistics import ShotType
+
 Numbers = tuple[float, float, float]
 
 
@@ -117,6 +119,12 @@ def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, floa
         gone = -math.expm1(-kt) / k  # (1 - e^-kt) / k
         fallen = (t - gone) / k
     return x + v * gone + a * fallen, v - v * k * gone + a * gone
+
+
+def scene_of(shot: ShotType, duration: float) -> Scene:
+    """Return the flight of a shot of chapter 4 as a scene, whose x is along the range."""
+    start = State((0.0, 1.5, 0.0), (shot.velocity[2], shot.velocity[1], 0.0))
+    return Scene(shot.name, start, shot.acceleration, shot.damping, duration)
 
 
 AT_REST = State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))

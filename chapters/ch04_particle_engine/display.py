@@ -56,10 +56,10 @@ def is_over(display: Display) -> bool:
 
 
 def tick(display: Display, duration: float) -> None:
-    """Let a frame in s pass in the game, where it is not over."""
+    """Let a frame in s pass: the time counts until the game is over, and what burns burns out."""
     if not is_over(display):
-        display.show.update(duration)
         display.time += duration
+    display.show.update(duration)
 
 
 def _rockets(display: Display) -> list[Firework]:

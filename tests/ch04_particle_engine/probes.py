@@ -12,6 +12,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.ballistics import BallisticRange
 from ch04_particle_engine.catherine_wheel import CatherineWheel
+from ch04_particle_engine.closed_form import burst_positions
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import (
     FireworkRule,
@@ -104,10 +105,20 @@ def heights_of(name: str, duration: float, frames: int) -> list[float]:
     return heights
 
 
-def burst(position: Components, velocity: Components, mass: float) -> list[list[float]]:
+def burst(
+    position: Components,
+    velocity: Components,
+    mass: float,
+    acceleration: Components = (0.0, -10.0, 0.0),
+    damping: float = 0.9,
+) -> list[list[float]]:
     """Burst a grenade; return mass, damping, position, velocity, acceleration of each fragment."""
     particle = Particle(
-        Vector3(*position), Vector3(*velocity), Vector3(0, -10, 0), mass=mass, damping=0.9
+        Vector3(*position),
+        Vector3(*velocity),
+        Vector3(*acceleration),
+        mass=mass,
+        damping=damping,
     )
     return [
         [piece.mass, piece.damping, *piece.position, *piece.velocity, *piece.acceleration]
@@ -115,17 +126,48 @@ def burst(position: Components, velocity: Components, mass: float) -> list[list[
     ]
 
 
-def lit(data: RuleData, seed: int, count: int, parent: State | None = None) -> list[list[float]]:
+def lit(
+    data: RuleData, seed: int, count: int, parent: State | None = None, parent_mass: float = 1.0
+) -> list[list[float]]:
     """Make fireworks; return type, age, position, velocity, acceleration, mass, damping of each."""
     random, made_rule = Random(seed), rule(data)
+    source = None
+    if parent is not None:
+        source = Particle(Vector3(*parent[0]), Vector3(*parent[1]), mass=parent_mass)
     made = []
     for _ in range(count):
-        source = None if parent is None else Particle(Vector3(*parent[0]), Vector3(*parent[1]))
         firework = make_firework(made_rule, random, source)
         p = firework.particle
         vectors = [*xyz(p.position), *xyz(p.velocity), *xyz(p.acceleration)]
         made.append([firework.type, firework.age, *vectors, p.mass, p.damping])
     return made
+
+
+def places_of_launches(data: RuleData, type: int, count: int) -> list[tuple[float, float]]:
+    """Launch fireworks and return the x and y that occur, in order."""
+    show = show_of([data], count, "keep_old", 1)
+    for _ in range(count):
+        show.launch(type)
+    places = [firework.particle.position for firework in show.fireworks]
+    return sorted({(place.x, place.y) for place in places})
+
+
+def births_after(first: RuleData, second: RuleData, when_full: str) -> list[tuple[int, int]]:
+    """Light births and return the list that was given, as it is then."""
+    show = show_of([first, second], 4, when_full, 1)
+    births: list[tuple[int, int, Particle | None]] = [(1, 2, None), (2, 3, None)]
+    show.light(births)
+    return [(type, count) for type, count, _ in births]
+
+
+def many_births(
+    first: RuleData, second: RuleData, capacity: int, when_full: str, births: int, count: int
+) -> tuple[list[int], int]:
+    """Light as many births of types 1 and 2, half of each; return how many burn and dropped."""
+    show = show_of([first, second], capacity, when_full, 1)
+    show.light([(1 if i < births // 2 else 2, count, None) for i in range(births)])
+    types = [firework.type for firework in show.fireworks]
+    return [types.count(1), types.count(2)], show.dropped
 
 
 def sparks(
@@ -190,9 +232,9 @@ def nine_rules() -> list[list[object]]:
 
 
 def own_show(type: int, seed: int, duration: float, frames: int) -> list[int]:
-    """Launch a firework among all eleven types and return how many burn after each frame."""
+    """Light a firework high up, with all eleven types; return how many burn after each frame."""
     show = FireworksShow([*FIREWORK_TYPES, *own_types()], 2000, seed)
-    show.launch(type)
+    show.light([(type, 1, Particle(Vector3(0, 50, 0)))])
     counts = []
     for _ in range(frames):
         show.update(duration)
@@ -227,3 +269,11 @@ def stepped(
     for _ in range(frames):
         particle.integrate(duration)
     return xyz(particle.position), xyz(particle.velocity)
+
+
+def speeds_after(
+    start: float, speeds: list[float], acceleration: float, damping: float, time: float
+) -> list[float]:
+    """Ask for the positions of a burst and return the speeds that were given, as they are then."""
+    burst_positions(start, speeds, acceleration, damping, time)
+    return speeds

@@ -56,7 +56,8 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
         "and the azimuth shares that out between X and Z"
     )
     read = "the docstring of aim"
-    for a, e in ((azimuth, elevation), (-azimuth, elevation), (azimuth + math.pi, -elevation)):
+    turned = ((-azimuth, elevation), (azimuth + math.pi, -elevation), (azimuth, elevation + 1.6))
+    for a, e in ((azimuth, elevation), *turned):
         call = f"aim({speed}, {a}, {e})"
         got = xyz(ballistics.aim(speed, a, e))
         level = speed * math.cos(e)
@@ -144,7 +145,7 @@ def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> N
 def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
     read = "the docstring of fire"
     for elevation in (round(rng.uniform(0.3, 1.2), 3), 0.0):
-        cause = "with the whole speed of the type's velocity, 50 m/s: its length, not its z"
+        cause = "in place of the type's own, with the whole speed of 50 m/s, the velocity's length"
         if elevation == 0.0:
             cause = "an elevation of 0 is level: ask whether it is None, since 0 counts as false"
         call = f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.velocity'
@@ -157,6 +158,20 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
         call = f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.acceleration'
         got = xyz(at.shots[-1].particle.acceleration)
         expect_close(call, got, (0.0, -20.0, 0.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.2")
+def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
+    azimuth, elevation = round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(0.3, 1.2), 3)
+    call = f'r.fire("artillery", {azimuth}, {elevation}); r.shots[-1].particle.velocity'
+    cause = "aim takes both, whichever of them is given"
+    read = "the docstring of fire"
+    at = BallisticRange()
+    at.fire("artillery", azimuth, elevation)
+    level = 50.0 * math.cos(elevation)
+    wanted = (level * math.sin(azimuth), 50.0 * math.sin(elevation), level * math.cos(azimuth))
+    got = xyz(at.shots[-1].particle.velocity)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B4.2", weight=0.5)

@@ -27,6 +27,15 @@ def particle_of(
     return words, p
 
 
+def by_series(damping: float, time: float) -> tuple[float, float, float]:
+    """Return the factors for a small k t, by the series of fallen."""
+    kt = -math.log(damping) * time
+    # After 12 terms of (k t)^n / (n + 2)! there is less than the last digit left, for k t to 0.1.
+    fallen = time * time * math.fsum((-kt) ** n / math.factorial(n + 2) for n in range(12))
+    gone = time + math.log(damping) * fallen
+    return damping**time, gone, fallen
+
+
 @pytest.mark.exercise("B4.8")
 def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
     cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k, with k = -ln d"
@@ -35,6 +44,7 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         (0.5, 1.0),
         (round(rng.uniform(0.1, 0.9), 3), round(rng.uniform(1.0, 9.0), 3)),
         (1.5, round(rng.uniform(1.0, 3.0), 3)),  # above 1 it gains speed, by the same formula
+        (0.9999, 3000.0),  # what counts as small is k t, not k
     ):
         call = f"drag_factors({damping}, {time})"
         k = -math.log(damping)
@@ -62,24 +72,36 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B4.8")
-@pytest.mark.parametrize("below", [1e-13, 1e-9, 1e-6, 1e-3])
-def test_the_factors_hold_for_a_damping_next_to_1(below: float) -> None:
-    damping, t = 1.0 - below, 2.0
-    call = f"drag_factors({damping!r}, {t})"
+@pytest.mark.parametrize("away", [1e-13, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2])
+def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> None:
     cause = (
         "for small k t, 1 - d^t and t - gone are differences of numbers that are nearly equal, and "
         "lose their digits: math.expm1 and a few terms of the series do not"
     )
     read = FACTORS
-    k = -math.log1p(-(1.0 - damping))  # 1 - damping is exact, below itself may not be
-    kt = k * t
-    # Five terms: what is left is (k t)^5 / 2520 of it, below 1e-17.
-    gone = t * (1.0 - kt / 2.0 + kt**2 / 6.0 - kt**3 / 24.0 + kt**4 / 120.0)
-    fallen = t * t * (0.5 - kt / 6.0 + kt**2 / 24.0 - kt**3 / 120.0 + kt**4 / 720.0)
-    got = closed_form.drag_factors(damping, t)
-    # A series that was cut early, or a limit in another place, may be as far off as 1e-9.
-    wanted = (1.0 - k * gone, gone, fallen)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9)
+    for damping in (1.0 - away, 1.0 + away):
+        t = round(rng.uniform(1.0, 9.0), 3)
+        call = f"drag_factors({damping!r}, {t})"
+        got = closed_form.drag_factors(damping, t)
+        # A series that is cut early, or that begins elsewhere, may be as far off as 1e-9.
+        wanted = by_series(damping, t)
+        size = wanted[2]
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9 * max(1.0, size))
+
+
+@pytest.mark.exercise("B4.8")
+def test_the_factors_hold_for_short_times(rng: Random) -> None:
+    cause = "however short the time, something is lost, gone and fallen"
+    read = FACTORS
+    damping = round(rng.uniform(0.3, 0.9), 3)
+    for t in (1.0 / 60.0, 1e-6):
+        call = f"drag_factors({damping}, {t})"
+        wanted = by_series(damping, t)
+        got = closed_form.drag_factors(damping, t)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
+        name = f"{call}[2] / t^2"
+        share = got[2] / (t * t)
+        expect_close(name, share, wanted[2] / (t * t), cause=cause, read=read, tolerance=1e-8)
 
 
 @pytest.mark.exercise("B4.8")
@@ -182,9 +204,10 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     position, velocity = closed_form.state_after(p, 3.0)
     expect_close(f"{call}; position", xyz(position), x, cause=cause, read=read)
     expect_close(f"{call}; velocity", xyz(velocity), v, cause=cause, read=read)
-    position.x = 99.0
+    position.x = velocity.x = 99.0
     cause = "return new vectors"
     expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B4.8", weight=0.5)
@@ -197,6 +220,10 @@ def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
         (f"drag_factors(0.5, {bad})", lambda: closed_form.drag_factors(0.5, bad)),
         (f"drag_factors(1, {bad})", lambda: closed_form.drag_factors(1.0, bad)),
         (f"state_after(Particle(), {bad})", lambda: closed_form.state_after(Particle(), bad)),
+        (
+            f"state_after(Particle(mass=math.inf), {bad})",
+            lambda: closed_form.state_after(Particle(mass=math.inf), bad),
+        ),
     ):
         expect_error(
             call,
@@ -227,6 +254,10 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     got = closed_form.burst_positions(start, speeds, a, 1.0, t)
     wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    given = probes.speeds_after(start, list(speeds), a, 0.5, t)
+    cause = "the list of speeds is the caller's: leave it as it is"
+    expect_unchanged(call, "the list of speeds", given, speeds, cause=cause, read=read)
+    cause = "start + speed x gone + acceleration x fallen, one after the other as they were given"
     damping = round(rng.uniform(0.2, 0.8), 3)
     k = -math.log(damping)
     gone = -math.expm1(-k * t) / k
@@ -251,13 +282,14 @@ def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B4.9", weight=0.5)
-@pytest.mark.parametrize("bad", [math.inf, math.nan])
+@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_burst_starts_somewhere(bad: float) -> None:
     cause = "finite of arguments.py refuses it in one line; the rest drag_factors refuses"
     read = BURST
     good = (1.0, [2.0], -10.0, 0.5, 1.0)
-    for i in (0, 2, 3, 4):
-        data = (*good[:i], bad, *good[i + 1 :])
+    empty = (1.0, [], -10.0, 0.5, 1.0)
+    for i, of in ((0, good), (2, good), (3, good), (4, good), (0, empty)):
+        data = (*of[:i], bad, *of[i + 1 :])
         call = f"burst_positions{data}"
         expect_error(
             call,

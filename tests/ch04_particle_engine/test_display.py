@@ -42,6 +42,7 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     call = f"rockets at ({x} - 2, {y}), ({x} + 1, {y}) and ({x}, {y} + 1.5); "
     call += f"find_rocket(display, {x}, {y})"
     found = display.find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
+    expect_exactly(f"{call} is None", found is None, False, cause=cause, read=read)
     what = None if found is None else found.type
     expect_exactly(f"{call}, its type", what, 3, cause=cause, read=read)
     for away, reached in ((2.4, True), (2.6, False)):
@@ -52,6 +53,16 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
         call = f"one rocket, {away} m from the click; find_rocket(display, {x}, {y}) is None"
         found = display.find_rocket(game((1, *place)), x, y)
         expect_exactly(call, found is None, not reached, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_a_rocket_at_exactly_the_reach_is_found() -> None:
+    read = "the docstring of find_rocket"
+    cause = "at exactly REACH it is still found"
+    for place in ((2.5, 20.0), (-1.5, 22.0)):
+        call = f"one rocket at {place}; find_rocket(display, 0, 20) is None"
+        found = display.find_rocket(game((1, *place)), 0.0, 20.0)
+        expect_exactly(call, found is None, False, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.1")
@@ -70,7 +81,7 @@ def test_sparks_are_no_rockets() -> None:
     cause = "rockets are the fireworks whose rule has payloads"
     read = "the docstring of find_rocket"
     found = display.find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
-    what = None if found is None else found.type
+    what = found is not None and found.type
     expect_exactly(call, what, 1, cause=cause, read=read)
     call = "a spark at (0, 20); find_rocket(display, 0, 20) is None"
     found = display.find_rocket(game((2, 0.0, 20.0)), 0.0, 20.0)
@@ -85,7 +96,7 @@ def test_a_rocket_without_a_fuse_is_past_saving() -> None:
     a_game = game((1, 0.0, 20.0), (3, 2.0, 20.0))
     a_game.show.fireworks[0].age = 0.0
     found = display.find_rocket(a_game, 0.0, 20.0)
-    what = None if found is None else found.type
+    what = found is not None and found.type
     expect_exactly(call, what, 3, cause=cause, read=read)
 
 
@@ -116,7 +127,7 @@ def test_a_late_click_scores_more() -> None:
     read = "the docstring of click"
     for fuse, score, cause in (
         (1.5, 1, "a click scores 1"),
-        (0.41, 1, "a fuse of 0.41 s is not shorter than LATE, 0.4 s"),
+        (0.4, 1, "a fuse of 0.4 s is not shorter than LATE, 0.4 s"),
         (0.39, 3, "a fuse shorter than LATE scores 3: look at it before it is set to 0"),
     ):
         call = f"a rocket at (0, 20) with {fuse} s of fuse; click(display, 0, 20); display.score"
@@ -127,7 +138,7 @@ def test_a_late_click_scores_more() -> None:
         cause = "a hit is no miss"
         name = call.replace("display.score", "display.misses")
         expect_exactly(name, a_game.misses, 0, cause=cause, read=read)
-    call = "two rockets are clicked on, one after the other; display.score"
+    call = "two rockets; click(display, 0, 20); click(display, 9, 20); display.score"
     cause = "each hit adds to the score"
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
     display.click(a_game, 0.0, 20.0)
@@ -146,6 +157,29 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
     counted = (a_game.misses, a_game.score)
     expect_exactly(f"{call}; misses and score", counted, (1, 0), cause=cause, read=read)
     expect_exactly(f"{call}; types in the show", types(a_game), [1], cause=cause, read=read)
+    call = "two rockets; click on one, beside, on the other, beside: misses and score"
+    cause = "each hit adds to the score and each miss to the misses, whatever came before"
+    a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
+    for x in (0.0, 30.0, 9.0, 30.0):
+        display.click(a_game, x, 20.0)
+    counted = (a_game.misses, a_game.score)
+    expect_exactly(call, counted, (2, 2), cause=cause, read=read)
+
+
+@pytest.mark.exercise("P4.1")
+def test_a_click_in_a_full_show_counts_too() -> None:
+    call = "a show of one slot, a rocket at (0, 20); click(display, 0, 20)"
+    cause = "the rocket bursts and the click scores, though the show has no room for another"
+    read = "the docstring of click"
+    show = probes.show_of(RULES, 1, "keep_old", 1)
+    show.light([(1, 1, Particle(Vector3(0.0, 20.0, 0.0)))])
+    a_game = display.Display(show)
+    hit = display.click(a_game, 0.0, 20.0)
+    expect_exactly(call, hit, True, cause=cause, read=read)
+    counted = (a_game.score, types(a_game))
+    expect_exactly(f"{call}; score and types", counted, (1, [1]), cause=cause, read=read)
+    age = show.fireworks[0].age
+    expect_close(f"{call}; its age", age, 0.0, cause=cause, read=read, tolerance=0.0)
 
 
 @pytest.mark.exercise("P4.1")
@@ -163,6 +197,11 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         a_game = game(*lit)
         a_game.misses = misses
         expect_exactly(call, display.is_over(a_game), over, cause=cause, read=read)
+    call = "one rocket, whose age is 0; is_over(display)"
+    cause = "a rocket counts until it has burst"
+    a_game = game(rocket)
+    a_game.show.fireworks[0].age = 0.0
+    expect_exactly(call, display.is_over(a_game), False, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.1")
@@ -179,3 +218,8 @@ def test_a_click_after_the_end_does_nothing() -> None:
     name = f"{call}; click(display, 30, 20); misses and score"
     expect_exactly(name, counted, (6, 0), cause=cause, read=read)
     expect_exactly(f"{call}; types in the show", types(a_game), [1], cause=cause, read=read)
+    call = "only a spark burns; click(display, 0, 20)"
+    a_game = game((2, 0.0, 20.0))
+    hit = display.click(a_game, 0.0, 20.0)
+    expect_exactly(call, hit, False, cause=cause, read=read)
+    expect_exactly(f"{call}; misses", a_game.misses, 0, cause=cause, read=read)

@@ -83,7 +83,8 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     low, high = FIRST[3], FIRST[4]
     call = f"make_firework(rule, Random({seed})).particle.velocity, from {low} to {high}"
     read = "the docstring of make_firework; book 4.2.1"
-    velocities = [firework[5:8] for firework in probes.lit(FIRST, seed, MANY)]
+    made = probes.lit(FIRST, seed, MANY)
+    velocities = [firework[5:8] for firework in made]
     shares = []
     for axis in range(3):
         cause = "random.uniform of the smallest and the largest on this axis"
@@ -92,11 +93,13 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         expect_even(name, drawn, low[axis], high[axis], cause=cause, read=read)
         middle, width = (low[axis] + high[axis]) / 2.0, high[axis] - low[axis]
         shares.append([(number - middle) / width for number in drawn])
+    shares.append([(firework[1] - 0.95) / 0.9 for firework in made])
+    names = ("X", "Y", "Z", "the age")
     cause = "one number drawn for all three axes sends every spark along one line: draw three"
-    for i, j in ((0, 1), (1, 2), (2, 0)):
+    for i, j in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)):
         pairs = zip(shares[i], shares[j], strict=True)
         correlation = 12.0 / MANY * math.fsum(a * b for a, b in pairs)
-        name = f"{call}, correlation of {'XYZ'[i]} and {'XYZ'[j]}"
+        name = f"{call}, correlation of {names[i]} and {names[j]}"
         # The deviation of the correlation of n independent pairs is 1 / sqrt(n).
         tolerance = 5.0 / math.sqrt(MANY)
         expect_close(name, correlation, 0.0, cause=cause, read=read, tolerance=tolerance)
@@ -141,7 +144,7 @@ def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng
     call = f"make_firework(rule, random), type {type} and damping {damping}"
     read = "the docstring of make_firework"
     for parent in (None, (components(rng), components(rng))):
-        (firework,) = probes.lit(data, 1, 1, parent)
+        (firework,) = probes.lit(data, 1, 1, parent, parent_mass=4.0)
         cause = "the type and the damping of the rule"
         expect_close(f"{call}; its type", firework[0], type, cause=cause, read=read)
         expect_close(f"{call}; its damping", firework[12], damping, cause=cause, read=read)
@@ -172,9 +175,25 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
 
 
 @pytest.mark.exercise("B4.5")
+def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
+    type = rng.randrange(1, 5)
+    call = f"show.launch({type}); the types of show.fireworks"
+    cause = "one birth of that type, without a parent"
+    read = "the docstring of launch"
+    a_show = show(9, "keep_old")
+    a_show.launch(type)
+    expect_exactly(call, burning(a_show), [type], cause=cause, read=read)
+    call = f"show.launch({type}) 80 times; the x and y that occur"
+    cause = "without a parent make_firework chooses one of three places on the ground"
+    places = probes.places_of_launches(simple(type), type, 80)
+    wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]
+    expect_exactly(call, places, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B4.5")
 def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> None:
     order = rng.sample([1, 2, 3, 4], 4)
-    call = "; ".join(f"show.launch({type})" for type in order) + "; the types of show.fireworks"
+    call = f"launch {', '.join(map(str, order))}; the types of show.fireworks"
     cause = "each is lit behind those that burn already: the oldest is the first"
     read = "the docstrings of FireworksShow and launch"
     for when_full in ("keep_old", "drop_oldest"):
@@ -182,10 +201,8 @@ def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> 
         for type in order:
             a_show.launch(type)
         expect_exactly(call, burning(a_show), order, cause=cause, read=read)
-        expect_exactly(f"{call}; show.dropped", a_show.dropped, 0, cause=cause, read=read)
-    cause = "on the ground, as make_firework makes it without a parent"
-    height = a_show.fireworks[0].particle.position.y
-    expect_close(f"{call}[0], its y", height, 0.0, cause=cause, read=read)
+        nobody = "dropped counts those without a slot, and here all have one"
+        expect_exactly(f"{call}; show.dropped", a_show.dropped, 0, cause=nobody, read=read)
 
 
 @pytest.mark.exercise("B4.5")
@@ -248,21 +265,30 @@ def test_births_have_their_own_parents(rng: Random) -> None:
     got = [place.x for place in places[:2]] + [place.y for place in places]
     wanted = [x[0], x[0], x[1], x[1], 0.0]
     expect_close(f"{call}: x of two and y of three", got, wanted, cause=cause, read=read)
+    places[0].x = 99.0
+    cause = "each is made anew: a list of one firework many times is one firework"
+    name = f"{call}; the first one's x = 99; that of the second one"
+    expect_close(name, places[1].x, x[0], cause=cause, read=read)
+    call = "births = [(1, 2, None), (2, 3, None)]; show.light(births); births"
+    cause = "the list is the caller's: go through it, and leave it as it is"
+    for when_full in ("keep_old", "drop_oldest"):
+        left = probes.births_after(simple(1), simple(2), when_full)
+        expect_exactly(call, left, [(1, 2), (2, 3)], cause=cause, read=read)
 
 
 @pytest.mark.exercise("B4.5")
 @pytest.mark.parametrize("when_full", ["keep_old", "drop_oldest"])
 def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str) -> None:
-    births = [(1, 10**9, None), (2, 10**9, None)]
-    call = f'capacity 50, "{when_full}"; show.light({births})'
-    cause = "work out how many have room before any is made: no more than 50 are ever made"
+    call = f'capacity 2000, "{when_full}"; show.light() of 1000 births, each of 10**9'
+    cause = "work out how many have room before any is made: a call never makes more than 2000"
     read = "the docstring of light"
-    a_show = show(50, when_full)
-    a_show.light(births)
-    type = 1 if when_full == "keep_old" else 2
-    expect_exactly(f"{call}; types", burning(a_show), [type] * 50, cause=cause, read=read)
+    lit, dropped = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 10**9)
+    wanted = [2000, 0] if when_full == "keep_old" else [0, 2000]
+    name = f"{call}, the first of type 1 and the last of type 2; how many burn of types 1 and 2"
+    expect_exactly(name, lit, wanted, cause=cause, read=read)
+    cause = "all others found no room: dropped counts those of every birth"
     name = f"{call}; show.dropped"
-    expect_exactly(name, a_show.dropped, 2 * 10**9 - 50, cause=cause, read=read)
+    expect_exactly(name, dropped, 1000 * 10**9 - 2000, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B4.5")

@@ -61,31 +61,34 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
 
 @pytest.mark.exercise("4.1")
 def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
-    v = (number(rng), round(rng.uniform(2.0, 9.0), 3), number(rng))
-    call = f"p = Particle(Vector3(1, -0.5, 3), Vector3{v}); bounce(p)"
     cause = "turned round it would be sent into the ground: only a velocity downwards is changed"
     read = "the docstring of bounce"
-    p = Particle(Vector3(1.0, -0.5, 3.0), Vector3(*v))
-    grenade.bounce(p)
-    expect_close(f"{call}; p.position", xyz(p.position), (1.0, 0.0, 3.0), cause=cause, read=read)
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+    for vy in (round(rng.uniform(2.0, 9.0), 3), 0.0):
+        v = (number(rng), vy, number(rng))
+        call = f"p = Particle(Vector3(1, -0.5, 3), Vector3{v}); bounce(p)"
+        p = Particle(Vector3(1.0, -0.5, 3.0), Vector3(*v))
+        grenade.bounce(p)
+        got = xyz(p.position)
+        expect_close(f"{call}; p.position", got, (1.0, 0.0, 3.0), cause=cause, read=read)
+        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
 
 
 @pytest.mark.exercise("4.1")
 def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     x, v, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
-    call = f"fragments(p), p = Particle(Vector3{x}, Vector3{v}, mass={mass})"
+    a, damping = components(rng), round(rng.uniform(0.1, 0.8), 3)
+    call = f"fragments(p), p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, {mass=}, {damping=})"
     read = "the docstring of fragments"
-    pieces = probes.burst(x, v, mass)
+    pieces = probes.burst(x, v, mass, a, damping)
     cause = "FRAGMENTS is 12"
     expect_exactly(f"{call}, how many", len(pieces), 12, cause=cause, read=read)
     for piece in pieces:
         cause = "equal masses, a twelfth of the grenade's each"
         expect_close(f"{call}, a mass", piece[0], mass / 12.0, cause=cause, read=read)
         cause = "the acceleration and the damping are the grenade's, and so is the place"
-        expect_close(f"{call}, a damping", piece[1], 0.9, cause=cause, read=read)
+        expect_close(f"{call}, a damping", piece[1], damping, cause=cause, read=read)
         expect_close(f"{call}, a position", piece[2:5], x, cause=cause, read=read)
-        expect_close(f"{call}, an acceleration", piece[8:], (0, -10, 0), cause=cause, read=read)
+        expect_close(f"{call}, an acceleration", piece[8:], a, cause=cause, read=read)
     cause = "the momenta must add up to m v: velocities relative to the grenade add up to 0"
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
@@ -167,9 +170,10 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
     read = "the docstrings of update and is_spent"
     cause = "only the grenade bursts: the fireball flies on, and no shot of another type has a fuse"
     call, at = thrown(frames=BURST_FRAME, others=("fireball",))
-    types = sorted(shot.type for shot in at.shots)
-    name = f"{call}, their types"
-    expect_exactly(name, types, ["fireball"] + ["fragment"] * 12, cause=cause, read=read)
+    types = [shot.type for shot in at.shots]
+    name = f"{call}, their types in order"
+    cause += ". The fragments stand where their grenade stood, before the younger fireball"
+    expect_exactly(name, types, ["fragment"] * 12 + ["fireball"], cause=cause, read=read)
     cause = "fragments do not bounce: below the ground they are dropped, as any other shot is"
     call, at = thrown(frames=BURST_FRAME + 40)
     expect_exactly(f"{call}, how many", len(at.shots), 0, cause=cause, read=read)
@@ -189,3 +193,29 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     shot.age = 2.0
     left = [(each.type, each.age) for each in ballistics.grenade_after(shot)]
     expect_exactly(call, left, [("grenade", 2.0)], cause=cause, read=read)
+
+
+@pytest.mark.exercise("4.1")
+def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> None:
+    read = "the docstring of grenade_after"
+    call = (
+        'shot = Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0, -8, 5))); shot.age = 4; '
+    )
+    call += "grenade_after(shot)"
+    shot = ballistics.Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0.0, -8.0, 5.0)))
+    shot.age = 4.0
+    left = ballistics.grenade_after(shot)
+    cause = "first the bounce, so that the fragments start on the ground and not below it"
+    heights = [each.particle.position.y for each in left]
+    expect_close(f"{call}, heights", heights, [0.0] * 12, cause=cause, read=read, tolerance=0.0)
+    cause = "and with the velocity after the bounce, 4 m/s upwards and 4 m/s along Z"
+    mean = [math.fsum(each.particle.velocity.y for each in left) / 12.0]
+    mean.append(math.fsum(each.particle.velocity.z for each in left) / 12.0)
+    name = f"{call}, means of the velocities along Y and Z"
+    expect_close(name, mean, (4.0, 4.0), cause=cause, read=read, tolerance=1e-12)
+    call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; grenade_after(shot)'
+    cause = "once its fuse has burnt it bursts, wherever it is and however old"
+    shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
+    shot.age = 6.0
+    left = ballistics.grenade_after(shot)
+    expect_exactly(f"{call}, how many", len(left), 12, cause=cause, read=read)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from random import Random
+from typing import Any
 
 import pytest
 
@@ -82,7 +83,7 @@ def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
 
 
 @pytest.mark.exercise("B4.1", weight=0.5)
-@pytest.mark.parametrize("bad", [math.inf, math.nan])
+@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_gravity_are_finite(bad: float) -> None:
     cause = "finite and not_negative of arguments.py, in chapter 3, refuse it in one line"
     read = "the docstrings in scaling.py"
@@ -96,6 +97,26 @@ def test_speed_and_gravity_are_finite(bad: float) -> None:
             attempt,
             ValueError,
             allowed=lambda: scaling.muzzle_energy(2.0, 0.0) + scaling.slowed_gravity(-9.0, 3.0),
+            cause=cause,
+            read=read,
+        )
+
+
+@pytest.mark.exercise("B4.1", weight=0.5)
+def test_text_is_no_number() -> None:
+    cause = "positive, not_negative and finite of arguments.py raise the TypeError for you"
+    read = "the first lines of scaling.py"
+    text: Any = "2"
+    for call, attempt in (
+        ('muzzle_energy("2", 3)', lambda: scaling.muzzle_energy(text, 3.0)),
+        ('slowed_mass(2, "2")', lambda: scaling.slowed_mass(2.0, text)),
+        ('slowed_gravity("2", 3)', lambda: scaling.slowed_gravity(text, 3.0)),
+    ):
+        expect_error(
+            call,
+            attempt,
+            TypeError,
+            allowed=lambda: scaling.slowed_mass(2.0, 3.0),
             cause=cause,
             read=read,
         )

@@ -16,7 +16,7 @@ ANGLE, CORNERS = "the docstring of screen_angle", "the docstring of screen_corne
 
 @pytest.mark.exercise("G4.1")
 def test_the_angle_grows_by_the_rate(rng: Random) -> None:
-    cause = "start + rate x time"
+    cause = "start + rate x time, from -pi to pi: a turn backwards makes it negative"
     read = ANGLE
     start, rate = round(rng.uniform(-0.5, 0.5), 3), round(rng.uniform(0.2, 0.9), 3)
     for turning in (rate, -rate):
@@ -32,15 +32,35 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
         call = f"screen_angle(0.5, {rate}, 20)"
         cause = "from -pi to pi: what is beyond has whole turns in it"
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
-        # Which end of the range a half turn is at is not fixed.
         name = f"{call}, size"
-        expect_close(name, min(abs(got), math.pi), abs(got), cause=cause, read=read, tolerance=1e-9)
+        most = min(abs(got), math.pi)
+        expect_close(name, abs(got), most, cause=cause, read=read, tolerance=1e-9)
         cause = "only whole turns: the direction is that of start + rate x time"
         direction = (math.cos(got), math.sin(got))
         angle = 0.5 + 20.0 * rate
         wanted = (math.cos(angle), math.sin(angle))
         name = f"{call}, its cosine and sine"
         expect_close(name, direction, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("G4.1")
+def test_angles_just_beyond_half_a_turn() -> None:
+    read = ANGLE
+    cause = "more than half a turn one way is less than half a turn the other way"
+    for start, rate, time in (
+        (0.0, 1.0, 4.0),
+        (0.0, -1.0, 4.0),
+        (3.0, 1.0, 2.0),
+        (-3.0, -1.0, 2.0),
+        (0.0, 1.0, 10.0),
+        (0.0, -1.0, 10.0),
+        (0.5, 1.0, -0.25),  # a negative time was before
+    ):
+        call = f"screen_angle({start}, {rate}, {time})"
+        angle = start + rate * time
+        wanted = angle - 2.0 * math.pi * round(angle / (2.0 * math.pi))
+        got = screen_rotation.screen_angle(start, rate, time)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-14)
 
 
 @pytest.mark.exercise("G4.1")
@@ -66,7 +86,7 @@ def test_the_corners_of_a_square(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G4.1", weight=0.5)
-@pytest.mark.parametrize("bad", [math.inf, math.nan])
+@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_what_is_drawn_is_finite(bad: float) -> None:
     cause = "finite and positive of arguments.py, in chapter 3, refuse it in one line"
     read = f"{ANGLE}, and of screen_corners"
@@ -89,6 +109,10 @@ def test_what_is_drawn_is_finite(bad: float) -> None:
         (
             "screen_corners((0, 0), 0, 1)",
             lambda: screen_rotation.screen_corners((0.0, 0.0), 0.0, 1.0),
+        ),
+        (
+            "screen_corners((0, 0), -1, 1)",
+            lambda: screen_rotation.screen_corners((0.0, 0.0), -1.0, 1.0),
         ),
         (
             f"screen_corners((0, 0), 1, {bad})",

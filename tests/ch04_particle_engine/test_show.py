@@ -86,6 +86,10 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     expect_exactly(name, types(a_show), [1], cause=on_ground, read=READ)
     a_show.update(0.125)
     expect_exactly(f"{call}, types", types(a_show), [2, 2, 2], cause=cause, read=READ)
+    cause = "at the place of the one that burnt out, although that is below the ground"
+    height = a_show.fireworks[0].particle.position.y
+    wanted = (-8.0 - 9.81 * 0.0625) * 0.125
+    expect_close(f"{call}, a height", height, wanted, cause=cause, read=READ)
 
 
 @pytest.mark.exercise("B4.6")
@@ -131,12 +135,14 @@ def test_neighbours_that_burn_out_together_are_all_removed() -> None:
 
 @pytest.mark.exercise("B4.6")
 def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
-    rules = [fixed(1, 0.1, UP, (2, 2)), fixed(2, 5.0)]
-    call = 'capacity 3, "keep_old", three of type 1 burn out together, payload (2, 2); types'
+    rules = [fixed(1, 0.1, UP, (3, 2)), fixed(2, 0.1, UP, (4, 2)), fixed(3, 5.0), fixed(4, 5.0)]
+    call = (
+        'capacity 3, "keep_old"; types 1 2 2 burn out together, payloads (3, 2) and (4, 2); types'
+    )
     cause = "remove all that have burnt out, and only then light: three slots are free"
-    a_show = show_with(rules, [(1, 3, at((0.0, 20.0, 0.0)))], 3)
+    a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
-    expect_exactly(call, types(a_show), [2, 2, 2], cause=cause, read=READ)
+    expect_exactly(call, types(a_show), [3, 3, 4], cause=cause, read=READ)
     cause = "six were asked for, and three had no room"
     expect_exactly(f"{call}; show.dropped", a_show.dropped, 3, cause=cause, read=READ)
 

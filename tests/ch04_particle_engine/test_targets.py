@@ -32,7 +32,10 @@ def fraction(start: Components, end: Components) -> float | None:
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
-    cause = "the fraction of the way at which the first face is crossed"
+    cause = (
+        "the fraction of the way at which the first face is crossed: the far one of the two across "
+        "an axis, where the way goes against it"
+    )
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
         ((2.0, 4.0, 17.0), (2.0, 4.0, 1.0), 0.5),  # from behind
@@ -41,6 +44,7 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     ):
         call = words(start, end)
         got = fraction(start, end)
+        expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
         expect_close(call, got, wanted, cause=cause, read=READ)
 
 
@@ -59,8 +63,31 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
     call += f"block = TargetBlock(Vector3{center}, {sizes}, mass=10)"
     block = TargetBlock(Vector3(*center), sizes, mass=10.0)
     got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
+    expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
     wanted = max(1.0 - side / 2.0 / abs(a) for side, a in zip(sizes, away, strict=True))
     expect_close(call, got, wanted, cause=cause, read=READ, tolerance=1e-12)
+
+
+@pytest.mark.exercise("4.3b")
+def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
+    start, end, center = components(rng), components(rng), components(rng)
+    call = f"hit_fraction(start, end, block), start = Vector3{start}, end = Vector3{end}"
+    first, last = Vector3(*start), Vector3(*end)
+    block = TargetBlock(Vector3(*center), (1.0, 2.0, 3.0), mass=10.0)
+    cause = "work on numbers, or on vectors of your own"
+    read = READ
+    targets.hit_fraction(first, last, block)
+    expect_unchanged(call, "start", xyz(first), start, cause=cause, read=read)
+    expect_unchanged(call, "end", xyz(last), end, cause=cause, read=read)
+    now = xyz(block.particle.position)
+    expect_unchanged(call, "block.particle.position", now, center, cause=cause, read=read)
+    # Where the first answer counts, so that this is no check of doing nothing.
+    inside = Vector3(*center)
+    call = f"hit_fraction(middle, end, block), middle = Vector3{center}, twice"
+    answers = [targets.hit_fraction(inside, last, block) for _ in range(2)]
+    cause = "the second answer is that of the first: from the middle of the block, 0"
+    expect_exactly(f"{call} is None", answers[0] is None, False, cause=cause, read=read)
+    expect_close(call, answers, (0.0, 0.0), cause=cause, read=read, tolerance=0.0)
 
 
 @pytest.mark.exercise("4.3b")
@@ -70,6 +97,7 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     cause = "neither end is inside, and yet the way goes through: ask for the way, not its ends"
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.0, 1.0, 11.67), block)
+    expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
     wanted = (z - 0.005 - 10.0) / 1.67
     expect_close(call, got, wanted, cause=cause, read=READ, tolerance=1e-12)
 
@@ -112,6 +140,7 @@ def test_touching_counts_and_so_does_a_start_inside() -> None:
     ):
         call = words(start, end)
         got = fraction(start, end)
+        expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
         expect_close(call, got, wanted, cause=cause, read=READ, tolerance=0.0)
     cause = "no way at all, and outside"
     call = words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0))
@@ -127,7 +156,7 @@ STRIKE = "the docstring of strike_first"
 @pytest.mark.exercise("4.3c")
 def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> None:
     v, mass, block_mass = components(rng), round(rng.uniform(0.5, 2.0), 3), 8.0
-    before = (number(rng), 0.0, number(rng))
+    before = (number(rng), 1.5, number(rng))
     call = f"strike_first(start, p, [block]), p with mass {mass} and velocity {v}, block with mass "
     call += f"8 and velocity {before}"
     cause = "v' = v + m v_shot / M along X and Z; the ground takes what is along Y"
@@ -138,7 +167,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     got = xyz(block.particle.velocity)
     wanted = (
         before[0] + mass * v[0] / block_mass,
-        0.0,
+        1.5,
         before[2] + mass * v[2] / block_mass,
     )
     # A rounding or two of numbers up to 20.
@@ -179,6 +208,26 @@ def test_only_the_first_block_on_the_way_is_hit() -> None:
     speeds = tuple(block.particle.velocity.z for block in blocks)
     call = call.replace("their hits", "their speeds along Z")
     expect_close(call, speeds, (0.0, 10.0, 0.0), cause=cause, read=STRIKE)
+
+
+@pytest.mark.exercise("4.3c")
+def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
+    cause = "hit_fraction tells how far along the way each is touched; distances do not"
+    read = STRIKE
+    call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block from z = 4 to 16 and a thin one at "
+    call += "z = 9), their hits"
+    long = TargetBlock(Vector3(0.0, 1.0, 10.0), (2.0, 2.0, 12.0), mass=5.0)
+    thin = TargetBlock(Vector3(0.0, 1.0, 9.0), (2.0, 2.0, 0.1), mass=5.0)
+    p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
+    targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [thin, long])
+    hits = (thin.hits, long.hits)
+    expect_exactly(f"{call}, thin one and long one", hits, (0, 1), cause=cause, read=read)
+    call = "two blocks with one and the same face; strike_first(...), their hits"
+    cause = "of two that are touched at once the earlier in the list is hit"
+    pair = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 2 * z - 8.0), mass=5.0) for z in (5, 6)]
+    targets.strike_first(Vector3(0.0, 1.0, 0.0), p, pair)
+    hits = tuple(block.hits for block in pair)
+    expect_exactly(call, hits, (1, 0), cause=cause, read=read)
 
 
 @pytest.mark.exercise("4.3c")
@@ -233,3 +282,45 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
     moved = block.particle.position.z
     name = f"{call}r.update(0.5); where it is"
     expect_close(name, moved, 20.0 + 0.5 * wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("4.3c")
+def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
+    call = "blocks aside, at z = 12 and at z = 8; fire a laser, a fireball to the side and another "
+    call += "laser; r.update(0.1)"
+    cause = "every shot asks all targets, hits one at most, and the others fly on"
+    read = "the docstring of update"
+    blocks = [
+        TargetBlock(Vector3(x, 1.5, z), (2.0, 2.0, 0.5), mass=35.0)
+        for x, z in ((9.0, 5.0), (0.0, 12.0), (0.0, 8.0))
+    ]
+    at = BallisticRange(blocks)
+    at.fire("laser")
+    at.fire("fireball", azimuth=-1.0)
+    at.fire("laser")
+    at.update(0.1)
+    hits = tuple(block.hits for block in blocks)
+    expect_exactly(f"{call}; hits", hits, (0, 0, 2), cause=cause, read=read)
+    flying = [shot.type for shot in at.shots]
+    expect_exactly(f"{call}; types in flight", flying, ["fireball"], cause=cause, read=read)
+
+
+@pytest.mark.exercise("4.3c")
+def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
+    read = "the docstring of update"
+    cause = "the shot hits on its way, before it gets where it is spent: strike_first comes first"
+    call = 'a block at z = 8; r.fire("laser", elevation=-0.1); r.update(0.5), which ends below 0'
+    block = TargetBlock(Vector3(0.0, 1.0, 8.0), (2.0, 2.0, 0.5), mass=35.0)
+    at = BallisticRange([block])
+    at.fire("laser", elevation=-0.1)
+    at.update(0.5)
+    expect_exactly(f"{call}; block.hits", block.hits, 1, cause=cause, read=read)
+    cause = "a grenade is stopped by a block as any other shot is"
+    call = 'a block at z = 8; r.fire("grenade", elevation=0.0); r.update(0.5) twice'
+    block = TargetBlock(Vector3(0.0, 1.0, 8.0), (2.0, 9.0, 0.5), mass=35.0)
+    at = BallisticRange([block])
+    at.fire("grenade", elevation=0.0)
+    at.update(0.5)
+    at.update(0.5)
+    expect_exactly(f"{call}; block.hits", block.hits, 1, cause=cause, read=read)
+    expect_exactly(f"{call}; shots in flight", len(at.shots), 0, cause=cause, read=read)

@@ -50,6 +50,12 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         wanted = (-rate * radius * y, rate * radius * x, 0.0)
         got = xyz(nozzle.velocity)
         expect_close(f"{call}.velocity", got, wanted, cause=cause, read=read, tolerance=1e-12)
+    call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
+    cause = "a new particle each time"
+    one, other = wheel.nozzle(), wheel.nozzle()
+    before = xyz(other.position)
+    one.position.x = 99.0
+    expect_unchanged(call, "other.position", xyz(other.position), before, cause=cause, read=read)
 
 
 @pytest.mark.exercise("4.4")

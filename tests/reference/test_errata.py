@@ -13,6 +13,9 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_second
 from ch03_laws_of_motion.exercises import speed_ratio
 from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine.ballistics import SHOT_TYPES, BallisticRange
+from ch04_particle_engine.fireworks import FireworkRule, FireworksShow
+from ch04_particle_engine.scaling import muzzle_energy, slowed_gravity, slowed_mass
 
 
 def test_e14_the_printed_invert_sets_x_twice() -> None:
@@ -84,3 +87,60 @@ def test_e17_the_printed_order_of_updates_is_explicit_euler() -> None:
     assert grown == pytest.approx((1.0 + stiffness * h * h) ** steps, rel=1e-11)
     assert grown == pytest.approx(1.38e7, rel=2e-3)
     assert energy(x, v) / energy(1.0, 0.0) == pytest.approx(1.06, abs=5e-3)
+
+
+def test_e2_the_printed_gravity_bends_the_arc_of_a_slowed_bullet() -> None:
+    distance, speed, gravity, factor = 100.0, 500.0, 10.0, 20.0
+
+    def drop(gravity: float, speed: float) -> float:
+        return gravity * (distance / speed) ** 2 / 2.0
+
+    real = drop(gravity, speed)
+    assert real == pytest.approx(0.2, rel=1e-15)
+    assert drop(gravity / factor, speed / factor) == pytest.approx(4.0, rel=1e-15)  # printed
+    right = slowed_gravity(gravity, factor)
+    assert drop(right, speed / factor) == pytest.approx(real, rel=1e-15)
+
+
+def test_e18_the_printed_energy_is_twice_the_kinetic_energy() -> None:
+    mass, speed = 0.005, 500.0
+    bullet = Particle(velocity=Vector3(0.0, 0.0, speed), mass=mass)
+    assert mass * speed**2 == 1250.0  # printed
+    assert bullet.kinetic_energy() == muzzle_energy(mass, speed) == 625.0
+
+
+def test_e19_only_one_of_the_two_ratios_keeps_the_energy() -> None:
+    mass, speed, slow = 0.005, 500.0, 25.0
+    by_text, by_footnote = slowed_mass(mass, speed / slow), slowed_mass(mass, slow / speed)
+    assert muzzle_energy(by_text, slow) == muzzle_energy(mass, speed)
+    assert by_text == 2.0
+    assert by_footnote == pytest.approx(12.5e-6, rel=1e-15)
+
+
+def test_e20_a_ring_overwrites_what_still_burns() -> None:
+    rules = [FireworkRule(i, 9, 9, (0, 9, 0), (0, 9, 0), 1.0) for i in range(1, 6)]
+    ring: list[int] = [0, 0, 0]  # the listing: the next slot, whoever has it
+    for i in range(5):
+        ring[i % 3] = i + 1
+    seen = []
+    for policy in ("keep_old", "drop_oldest"):
+        show = FireworksShow(rules, 3, 1, policy)
+        for i in range(5):
+            show.launch(i + 1)
+        seen.append([firework.type for firework in show.fireworks])
+    assert seen == [[1, 2, 3], [3, 4, 5]]
+    assert sorted(ring) == seen[1]
+
+
+def test_e34_the_text_and_the_listing_end_two_ranges() -> None:
+    assert SHOT_TYPES["fireball"].velocity == (0.0, 0.0, 10.0)
+    at = BallisticRange()
+    at.fire("laser")
+    frames_past_100 = frames = 0
+    laser = at.shots[0].particle
+    while at.shots:
+        at.update(1.0 / 60.0)
+        frames += 1
+        if laser.position.z <= 100.0:
+            frames_past_100 = frames + 1
+    assert (frames_past_100, frames) == (61, 122)  # damping takes 2 % of its 2 s

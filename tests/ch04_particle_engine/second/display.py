@@ -55,11 +55,9 @@ def is_over(display: Display) -> bool:
 
 
 def tick(display: Display, duration: float) -> None:
-    """Pass a frame of a game that goes on."""
-    if is_over(display):
-        return
+    """Pass a frame, and count its time while the game goes on."""
+    display.time += 0.0 if is_over(display) else duration
     display.show.update(duration)
-    display.time += duration
 
 
 def _rockets(display: Display) -> Iterator[Firework]:

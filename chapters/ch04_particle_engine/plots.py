@@ -1,0 +1,201 @@
+"""Pictures of chapter 4: the five shots, every type of firework, and the step's error."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot
+from ch04_particle_engine.catherine_wheel import CatherineWheel
+from ch04_particle_engine.closed_form import state_after
+from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
+from ch04_particle_engine.fireworks import FireworkRule, FireworksShow
+from studies.drawing import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PINK,
+    RED,
+    SKY,
+    Numbers,
+    Picture,
+    numbers,
+    slope,
+)
+
+FRAME = 1.0 / 60.0
+LONGEST = 600  # frames, in which every shot lands and every firework burns out
+COLORS = dict(zip(SHOT_TYPES, (BLACK, GREEN, ORANGE, RED, BLUE), strict=False))
+
+
+def shots() -> Picture:
+    """The paths of the five shots, and the share of its energy that each keeps."""
+    figure, (paths, energies) = pyplot.subplots(
+        2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
+    )
+    rows = []
+    kept = {}
+    for name, color in COLORS.items():
+        type = SHOT_TYPES[name]
+        flown = [*_flight(name)]
+        speed = math.hypot(*type.velocity)
+        start = 0.5 * type.mass * speed * speed
+        label = f"{name}: {type.mass:g} kg, {speed:.3g} m/s, {start:,.0f} J"
+        for i, pieces in enumerate(flown):
+            for kind, p, v in pieces:
+                energy = _energy(name, v, p[1]) / _energy(name, type.velocity, MUZZLE[1])
+                rows.append((name, kind, (i + 1) * FRAME, *p, energy))
+        whole = [row for row in rows if row[0] == name and row[1] == name]
+        parts = [row for row in rows if row[0] == name and row[1] != name]
+        paths.plot([r[5] for r in whole], [r[4] for r in whole], color=color, label=label)
+        paths.plot([r[5] for r in parts], [r[4] for r in parts], ".", ms=1.5, color=color)
+        energies.plot([r[2] for r in whole], [100.0 * r[6] for r in whole], color=color)
+        kept[name] = 100.0 * whole[-1][6]
+    k = -math.log(SHOT_TYPES["laser"].damping)
+    times = [i * 0.1 for i in range(21)]
+    # What drag leaves of a kinetic energy, d^2t, for the shot without gravity.
+    exact = [100.0 * math.exp(-2.0 * k * t) for t in times]
+    energies.plot(times, exact, color=GREY, lw=5, alpha=0.4, label="theory without gravity, d^2t")
+    paths.axhline(0.0, color=GREEN, lw=1)
+    paths.set(xlabel="z, m", ylabel="y, m", xlim=(0, 205))
+    paths.grid(alpha=0.3)
+    paths.legend(fontsize=8)
+    energies.set(xlabel="time, s", ylabel="energy kept, %", ylim=(0, 105))
+    energies.grid(alpha=0.3)
+    energies.legend(fontsize=8)
+    paths.set_title(
+        f"At its last frame the laser has {kept['laser']:.0f} % of its energy, the artillery shell "
+        f"{kept['artillery']:.0f} %,\nthe fireball {kept['fireball']:.0f} %; "
+        f"the grenade has {kept['grenade']:.0f} % before it bursts"
+    )
+    columns = ("fired", "shot", "time, s", "x, m", "y, m", "z, m", "energy, share of the start's")
+    return Picture(figure, columns, rows)
+
+
+def fireworks() -> Picture:
+    """Every type of firework and the Catherine wheel, from one launch to the dark."""
+    rules = [*FIREWORK_TYPES, *own_types()]
+    figure, panels = pyplot.subplots(3, 4, figsize=(12, 9), layout="constrained")
+    rows = []
+    most = 0
+    for rule, axes in zip(rules, panels.flat, strict=False):
+        show = FireworksShow(rules, capacity=400, seed=4)
+        rises = rule.min_velocity[1] >= 10.0  # what does not is shown where another one left it
+        place = Particle(Vector3(0, 0 if rises else 12, 0))
+        lit = 1 if rule.payloads else 12
+        show.light([(rule.type, lit, place)])
+        counts = _streaks(axes, show, lambda: None)
+        most = max(most, *counts)
+        name = f"type {rule.type}" if lit == 1 else f"{lit} of type {rule.type}"
+        axes.set_title(f"{name}: at most {max(counts)}, {len(counts) * FRAME:.1f} s", fontsize=9)
+        rows += [(rule.type, (i + 1) * FRAME, count) for i, count in enumerate(counts)]
+    spark = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), damping=0.4)
+    show = FireworksShow([spark], capacity=400, seed=4)
+    wheel = CatherineWheel(show, 12, Vector3(0, 14, 0), 2.0, 9.0, sparks_per_second=90, jet=26.0)
+    counts = _streaks(panels.flat[11], show, lambda: wheel.update(FRAME), frames=60)
+    panels.flat[11].set_title(f"Catherine wheel: {wheel.thrown} sparks in 1 s", fontsize=9)
+    rows += [("wheel", (i + 1) * FRAME, count) for i, count in enumerate(counts)]
+    figure.suptitle(f"Eleven types and a wheel: of one launch at most {most} burn at a time")
+    return Picture(figure, ("type", "time, s", "burning"), rows)
+
+
+def step_error() -> Picture:
+    """The error of the step against the closed form, over the length of a frame."""
+    counts = (15, 30, 60, 120, 240, 480, 960, 1920)
+    seconds = 2.0
+    figure, axes = pyplot.subplots(figsize=(6.4, 5), layout="constrained")
+    rows = []
+    orders = []
+    for name, color, mark in (("artillery", GREEN, "o"), ("fireball", ORANGE, "s")):
+        start = _particle(name)
+        exact = numbers(state_after(start, seconds)[0])
+        errors = []
+        for frames in counts:
+            particle = _particle(name)
+            for _ in range(frames):
+                particle.integrate(seconds / frames)
+            errors.append(math.dist(numbers(particle.position), exact))
+        lengths = [seconds / frames for frames in counts]
+        orders.append(slope(lengths, errors))
+        axes.loglog(lengths, errors, mark + "-", color=color, ms=5, label=name)
+        rows += [(name, *pair) for pair in zip(lengths, errors, strict=True)]
+    gravity = abs(SHOT_TYPES["artillery"].acceleration[1])
+    theory = [gravity * seconds * h / 2.0 for h in lengths]
+    label = "theory without damping, artillery: a t h / 2"
+    axes.loglog(lengths, theory, color=GREY, lw=5, alpha=0.4, label=label)
+    axes.set(
+        xlabel="length of a frame h, s", ylabel=f"error of the position after {seconds:g} s, m"
+    )
+    axes.grid(alpha=0.3, which="both")
+    axes.legend()
+    axes.set_title(
+        "The step comes near the closed form as h to the power\n"
+        "{:.3f} (artillery) and {:.3f} (fireball)".format(*orders)
+    )
+    return Picture(figure, ("shot", "h, s", "error, m"), rows)
+
+
+PLOTS = (shots, fireworks, step_error)
+
+
+def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
+    """Fire a shot and yield, after each frame, the type, place and velocity of what flies."""
+    at = BallisticRange()
+    at.fire(name)
+    for _ in range(LONGEST):
+        at.update(FRAME)
+        if not at.shots:
+            return
+        yield [_seen(shot) for shot in at.shots]
+
+
+def _seen(shot: Shot) -> tuple[str, Numbers, Numbers]:
+    return shot.type, numbers(shot.particle.position), numbers(shot.particle.velocity)
+
+
+def _energy(name: str, velocity: Numbers, height: float) -> float:
+    """Return the energy per kilogram in J/kg: of the motion, and of the height."""
+    return 0.5 * math.hypot(*velocity) ** 2 - SHOT_TYPES[name].acceleration[1] * height
+
+
+def _particle(name: str) -> Particle:
+    type = SHOT_TYPES[name]
+    return Particle(
+        Vector3(*MUZZLE),
+        Vector3(*type.velocity),
+        Vector3(*type.acceleration),
+        damping=type.damping,
+    )
+
+
+def _streaks(
+    axes: Axes, show: FireworksShow, before: Callable[[], None], frames: int = LONGEST
+) -> list[int]:
+    """Draw where fireworks were seen, frame by frame; return how many burnt after each."""
+    seen: dict[int, tuple[list[float], list[float]]] = {}
+    counts = []
+    for _ in range(frames):
+        before()
+        show.update(FRAME)
+        if not show.fireworks and len(counts) > 1:
+            break
+        counts.append(len(show.fireworks))
+        for firework in show.fireworks:
+            x, y, _ = numbers(firework.particle.position)
+            xs, ys = seen.setdefault(firework.type, ([], []))
+            xs.append(x)
+            ys.append(y)
+    colors = (ORANGE, "white", SKY, PINK, "#F0E442", RED, SKY, GREEN, "white", PINK, GREEN, ORANGE)
+    for type, (xs, ys) in seen.items():
+        axes.plot(xs, ys, ".", ms=1.2, color=colors[type - 1])
+    axes.set(facecolor="black", xlim=(-16, 16), ylim=(0, 32), aspect="equal")
+    axes.tick_params(labelsize=7)
+    axes.set(xlabel="x, m", ylabel="y, m")
+    return counts

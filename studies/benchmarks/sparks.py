@@ -1,0 +1,101 @@
+"""Sparks stepped frame by frame against their closed form: model no more than a scene needs.
+
+Both end with lists of coordinates, as a screen wants them.
+"""
+
+from __future__ import annotations
+
+import timeit
+from collections.abc import Callable
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine.closed_form import burst_positions, state_after
+from ch04_particle_engine.fireworks import GRAVITY, FireworkRule, FireworksShow
+from studies.benchmarks.particles import steps
+from studies.timing import Line, Timer, ratio
+
+FRAME = 1.0 / 60.0
+SPARKS = 1000
+SECONDS = 2.0
+START = (0.0, 1000.0, 0.0)
+DAMPING = 0.5
+ROUNDS = 31
+
+# They burn for longer than they are timed, so that nothing but the step is paid for.
+RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
+
+
+def lines() -> list[Line]:
+    """Return every line about sparks."""
+    show = burst()
+    speeds, one = speeds_of(show), show.fireworks[0].particle
+    frames = round(SECONDS / FRAME)
+    measured = []
+    for what, stepped, closed, times, target in (
+        (
+            f"a frame of {SPARKS} sparks, x and y: step and read / closed form",
+            lambda: step(show, 1, "xy"),
+            lambda: positions(speeds, SECONDS, "xy"),
+            1,
+            "at least 4",
+        ),
+        (
+            "the same, x, y and z",
+            lambda: step(show, 1, "xyz"),
+            lambda: positions(speeds, SECONDS, "xyz"),
+            1,
+            "",
+        ),
+        (
+            f"{SPARKS} sparks at {SECONDS:g} s, x, y and z: {frames} steps / closed form",
+            lambda: step(show, frames, "xyz"),
+            lambda: positions(speeds, SECONDS, "xyz"),
+            1,
+            "at least 250",
+        ),
+        (
+            f"one particle at {SECONDS:g} s: {frames} steps / state_after",
+            lambda: steps(one, [FRAME] * frames),
+            lambda: state_after(one, SECONDS),
+            20,
+            "",
+        ),
+    ):
+        timers = (_timer(stepped, times), _timer(closed, times))
+        measured.append(Line(what, *ratio(*timers, ROUNDS, what), target))
+    return measured
+
+
+def burst() -> FireworksShow:
+    """Return a show of SPARKS that have just been lit at START."""
+    show = FireworksShow([RULE], SPARKS, seed=1)
+    show.light([(1, SPARKS, Particle(Vector3(*START)))])
+    return show
+
+
+def speeds_of(show: FireworksShow) -> list[list[float]]:
+    """Return the speeds of all sparks along X, along Y and along Z."""
+    velocities = [firework.particle.velocity for firework in show.fireworks]
+    return [[v.x for v in velocities], [v.y for v in velocities], [v.z for v in velocities]]
+
+
+def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
+    """Step a show and read where the sparks are along these axes."""
+    for _ in range(frames):
+        show.update(FRAME)
+    places = [firework.particle.position for firework in show.fireworks]
+    read = [[p.x for p in places], [p.y for p in places]]
+    return [*read, [p.z for p in places]] if axes == "xyz" else read
+
+
+def positions(speeds: list[list[float]], time: float, axes: str) -> list[list[float]]:
+    """Return where the sparks are along these axes after a time, by the closed form."""
+    return [
+        burst_positions(START[axis], speeds[axis], GRAVITY[axis], DAMPING, time)
+        for axis in range(len(axes))
+    ]
+
+
+def _timer(run: Callable[[], object], times: int) -> Timer:
+    return lambda: timeit.timeit(run, number=times)

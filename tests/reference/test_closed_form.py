@@ -1,0 +1,81 @@
+"""The closed form against decimals of 60 digits, SciPy-free, and against the step and pymunk."""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal, localcontext
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine.closed_form import burst_positions, drag_factors, state_after
+from studies.scenes import SCENES, Scene, make_particle
+
+
+def in_decimals(damping: float, time: float) -> tuple[float, float, float]:
+    """Return the factors from the formulas as they stand, with 80 digits to lose."""
+    with localcontext() as context:
+        context.prec = 80
+        d, t = Decimal(damping), Decimal(time)
+        k = -d.ln()
+        if k == 0:
+            return 1.0, time, float(t * t / 2)
+        kept = (-k * t).exp()
+        gone = (1 - kept) / k
+        return float(kept), float(gone), float((t - gone) / k)
+
+
+def expect_factors(damping: float, time: float) -> None:
+    # A few roundings. kept is e^(-kt): the rounding of ln d counts kt times in it.
+    kt = abs(math.log(damping) * time)
+    for got, wanted in zip(drag_factors(damping, time), in_decimals(damping, time), strict=True):
+        assert got == pytest.approx(wanted, rel=1e-15 * (8.0 + kt), abs=1e-300)
+
+
+@given(st.floats(1e-6, 2.0), st.floats(1e-6, 50.0))
+def test_the_factors_are_right_to_the_last_digits(damping: float, time: float) -> None:
+    expect_factors(damping, time)
+
+
+@pytest.mark.parametrize("exponent", range(1, 17))
+@pytest.mark.parametrize("sign", [-1.0, 1.0])
+def test_the_factors_are_right_next_to_a_damping_of_1(sign: float, exponent: int) -> None:
+    for time in (1e-3, 1.0, 3.7, 40.0):
+        expect_factors(1.0 + sign * 10.0**-exponent, time)
+
+
+@pytest.mark.parametrize("side", [0.499999, 0.5, 0.500001])
+def test_both_forms_meet_where_one_gives_way_to_the_other(side: float) -> None:
+    expect_factors(math.exp(-side), 1.0)
+    expect_factors(math.exp(side), 1.0)
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
+def test_a_scene_s_exact_path_is_found(scene: Scene) -> None:
+    start = make_particle(scene)
+    for i in range(11):
+        time = scene.duration * i / 10.0
+        position, velocity = state_after(start, time)
+        exact = scene.exact(time)
+        # Two ways to write one formula: a few roundings of numbers up to 130.
+        assert tuple(position) == pytest.approx(exact.position, abs=1e-12)
+        assert tuple(velocity) == pytest.approx(exact.velocity, abs=1e-12)
+
+
+def test_the_terminal_speed_is_reached_and_kept() -> None:
+    falling = Particle(acceleration=Vector3(0, -9.81, 0), damping=0.5)
+    _, velocity = state_after(falling, 200.0)
+    assert velocity.y == pytest.approx(-9.81 / math.log(2.0), rel=1e-14)
+
+
+def test_the_sparks_of_a_burst_are_single_particles() -> None:
+    place, gravity = Vector3(1, 20, -3), Vector3(0, -9.81, 0)
+    velocities = [(1.0, 2.0, 3.0), (-4.0, 5.0, 0.5), (0.0, 0.0, 0.0)]
+    axes = zip(place, zip(*velocities, strict=True), gravity, strict=True)
+    together = [burst_positions(p, speeds, a, 0.3, 1.7) for p, speeds, a in axes]
+    for i, velocity in enumerate(velocities):
+        alone, _ = state_after(Particle(place, Vector3(*velocity), gravity, damping=0.3), 1.7)
+        assert [axis[i] for axis in together] == pytest.approx(list(alone), rel=1e-14)

@@ -1,0 +1,318 @@
+"""The fireworks: what any show must keep to, what it refuses, and the types that come with it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine.catherine_wheel import CatherineWheel
+from ch04_particle_engine.display import Display, click, find_rocket, is_over, tick
+from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
+from ch04_particle_engine.fireworks import (
+    FireworkRule,
+    FireworksShow,
+    Payload,
+    endless_types,
+)
+from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
+
+NAN, INF = math.nan, math.inf
+STILL = (0.0, 0.0, 0.0)
+BOOK = {  # the rules that the book's table has: ages, velocities, damping, payloads
+    1: (0.5, 1.4, (-5, 25, -5), (5, 28, 5), 0.1, ((3, 5), (5, 5))),
+    2: (0.5, 1.0, (-5, 10, -5), (5, 20, 5), 0.8, ((4, 2),)),
+    3: (0.5, 1.5, (-5, -5, -5), (5, 5, 5), 0.1, ()),
+}
+
+
+def simple(type: int, age: float = 1.0, *payloads: Payload) -> FireworkRule:
+    return FireworkRule(type, age, age, (0, 9, 0), (0, 9, 0), 1.0, payloads)
+
+
+def types(show: FireworksShow) -> list[int]:
+    return [firework.type for firework in show.fireworks]
+
+
+@pytest.mark.parametrize("rule", FIREWORK_TYPES[:3], ids=lambda rule: rule.type)
+def test_the_first_three_types_are_the_book_s(rule: FireworkRule) -> None:
+    payloads = tuple((payload.type, payload.count) for payload in rule.payloads)
+    velocities = (rule.min_velocity, rule.max_velocity)
+    assert (rule.min_age, rule.max_age, *velocities, rule.damping, payloads) == BOOK[rule.type]
+
+
+def test_there_are_nine_types_and_two_more_and_every_show_with_them_ends() -> None:
+    rules = [*FIREWORK_TYPES, *own_types()]
+    assert [rule.type for rule in rules] == [*range(1, 12)]
+    assert endless_types(rules) == []
+    for rule in rules:
+        show = FireworksShow(rules, 1000, seed=3)
+        show.launch(rule.type)
+        for _ in range(600):
+            show.update(1.0 / 60.0)
+        assert show.fireworks == []
+        assert show.dropped == 0
+
+
+@pytest.mark.parametrize("type", [1, 2, 6, 10])
+@pytest.mark.parametrize("seed", range(5))
+def test_the_count_of_all_sparks_follows_from_the_rules(type: int, seed: int) -> None:
+    """Each firework counts itself and what its payloads count; none burns for less than a frame."""
+    rules = {rule.type: rule for rule in (*FIREWORK_TYPES, *own_types())}
+
+    def whole(type: int) -> int:
+        return 1 + sum(payload.count * whole(payload.type) for payload in rules[type].payloads)
+
+    show = FireworksShow(rules.values(), 5000, seed)
+    show.launch(type)
+    seen = set()
+    kept = []  # so that no identity is used twice
+    for _ in range(2000):
+        kept += [firework for firework in show.fireworks if id(firework) not in seen]
+        seen |= {id(firework) for firework in show.fireworks}
+        show.update(1.0 / 240.0)
+    assert len(seen) == whole(type)
+
+
+births = st.lists(st.tuples(st.integers(1, 3), st.integers(1, 9)), max_size=6)
+
+
+@given(births, births, st.integers(1, 8), st.sampled_from(["keep_old", "drop_oldest"]))
+def test_a_policy_does_what_one_spark_at_a_time_would_do(
+    first: Any, then: Any, capacity: int, when_full: str
+) -> None:
+    show = FireworksShow([simple(type) for type in (1, 2, 3)], capacity, 1, when_full)
+    burning: list[int] = []
+    dropped = 0
+    for group in (first, then):
+        show.light([(type, count, None) for type, count in group])
+        for type in [type for type, count in group for _ in range(count)]:
+            if len(burning) == capacity:
+                dropped += 1
+                if when_full == "keep_old":
+                    continue
+                del burning[0]
+            burning.append(type)
+    assert types(show) == burning
+    assert show.dropped == dropped
+
+
+@settings(max_examples=30)
+@given(
+    st.lists(
+        st.lists(st.tuples(st.integers(0, 5), st.integers(1, 10**9)), max_size=3),
+        min_size=6,
+        max_size=6,
+    ),
+    st.integers(1, 40),
+    st.sampled_from(["keep_old", "drop_oldest"]),
+)
+def test_no_rules_make_more_than_the_capacity(leaves: Any, capacity: int, when_full: str) -> None:
+    rules = [
+        FireworkRule(type, 0.0, 0.3, (-1, -1, -1), (1, 9, 1), 0.5, [Payload(*p) for p in payloads])
+        for type, payloads in enumerate(leaves)
+    ]
+    show = FireworksShow(rules, capacity, 1, when_full)
+    for type in range(6):
+        show.launch(type)
+    for _ in range(60):
+        show.update(0.05)
+        assert len(show.fireworks) <= capacity
+
+
+def test_a_show_that_never_ends_says_so() -> None:
+    rules = [simple(1, 0.1, Payload(2, 3)), simple(2, 0.1, Payload(1, 3)), simple(3)]
+    assert endless_types(rules) == [1, 2]
+    show = FireworksShow(rules, 20, 1)
+    show.launch(1)
+    before = 0
+    for i in range(100):
+        show.update(0.2)
+        if i > 5:
+            assert len(show.fireworks) == 20
+            assert show.dropped > before
+        before = show.dropped
+
+
+def test_the_policies_look_different() -> None:
+    """A burst of long and short sparks into few slots: one keeps the old ones, one the new."""
+    seen = []
+    for when_full in ("keep_old", "drop_oldest"):
+        show = FireworksShow([simple(1, 9.0), simple(2, 9.0)], 30, 1, when_full)
+        show.light([(1, 25, None), (2, 25, None)])
+        seen.append((types(show).count(1), types(show).count(2), show.dropped))
+    assert seen == [(25, 5, 20), (5, 25, 20)]
+
+
+def state(show: FireworksShow) -> list[Any]:
+    return [
+        (f.type, f.age, tuple(f.particle.position), tuple(f.particle.velocity))
+        for f in show.fireworks
+    ]
+
+
+def test_a_seed_gives_the_same_show_to_the_last_bit() -> None:
+    runs = []
+    for seed in (5, 5, 6):
+        show = FireworksShow(FIREWORK_TYPES, 50, seed, "drop_oldest")
+        for frame in range(200):
+            if frame % 20 == 0:
+                show.launch(1 + frame // 20 % 9)
+            show.update(1.0 / 60.0)
+        runs.append(state(show))
+    assert runs[0] == runs[1] != runs[2]
+    assert runs[0]
+
+
+@pytest.mark.parametrize(
+    ("make", "error", "complaint"),
+    [
+        (lambda: Payload(1, 0), ValueError, "count must be 1 or more, got 0"),
+        (lambda: Payload(1, 2.5), TypeError, "count must be a whole number, got 2.5"),
+        (
+            lambda: FireworkRule(1, -0.1, 1.0, STILL, STILL, 1.0),
+            ValueError,
+            "min_age must be finite and not negative, got -0.1",
+        ),
+        (
+            lambda: FireworkRule(1, 2.0, 1.0, STILL, STILL, 1.0),
+            ValueError,
+            "max_age must be min_age, 2.0, or more, got 1.0",
+        ),
+        (
+            lambda: FireworkRule(1, 1.0, NAN, STILL, STILL, 1.0),
+            ValueError,
+            "max_age must be finite, got nan",
+        ),
+        (
+            lambda: FireworkRule(1, 1.0, 1.0, STILL, (1.0, -1.0, 1.0), 1.0),
+            ValueError,
+            "max_velocity must be min_velocity or more on every axis",
+        ),
+        (
+            lambda: FireworkRule(1, 1.0, 1.0, STILL, (INF, 0.0, 0.0), 1.0),
+            ValueError,
+            "max_velocity must be finite, got inf",
+        ),
+        (
+            lambda: FireworkRule(1, 1.0, 1.0, STILL, STILL, -0.5),
+            ValueError,
+            "damping must be finite and not negative, got -0.5",
+        ),
+        (
+            lambda: FireworksShow([simple(1), simple(1)], 5, 1),
+            ValueError,
+            "rules must have one rule a type, got two of type 1",
+        ),
+        (
+            lambda: FireworksShow([simple(1, 1.0, Payload(7, 1))], 5, 1),
+            ValueError,
+            "got type 1 with payload 7 and no rule for that",
+        ),
+        (lambda: FireworksShow([simple(1)], 0, 1), ValueError, "capacity must be 1 or more, got 0"),
+        (
+            lambda: FireworksShow([simple(1)], 1.5, 1),
+            TypeError,
+            "capacity must be a whole number, got 1.5",
+        ),
+        (
+            lambda: FireworksShow([simple(1)], 5, 1, "wait"),
+            ValueError,
+            "when_full must be one of keep_old, drop_oldest, got 'wait'",
+        ),
+        (
+            lambda: FireworksShow([simple(1)], 5, 1).launch(2),
+            ValueError,
+            r"type must be one of \[1\], got 2",
+        ),
+        (
+            lambda: FireworksShow([simple(1)], 5, 1).update(0.0),
+            ValueError,
+            "duration must be positive and finite, got 0.0",
+        ),
+        (
+            lambda: CatherineWheel(FireworksShow([simple(1)], 5, 1), 2, Vector3(), 1.0, 1.0, 1.0),
+            ValueError,
+            r"spark_type must be one of \[1\], got 2",
+        ),
+        (
+            lambda: CatherineWheel(FireworksShow([simple(1)], 5, 1), 1, Vector3(), 0.0, 1.0, 1.0),
+            ValueError,
+            "radius must be positive and finite, got 0.0",
+        ),
+        (lambda: screen_angle(NAN, 1.0, 1.0), ValueError, "start must be finite, got nan"),
+        (lambda: screen_corners((0.0, 0.0), -1.0, 0.0), ValueError, "size must be positive"),
+    ],
+)
+def test_what_means_nothing_is_refused_by_name(
+    make: Any, error: type[Exception], complaint: str
+) -> None:
+    with pytest.raises(error, match=complaint):
+        make()
+
+
+def test_the_sparks_of_a_wheel_do_not_depend_on_the_frames() -> None:
+    """However a second is cut into frames, as many sparks leave."""
+    counts = []
+    for frames in (1, 7, 60, 1000):
+        show = FireworksShow([simple(1, 99.0)], 5000, 1)
+        wheel = CatherineWheel(show, 1, Vector3(), 1.0, 6.0, sparks_per_second=123.4)
+        for _ in range(frames):
+            wheel.update(1.0 / frames)
+        counts.append((len(show.fireworks), wheel.thrown))
+        # The sum of the frames' lengths is rounded some thousand times.
+        assert wheel.angle == pytest.approx(6.0, rel=1e-12)
+    assert counts == [(123, 123)] * 4
+
+
+def test_the_nozzle_moves_as_its_velocity_says() -> None:
+    show = FireworksShow([simple(1)], 5, 1)
+    wheel = CatherineWheel(show, 1, Vector3(1, 2, 3), 1.5, 4.0, sparks_per_second=0.0)
+    h = 1e-5
+    wheel.update(0.3)
+    before = wheel.nozzle()
+    wheel.update(h)
+    after = wheel.nozzle()
+    moved = (after.position - before.position) * (1.0 / h)
+    middle = (before.velocity + after.velocity) * 0.5
+    # The difference over h has an error of h^2 v rate^2 / 24, and rounding some 1e-16 / h.
+    assert tuple(moved) == pytest.approx(tuple(middle), abs=1e-8)
+
+
+@given(st.floats(-100.0, 100.0), st.floats(0.1, 10.0))
+def test_a_square_stays_a_square_of_its_size(angle: float, size: float) -> None:
+    corners = screen_corners((3.0, -4.0), size, angle)
+    for i in range(4):
+        side = math.dist(corners[i], corners[i - 1])
+        away = math.dist(corners[i], (3.0, -4.0))
+        assert side == pytest.approx(size, rel=1e-13)
+        assert away == pytest.approx(size / math.sqrt(2.0), rel=1e-13)
+
+
+def test_a_game_can_be_kept_alive_and_ends_when_nobody_clicks() -> None:
+    display = Display(FireworksShow(FIREWORK_TYPES, 400, seed=1))
+    display.show.launch(1)
+    for frame in range(600):
+        if frame < 300:
+            for rocket in display.show.fireworks:
+                if rocket.type == 1 and 0.0 < rocket.age < 0.2:
+                    assert click(display, rocket.particle.position.x, rocket.particle.position.y)
+        tick(display, 1.0 / 60.0)
+    assert is_over(display)
+    assert display.misses == 0
+    assert display.score >= 9  # each click in the last 0.4 s scores 3, and 5 s have three rockets
+    assert 5.0 < display.time < 7.0
+    assert display.show.fireworks == []  # after its end, what burns burns out
+
+
+def test_a_click_at_exactly_the_reach_counts_and_the_first_lit_of_two_at_one_distance() -> None:
+    show = FireworksShow([simple(1, 2.0, Payload(2, 1)), simple(2)], 9, 1)
+    show.light([(1, 1, Particle(Vector3(x, 10, 0))) for x in (-2.5, 2.5)])
+    found = find_rocket(Display(show), 0.0, 10.0)
+    assert found is not None
+    assert abs(found.particle.position.x) == 2.5

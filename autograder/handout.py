@@ -32,11 +32,12 @@ You need Python 3.11 or newer and make; the first command sets up everything els
     make check EX={example}  one exercise and what it builds on
     make hint EX={example}   a nudge; N=2 shows the second hint too
     make plot           pictures of what your own functions do, under build/plots/
-
+{demo}
 Each chapter's README maps the book's sections to the functions that you write. Written questions
 are answered in `answers.md`. Hand in the folders under `chapters/` that you have edited: the files
 that the exercise table names are taken, so keep your own helpers in them.
 """
+DEMO = "    make demo DEMO=...  a scene to play; its chapter's README names it\n"
 
 
 def make_handout(
@@ -75,7 +76,8 @@ def make_handout(
         _copy(modules, out / "chapters" / chapter.name)
     titles = ", ".join(chapter.title.lower() for chapter in chapters)
     example = chapters[0].exercises[0].id
-    text = README.format(titles=titles, example=example)
+    demo = DEMO if any("demos.py" in chapter.complete for chapter in chapters) else ""
+    text = README.format(titles=titles, example=example, demo=demo)
     (out / "README.md").write_text(text, encoding="utf-8", newline="\n")
     print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
     print(f"given complete: {', '.join(chapter.name for chapter in given) or 'none'}")

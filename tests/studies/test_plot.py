@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import itertools
 import math
 import os
 import shutil
@@ -22,6 +23,9 @@ NAMES = (
     "ch03_laws_of_motion/damping_comparison",
     "ch03_laws_of_motion/integration_error",
     "ch03_laws_of_motion/trajectories",
+    "ch04_particle_engine/shots",
+    "ch04_particle_engine/fireworks",
+    "ch04_particle_engine/step_error",
 )
 
 
@@ -47,7 +51,7 @@ def table(out: Path, name: str, chapter: str = "ch02_vectors") -> list[list[str]
 def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the reference's plots were drawn to."""
     out = tmp_path_factory.mktemp("plots")
-    done = plot("solutions", out, "2-3")
+    done = plot("solutions", out, "2-4")
     assert done.returncode == 0, done.stdout + done.stderr
     assert all(f"{name}.png" in done.stdout and f"{name}.csv" in done.stdout for name in NAMES)
     return out
@@ -93,6 +97,41 @@ def test_the_integration_error_is_what_theory_says(reference: Path) -> None:
     # Up to 3000 roundings of numbers up to 125.
     wanted = pytest.approx(column(rows, "g t h / 2, m"), rel=1e-9)
     assert column(rows, "error, m") == wanted
+
+
+def test_the_shots_land_where_they_are_known_to(reference: Path) -> None:
+    rows = table(reference, "shots", "ch04_particle_engine")
+    flights = {
+        name: [[float(x) for x in row[2:]] for row in rows[1:] if row[0] == row[1] == name]
+        for name in ("artillery", "laser", "grenade")
+    }
+    # The step is a t h / 2 = 0.5 m too high at the end: it lands at most 2 frames late.
+    time, _, _, z, _ = flights["artillery"][-1]
+    assert 3.0347583 - 1.0 / 60.0 < time < 3.0347583 + 2.0 / 60.0
+    assert z == pytest.approx(119.557788, abs=1.5)
+    time, _, _, _, kept = flights["laser"][-1]
+    assert kept == pytest.approx(0.99 ** (2.0 * time), rel=1e-9)
+    heights = [row[2] for row in flights["grenade"]]
+    assert min(heights) == 0.0
+    assert sum(row[1] == "fragment" for row in rows) > 100
+
+
+def test_every_type_of_firework_is_seen_and_goes_out(reference: Path) -> None:
+    rows = table(reference, "fireworks", "ch04_particle_engine")
+    counts = {name: [int(row[2]) for row in rows[1:] if row[0] == name] for name, *_ in rows[1:]}
+    assert [*counts] == [*map(str, range(1, 12)), "wheel"]
+    assert all(max(of) > 0 for of in counts.values())
+    # Type 2 leaves two of type 4, and each of those twelve of type 7.
+    assert (counts["2"][0], max(counts["2"])) == (1, 24)
+
+
+def test_the_step_comes_to_the_closed_form_in_the_first_order(reference: Path) -> None:
+    rows = table(reference, "step_error", "ch04_particle_engine")
+    for name in ("artillery", "fireball"):
+        errors = [float(error) for shot, _, error in rows[1:] if shot == name]
+        ratios = [a / b for a, b in itertools.pairwise(errors)]
+        # Frames are halved; the next order bends the ratio by h / t, at most a fifteenth.
+        assert ratios == pytest.approx([2.0] * len(ratios), abs=0.01)
 
 
 def test_an_engine_with_the_equation_s_damping_draws_another_picture(

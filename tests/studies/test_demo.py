@@ -1,0 +1,146 @@
+"""Demos are played by the engine at hand, into files or in a window, with mouse and keys."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from matplotlib import pyplot
+from matplotlib.backend_bases import KeyEvent, MouseEvent
+from PIL import Image
+
+from autograder.manifest import ROOT
+from ch04_particle_engine.ballistics import SHOT_TYPES
+from studies import demo as demos
+
+NAMES = ("ballistics", "fireworks")
+
+
+def play(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "studies", "demo", *arguments],
+        cwd=ROOT,
+        env=os.environ | {"MPLBACKEND": "Agg"},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_without_a_display_a_demo_is_an_animation_and_a_contact_sheet(
+    name: str, tmp_path: Path
+) -> None:
+    done = play(name, "--engine", "solutions", "--seconds", "2", "--out", str(tmp_path))
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert f"{name}.gif and " in done.stdout
+    with Image.open(tmp_path / f"{name}.gif") as animation:
+        length = 0.0
+        for i in range(animation.n_frames):  # equal pictures are one, that is shown for longer
+            animation.seek(i)
+            length += animation.info["duration"] / 1000.0
+    assert length == pytest.approx(2.0, rel=1e-9)
+    assert (tmp_path / f"{name}.png").stat().st_size > 20_000, "an empty sheet"
+
+
+def test_what_is_not_written_is_said(tmp_path: Path) -> None:
+    stubs = tmp_path / "ch04_particle_engine"
+    shutil.copytree(ROOT / "solutions/ch04_particle_engine", stubs)
+    source = (stubs / "display.py").read_text(encoding="utf-8")
+    left = source.replace(
+        "    if is_over(display):\n        return False",
+        "    raise NotImplementedError('Exercise P4.1: Keep the display alive')",
+    )
+    assert left != source
+    (stubs / "display.py").write_text(left, encoding="utf-8")
+    for folder in ("ch02_vectors", "ch03_laws_of_motion"):
+        shutil.copytree(ROOT / "solutions" / folder, tmp_path / folder)
+    done = play("fireworks", "--engine", str(tmp_path), "--out", str(tmp_path / "out"))
+    assert done.returncode == 1
+    assert "fireworks: not played, not written yet: Exercise P4.1" in done.stdout
+    assert "Traceback" not in done.stderr
+
+
+def test_a_demo_that_is_not_there_is_a_clear_sentence() -> None:
+    done = play("trebuchets", "--engine", "solutions")
+    assert done.returncode == 2
+    assert "there is no demo 'trebuchets'; there is ballistics, fireworks" in done.stderr
+    done = play("fireworks", "--engine", "nowhere")
+    assert "--engine must be a folder of chapters, got 'nowhere'" in done.stderr
+
+
+@pytest.fixture
+def window(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """Return a function that plays a demo in a window, in which these events happen."""
+
+    def played(name: str, *events: tuple[Any, ...]) -> Any:
+        figure = pyplot.figure(figsize=(8, 5), layout="constrained")
+        demo: Any = demos.find_demos()[name](figure)
+
+        def happen() -> None:
+            figure.canvas.draw()
+            for event in events:
+                if isinstance(event[0], str):
+                    made: Any = KeyEvent("key_press_event", figure.canvas, event[0])
+                else:
+                    axes, x, y = event
+                    pixel = getattr(demo, axes[0]).transData.transform((x, y))
+                    made = MouseEvent("button_press_event", figure.canvas, *pixel, button=1)
+                figure.canvas.callbacks.process(made.name, made)
+                demo.update(demos.FRAME)
+            demo.draw()
+            figure.canvas.draw()
+
+        monkeypatch.setattr(pyplot, "show", happen)
+        demos.show(demo, figure)
+        return demo
+
+    yield played
+    pyplot.close("all")
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_keys_choose_aim_and_fire(window: Any) -> None:
+    demo = window("ballistics", ("2",), ("up",), ("left",), (" ",), ("5",), (" ",))
+    assert [shot.type for shot in demo.range.shots] == ["artillery", "grenade"]
+    artillery = demo.range.shots[0].particle.velocity
+    assert artillery.x > 0.0  # left of one who looks along Z
+    assert artillery.y > SHOT_TYPES["artillery"].velocity[1]
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_a_click_aims_at_its_point(window: Any) -> None:
+    demo = window("ballistics", (("side",), 50.0, 21.5), (("above",), 60.0, 6.0))
+    first, second = (shot.particle.velocity for shot in demo.range.shots)
+    # Before gravity had a frame the slope was 20 / 50; damping keeps the direction.
+    assert first.y / first.z == pytest.approx(20.0 / 50.0, abs=0.01)
+    assert second.x / second.z == pytest.approx(6.0 / 60.0, abs=0.01)
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_a_click_into_the_dark_is_a_miss_and_keys_launch(window: Any) -> None:
+    demo = window("fireworks", (("axes",), 28.0, 30.0), ("2",), ("6",))
+    assert demo.display.misses == 1
+    types = [firework.type for firework in demo.display.show.fireworks]
+    assert (types.count(2), types.count(6)) == (1, 2)  # one of type 6 begins the game
+    demo = window("fireworks", (("axes",), 28.0, 30.0), ("r",))
+    assert demo.display.misses == 0
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_what_the_engine_raises_ends_the_window_and_is_told(
+    window: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Fireworks = demos.find_demos()["fireworks"]  # noqa: N806 - a class
+
+    def broken(*_: Any) -> None:
+        raise ValueError("no such click")
+
+    monkeypatch.setattr(Fireworks, "click", broken)
+    with pytest.raises(ValueError, match="no such click"):
+        window("fireworks", (("axes",), 0.0, 10.0))

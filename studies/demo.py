@@ -70,10 +70,10 @@ def main(arguments: list[str]) -> int:
         parser.error(f"--engine must be a folder of chapters, got {options.engine!r}")
     sys.path[:0] = [str(ROOT / options.engine), str(ROOT / "chapters")]
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
+    demos = find_demos()
+    if options.name not in demos:
+        parser.error(f"there is no demo {options.name!r}; there is {', '.join(demos)}")
     try:
-        demos = find_demos()
-        if options.name not in demos:
-            parser.error(f"there is no demo {options.name!r}; there is {', '.join(demos)}")
         figure = pyplot.figure(figsize=(8, 5), layout="constrained")
         demo = demos[options.name](figure)
         demo.draw()
@@ -84,7 +84,7 @@ def main(arguments: list[str]) -> int:
         else:
             print(demo.keys, "q ends it.")
             show(demo, figure)
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         print(f"{options.name}: not played, {reason(error)}")
         return 1
     finally:
@@ -110,6 +110,8 @@ def write(demo: Demo, figure: Figure, name: str, seconds: float, folder: Path) -
     """Let the invented player play; write the animation and the contact sheet, and say where."""
     folder.mkdir(parents=True, exist_ok=True)
     animation, sheet = folder / f"{name}.gif", folder / f"{name}.png"
+    for older in (animation, sheet):
+        older.unlink(missing_ok=True)
     pictures = max(TILES, round(seconds / FRAME / STEPS_A_PICTURE))
     on_sheet = {(i + 1) * pictures // TILES - 1 for i in range(TILES)}
     tiles = []

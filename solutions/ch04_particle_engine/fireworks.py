@@ -174,23 +174,20 @@ class FireworksShow:
         left if the oldest were put out again and again: the last ones. A call never makes more than
         the capacity, whatever the counts.
         """
-        room = self.capacity
-        if self.when_full == "keep_old":
-            room -= len(self.fireworks)
-        else:
-            births = births[::-1]  # the last ones first, since they are the ones to stay
-        lit: list[list[Firework]] = []
+        burning, asked = len(self.fireworks), sum(count for _, count, _ in births)
+        room, skip = self.capacity - burning, 0
+        if self.when_full == "drop_oldest":
+            room = self.capacity
+            skip = max(0, asked - room)  # the first ones would be put out again by the last
         for type, count, parent in births:
-            allowed = min(count, room)
+            skipped = min(count, skip)
+            allowed = min(count - skipped, room)
+            skip -= skipped
             room -= allowed
-            self.dropped += count - allowed
-            rule = self.rules[type]
-            lit.append([make_firework(rule, self.random, parent) for _ in range(allowed)])
-        for group in lit if self.when_full == "keep_old" else reversed(lit):
-            self.fireworks += group
-        too_many = max(0, len(self.fireworks) - self.capacity)
-        self.dropped += too_many
-        del self.fireworks[:too_many]
+            for _ in range(allowed):
+                self.fireworks.append(make_firework(self.rules[type], self.random, parent))
+        del self.fireworks[: max(0, len(self.fireworks) - self.capacity)]
+        self.dropped += burning + asked - len(self.fireworks)
 
     def update(self, duration: float) -> None:
         """Move every firework on by a frame in s, and light what the burnt-out ones leave (4.2.3).

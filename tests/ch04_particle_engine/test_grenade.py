@@ -57,6 +57,11 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
         now = xyz(p.position)
         expect_unchanged(call, "p.position", now, (1.0, y, 3.0), cause=cause, read=read)
         expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+    call = f"p = Particle(Vector3(1, -1e-9, 3), Vector3{v}); bounce(p); p.position.y"
+    cause = "below the ground is below the ground, by however little"
+    p = Particle(Vector3(1.0, -1e-9, 3.0), Vector3(*v))
+    grenade.bounce(p)
+    expect_close(call, p.position.y, 0.0, cause=cause, read=read, tolerance=0.0)
 
 
 @pytest.mark.exercise("4.1")

@@ -104,28 +104,36 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_beside_before_or_behind_the_box_misses() -> None:
-    for start, end, cause in (
-        ((3.5, 4.0, 1.0), (3.5, 4.0, 9.0), "it passes beside the box, along Z"),
-        ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), "it passes below the box"),
-        ((2.0, 4.0, 0.0), (2.0, 4.0, 2.9), "it ends before the box: only fractions up to 1 count"),
-        ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), "it starts behind the box: only fractions from 0 on"),
-        ((2.0, 4.0, -1.0), (2.0, 4.0, -9.0), "it goes away from the box"),
+    for start, end, missed, cause in (
+        ((3.5, 4.0, 1.0), (3.5, 4.0, 9.0), True, "it passes beside the box, along Z"),
+        (
+            (2.9, 4.0, 1.0),
+            (2.9, 4.0, 9.0),
+            False,
+            "half a side is 1 m, so 0.9 m off hits",
+        ),
+        ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), True, "it passes below the box"),
+        ((2.0, 4.0, 0.0), (2.0, 4.0, 2.9), True, "it ends before the box: fractions go up to 1"),
+        ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), True, "it starts behind the box: fractions begin at 0"),
+        ((2.0, 4.0, -1.0), (2.0, 4.0, -9.0), True, "it goes away from the box"),
     ):
         call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(call, got, None, cause=cause, read=READ)
+        expect_exactly(f"{call} is None", got is None, missed, cause=cause, read=READ)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_that_cuts_the_corner_misses() -> None:
-    cause = "it is between the faces of X, and of Z, but never between both at the same time"
-    for start, end in (
-        ((0.0, 4.0, 8.0), (4.0, 4.0, 16.0)),
-        ((4.0, 4.0, 4.0), (2.0, 4.0, 1.0)),
+    beside = "it is between the faces of X, and of Z, but never between both at the same time"
+    through = "it is between the faces of X, of Y and of Z at the same time: it hits"
+    for start, end, missed, cause in (
+        ((0.0, 4.0, 8.0), (4.0, 4.0, 16.0), True, beside),
+        ((0.0, 4.0, 4.0), (4.0, 4.0, 8.0), False, through),
+        ((4.0, 4.0, 4.0), (2.0, 4.0, 1.0), True, beside),
     ):
         call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(call, got, None, cause=cause, read=READ)
+        expect_exactly(f"{call} is None", got is None, missed, cause=cause, read=READ)
 
 
 @pytest.mark.exercise("4.3b")
@@ -255,6 +263,11 @@ def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     call = "strike_first(Vector3(0, 1, 0), p, [])"
     got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [])
     expect_exactly(f"{call} is None", got is None, True, cause=cause, read=STRIKE)
+    call = "the block is moved to x = 0; strike_first(Vector3(0, 1, 0), p, [block]); block.hits"
+    cause = "now it is on the way"
+    block.particle.position.x = 0.0
+    targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
+    expect_exactly(call, block.hits, 1, cause=cause, read=STRIKE)
 
 
 @pytest.mark.exercise("4.3c")

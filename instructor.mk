@@ -14,7 +14,7 @@ stubs: $(READY) ## make chapters/ from solutions/ again
 	@$(RUN) -m autograder stubs
 
 test: lint ## run every test of the companion itself
-	@$(RUN) -m pytest --engine=solutions --engine=chapters
+	@$(RUN) -m pytest -n auto --engine=solutions --engine=chapters
 
 lint: $(READY) ## style and types
 	@$(RUN) -m ruff check . $(OURS)

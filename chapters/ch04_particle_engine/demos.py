@@ -9,14 +9,32 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from ch02_vectors.vector import Vector3
-from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine.ballistics import (
+    MUZZLE,
+    SHOT_TYPES,
+    BallisticRange,
+    Shot,
+    grenade_after,
+)
 from ch04_particle_engine.catherine_wheel import CatherineWheel
 from ch04_particle_engine.display import Display, click, is_over, tick
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, endless_types
 from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
-from ch04_particle_engine.targets import TargetBlock
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, YELLOW
+from ch04_particle_engine.targets import TargetBlock, strike_first
+from studies.drawing import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PINK,
+    RED,
+    SKY,
+    YELLOW,
+    is_written,
+)
 
 SHOT_COLORS = {
     "pistol": BLACK,
@@ -26,6 +44,10 @@ SHOT_COLORS = {
     "grenade": BLUE,
     "fragment": BLUE,
 }
+
+# One for each of the eleven types, and for the sparks of the wheel.
+SPARK_COLORS = (YELLOW, ORANGE, SKY, PINK, YELLOW, RED, SKY, GREEN, "white", PINK, GREEN, ORANGE)
+WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), damping=0.4)
 
 
 class Ballistics:
@@ -53,19 +75,20 @@ class Ballistics:
     )
 
     def __init__(self, figure: Figure) -> None:
-        self.range = BallisticRange(
-            [
+        self.range = BallisticRange()
+        if is_written(lambda: strike_first(Vector3(), Particle(), [])):
+            self.range.targets += [
                 TargetBlock(Vector3(0, 1, 25), (2, 2, 0.3), mass=5),
                 TargetBlock(Vector3(-4, 1.5, 45), (3, 3, 1), mass=60),
                 TargetBlock(Vector3(4, 1.5, 65), (3, 3, 1), mass=1000),
                 TargetBlock(Vector3(0, 4, 120), (16, 8, 0.5), mass=math.inf),
             ]
-        )
         self.name = "pistol"
         self.azimuth = 0.0
         self.elevation: float | None = None
         self.trails: dict[int, tuple[Shot, list[tuple[float, float, float]]]] = {}
-        self.orders = [*self.ORDERS]
+        throws = is_written(lambda: grenade_after(Shot("grenade", Particle())))
+        self.orders = [order for order in self.ORDERS if throws or order[1] != "grenade"]
         self.side, self.above = figure.subplots(2, 1, sharex=True)
         self.side.set(xlim=(-2, 130), ylim=(-1, 31), ylabel="y, m")
         self.above.set(xlim=(-2, 130), ylim=(-14, 14), xlabel="z, m", ylabel="x, m")
@@ -152,9 +175,7 @@ class Fireworks:
         "Click on a rocket, drawn larger, before it has burnt out: it bursts, and another one "
         "starts. 1 to 9 launch a firework, r starts anew."
     )
-    WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), damping=0.4)
     SPIN = 5.0  # rad/s, with which sparks turn on the screen
-    COLORS = (YELLOW, ORANGE, SKY, PINK, YELLOW, RED, SKY, GREEN, "white", PINK, GREEN, ORANGE)
 
     def __init__(self, figure: Figure) -> None:
         self.axes = figure.add_subplot(facecolor="black")
@@ -165,17 +186,20 @@ class Fireworks:
 
     def start(self) -> None:
         """Begin a game with three rockets and a wheel."""
-        rules = [*FIREWORK_TYPES, *own_types(), self.WHEEL_SPARK]
+        own = own_types() if is_written(own_types) else []
+        rules = [*FIREWORK_TYPES, *own, WHEEL_SPARK]
         self.display = Display(FireworksShow(rules, capacity=400, seed=2))
-        self.wheel = CatherineWheel(
-            self.display.show, 12, Vector3(-22, 10, 0), 2.0, 9.0, sparks_per_second=90, jet=26.0
+        self.wheel = make_wheel(self.display.show, Vector3(-22, 10, 0))
+        self.turns = is_written(self.wheel.nozzle)
+        self.endless = is_written(lambda: endless_types([])) and endless_types(rules)
+        self.spins = is_written(
+            lambda: screen_corners((0.0, 0.0), 1.0, screen_angle(0.0, 1.0, 0.0))
         )
-        self.endless = endless_types(rules)
-        for type in (1, 6, 10):
+        for type in (1, 6, 10 if own else 2):
             self.display.show.launch(type)
 
     def update(self, duration: float) -> None:
-        if not is_over(self.display):
+        if self.turns and not is_over(self.display):
             self.wheel.update(duration)
         tick(self.display, duration)
 
@@ -185,9 +209,12 @@ class Fireworks:
         for firework in show.fireworks:
             p = firework.particle.position
             size = 0.9 if show.rules[firework.type].payloads else 0.45
-            angle = screen_angle(0.0, self.SPIN, firework.age)
-            squares.append(screen_corners((p.x, p.y), size, angle))
-            colors.append(self.COLORS[firework.type - 1])
+            if self.spins:
+                angle = screen_angle(0.0, self.SPIN, firework.age)
+                squares.append(screen_corners((p.x, p.y), size, angle))
+            else:
+                squares.append([(p.x - size, p.y), (p.x, p.y - size), (p.x + size, p.y)])
+            colors.append(SPARK_COLORS[firework.type - 1])
         self.sparks.set(verts=squares, facecolor=colors)
         state = "click on a rocket before it has burnt out"
         if is_over(self.display):
@@ -220,6 +247,13 @@ class Fireworks:
 
 
 DEMOS = (Ballistics, Fireworks)
+
+
+def make_wheel(show: FireworksShow, center: Vector3) -> CatherineWheel:
+    """Return a wheel whose sparks are of the type of WHEEL_SPARK."""
+    return CatherineWheel(
+        show, WHEEL_SPARK.type, center, radius=2.0, rate=9.0, sparks_per_second=90.0, jet=26.0
+    )
 
 
 def _mass(block: TargetBlock) -> str:

@@ -11,21 +11,20 @@ from matplotlib.axes import Axes
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot
-from ch04_particle_engine.catherine_wheel import CatherineWheel
 from ch04_particle_engine.closed_form import state_after
+from ch04_particle_engine.demos import SPARK_COLORS, WHEEL_SPARK, make_wheel
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
-from ch04_particle_engine.fireworks import FireworkRule, FireworksShow
+from ch04_particle_engine.fireworks import FireworksShow
 from studies.drawing import (
     BLACK,
     BLUE,
     GREEN,
     GREY,
     ORANGE,
-    PINK,
     RED,
-    SKY,
     Numbers,
     Picture,
+    is_written,
     numbers,
     slope,
 )
@@ -57,7 +56,7 @@ def shots() -> Picture:
         paths.plot([r[5] for r in whole], [r[4] for r in whole], color=color, label=label)
         paths.plot([r[5] for r in parts], [r[4] for r in parts], ".", ms=1.5, color=color)
         energies.plot([r[2] for r in whole], [100.0 * r[6] for r in whole], color=color)
-        kept[name] = 100.0 * whole[-1][6]
+        kept[name] = 100.0 * whole[-1][6] if whole else math.nan
     k = -math.log(SHOT_TYPES["laser"].damping)
     times = [i * 0.1 for i in range(21)]
     # What drag leaves of a kinetic energy, d^2t, for the shot without gravity.
@@ -81,7 +80,7 @@ def shots() -> Picture:
 
 def fireworks() -> Picture:
     """Every type of firework and the Catherine wheel, from one launch to the dark."""
-    rules = [*FIREWORK_TYPES, *own_types()]
+    rules = [*FIREWORK_TYPES, *(own_types() if is_written(own_types) else [])]
     figure, panels = pyplot.subplots(3, 4, figsize=(12, 9), layout="constrained")
     rows = []
     most = 0
@@ -96,13 +95,13 @@ def fireworks() -> Picture:
         name = f"type {rule.type}" if lit == 1 else f"{lit} of type {rule.type}"
         axes.set_title(f"{name}: at most {max(counts)}, {len(counts) * FRAME:.1f} s", fontsize=9)
         rows += [(rule.type, (i + 1) * FRAME, count) for i, count in enumerate(counts)]
-    spark = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), damping=0.4)
-    show = FireworksShow([spark], capacity=400, seed=4)
-    wheel = CatherineWheel(show, 12, Vector3(0, 14, 0), 2.0, 9.0, sparks_per_second=90, jet=26.0)
-    counts = _streaks(panels.flat[11], show, lambda: wheel.update(FRAME), frames=60)
-    panels.flat[11].set_title(f"Catherine wheel: {wheel.thrown} sparks in 1 s", fontsize=9)
-    rows += [("wheel", (i + 1) * FRAME, count) for i, count in enumerate(counts)]
-    figure.suptitle(f"Eleven types and a wheel: of one launch at most {most} burn at a time")
+    show = FireworksShow([WHEEL_SPARK], capacity=400, seed=4)
+    wheel = make_wheel(show, Vector3(0, 14, 0))
+    if is_written(wheel.nozzle):
+        counts = _streaks(panels.flat[11], show, lambda: wheel.update(FRAME), frames=60)
+        panels.flat[11].set_title(f"Catherine wheel: {wheel.thrown} sparks in 1 s", fontsize=9)
+        rows += [("wheel", (i + 1) * FRAME, count) for i, count in enumerate(counts)]
+    figure.suptitle(f"{len(rules)} types and a wheel: of one launch at most {most} burn at a time")
     return Picture(figure, ("type", "time, s", "burning"), rows)
 
 
@@ -192,9 +191,8 @@ def _streaks(
             xs, ys = seen.setdefault(firework.type, ([], []))
             xs.append(x)
             ys.append(y)
-    colors = (ORANGE, "white", SKY, PINK, "#F0E442", RED, SKY, GREEN, "white", PINK, GREEN, ORANGE)
     for type, (xs, ys) in seen.items():
-        axes.plot(xs, ys, ".", ms=1.2, color=colors[type - 1])
+        axes.plot(xs, ys, ".", ms=1.2, color=SPARK_COLORS[type - 1])
     axes.set(facecolor="black", xlim=(-16, 16), ylim=(0, 32), aspect="equal")
     axes.tick_params(labelsize=7)
     axes.set(xlabel="x, m", ylabel="y, m")

@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import faulthandler
 import importlib
+import math
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -66,13 +67,16 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--seconds", type=float, help="for how long the invented player plays")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "demos")
     options = parser.parse_args(arguments)
+    if options.seconds is not None and not 0.0 < options.seconds < math.inf:
+        parser.error(f"--seconds must be positive and finite, got {options.seconds!r}")
     if not (ROOT / options.engine).is_dir():
         parser.error(f"--engine must be a folder of chapters, got {options.engine!r}")
     sys.path[:0] = [str(ROOT / options.engine), str(ROOT / "chapters")]
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
     demos = find_demos()
     if options.name not in demos:
-        parser.error(f"there is no demo {options.name!r}; there is {', '.join(demos)}")
+        there = ", ".join(demos) or "none that can be read"
+        parser.error(f"there is no demo {options.name!r}; there is {there}")
     try:
         figure = pyplot.figure(figsize=(8, 5), layout="constrained")
         demo = demos[options.name](figure)
@@ -80,7 +84,8 @@ def main(arguments: list[str]) -> int:
         figure.canvas.draw()
         figure.set_layout_engine("none")  # laid out once: anew for each picture takes most of it
         if pyplot.get_backend().lower() == "agg":  # matplotlib found no display
-            write(demo, figure, options.name, options.seconds or demo.seconds, options.out)
+            seconds = demo.seconds if options.seconds is None else options.seconds
+            write(demo, figure, options.name, seconds, options.out)
         else:
             print(demo.keys, "q ends it.")
             show(demo, figure)
@@ -119,22 +124,26 @@ def write(demo: Demo, figure: Figure, name: str, seconds: float, folder: Path) -
     no_bar = not sys.stdout.isatty()
     if no_bar:
         print(f"{name}: no display, so {pictures} pictures are drawn into a file", flush=True)
-    with writer.saving(figure, str(animation), dpi=80):
-        for picture in track(range(pictures), name, transient=True, disable=no_bar):
-            faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)
-            for step in range(STEPS_A_PICTURE):
-                demo.play((picture * STEPS_A_PICTURE + step) * FRAME)
-                demo.update(FRAME)
-            demo.draw()
-            writer.grab_frame()
-            if picture in on_sheet:
-                tiles.append(_picture_of(figure))
+    writer.setup(figure, str(animation), dpi=80)
+    for picture in track(range(pictures), name, transient=True, disable=no_bar):
+        faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)
+        for step in range(STEPS_A_PICTURE):
+            demo.play((picture * STEPS_A_PICTURE + step) * FRAME)
+            demo.update(FRAME)
+        demo.draw()
+        writer.grab_frame()
+        if picture in on_sheet:
+            tiles.append(_picture_of(figure))
+    writer.finish()  # only now is there a file: what raises before leaves none
     _sheet_of(tiles).savefig(sheet, dpi=110)
     print(f"{name}: {shown(animation)} and {shown(sheet)}")
 
 
 def show(demo: Demo, figure: Figure) -> None:
-    """Play in a window until it is closed. Raises what the engine raised."""
+    """Play in a window until it is closed, a frame a picture, however long it takes to draw.
+
+    Raises what the engine raised.
+    """
     for setting in matplotlib.rcParams:
         if setting.startswith("keymap."):  # the keys belong to the demo
             matplotlib.rcParams[setting] = ["q"] if setting == "keymap.quit" else []

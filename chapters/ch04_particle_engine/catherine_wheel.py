@@ -58,8 +58,9 @@ class CatherineWheel:
         """Mini-project 4.4: turn on by a frame in s, and light the sparks that are due by its end.
 
         After t seconds in all, the whole part of sparks_per_second x t have left, however long the
-        frames are. Those of a frame leave the nozzle where it is at the end of it, and count as
-        thrown even if the show has no room for them. The show is updated by whoever has it.
+        frames are, up to the rounding of t. Those of a frame leave the nozzle where it is at the
+        end of it, and count as thrown even if the show has no room for them. The show is updated
+        by whoever has it.
 
         Raises ValueError where the duration is not positive and finite; nothing has moved then.
         """

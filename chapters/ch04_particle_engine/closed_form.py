@@ -26,7 +26,8 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     as a float can be, where the formulas would divide nothing by nothing. A damping of 0 stops
     everything at once: 0, 0, 0, if any time passes.
 
-    Raises ValueError where the damping or the time is negative or not finite.
+    Raises ValueError where the damping or the time is negative or not finite, OverflowError where a
+    factor does not fit in a float.
     """
     raise NotImplementedError("Exercise B4.8: A state without steps")
 
@@ -36,7 +37,7 @@ def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
 
     The particle stays as it is. An immovable one is found where it is now, with its velocity.
 
-    Raises ValueError where the time is negative or not finite.
+    Raises ValueError where the time is negative or not finite, OverflowError as drag_factors does.
 
     >>> shell = Particle(Vector3(0, 1.5, 0), Vector3(0, 30, 40), Vector3(0, -20, 0), damping=0.99)
     >>> position, _ = state_after(shell, 3.0347583)
@@ -55,8 +56,8 @@ def burst_positions(
     the axis, in m/s, differ. So the factors, and where a spark without a speed would be, are worked
     out once for all. A screen shows two axes: nobody has to work out the third.
 
-    Raises ValueError where the start or the acceleration is not finite, or the damping or the time
-    is negative or not finite.
+    The speeds are taken as they are. Raises ValueError where the start or the acceleration is not
+    finite, or the damping or the time is negative or not finite, and OverflowError as drag_factors.
 
     >>> burst_positions(9.0, [-2.0, 0.0, 3.0], -10.0, damping=1.0, time=1.0)
     [2.0, 4.0, 7.0]

@@ -87,8 +87,8 @@ class Ballistics:
         self.azimuth = 0.0
         self.elevation: float | None = None
         self.trails: dict[int, tuple[Shot, list[tuple[float, float, float]]]] = {}
-        throws = is_written(lambda: grenade_after(Shot("grenade", Particle())))
-        self.orders = [order for order in self.ORDERS if throws or order[1] != "grenade"]
+        self.names = [name for name in SHOT_TYPES if name != "grenade" or can_throw()]
+        self.orders = [order for order in self.ORDERS if order[1] in self.names]
         self.side, self.above = figure.subplots(2, 1, sharex=True)
         self.side.set(xlim=(-2, 130), ylim=(-1, 31), ylabel="y, m")
         self.above.set(xlim=(-2, 130), ylim=(-14, 14), xlabel="z, m", ylabel="x, m")
@@ -137,9 +137,8 @@ class Ballistics:
         )
 
     def press(self, key: str) -> None:
-        names = list(SHOT_TYPES)
-        if key in "12345":
-            self.name = names[int(key) - 1]
+        if key in "12345"[: len(self.names)]:
+            self.name = self.names[int(key) - 1]
         elif key in ("left", "right"):
             self.azimuth += self.TURN if key == "left" else -self.TURN
         elif key in ("up", "down"):
@@ -190,7 +189,7 @@ class Fireworks:
         rules = [*FIREWORK_TYPES, *own, WHEEL_SPARK]
         self.display = Display(FireworksShow(rules, capacity=400, seed=2))
         self.wheel = make_wheel(self.display.show, Vector3(-22, 10, 0))
-        self.turns = is_written(self.wheel.nozzle)
+        self.turns = can_turn()
         self.endless = is_written(lambda: endless_types([])) and endless_types(rules)
         self.spins = is_written(
             lambda: screen_corners((0.0, 0.0), 1.0, screen_angle(0.0, 1.0, 0.0))
@@ -229,7 +228,7 @@ class Fireworks:
     def press(self, key: str) -> None:
         if key == "r":
             self.start()
-        elif key in "123456789":
+        elif key in "123456789" and not is_over(self.display):
             self.display.show.launch(int(key))
 
     def click(self, axes: object, x: float, y: float) -> None:
@@ -240,7 +239,7 @@ class Fireworks:
         """Click on each rocket late, but for the last seconds, in which the display goes dark."""
         if time > self.seconds - 4.0:
             return
-        for firework in self.display.show.fireworks:
+        for firework in [*self.display.show.fireworks]:  # click adds to the show's own list
             if 0.0 < firework.age < 0.3 and firework.type in (1, 2, 6, 10):
                 p = firework.particle.position
                 click(self.display, p.x, p.y)
@@ -254,6 +253,17 @@ def make_wheel(show: FireworksShow, center: Vector3) -> CatherineWheel:
     return CatherineWheel(
         show, WHEEL_SPARK.type, center, radius=2.0, rate=9.0, sparks_per_second=90.0, jet=26.0
     )
+
+
+def can_throw() -> bool:
+    """Say whether what happens to a grenade is written."""
+    return is_written(lambda: grenade_after(Shot("grenade", Particle())))
+
+
+def can_turn() -> bool:
+    """Say whether the wheel is written: a trial one throws sparks."""
+    show = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
+    return is_written(lambda: make_wheel(show, Vector3()).update(1.0))
 
 
 def _mass(block: TargetBlock) -> str:

@@ -39,6 +39,7 @@ def own_types() -> list[FireworkRule]:
 
     They differ from each other and from the nine in more than their type. One of them or both
     leave fireworks behind, of types 1 to 11, and none of the eleven leads back to itself, so that
-    every show with them ends.
+    every show with them ends. Each burns for 0.1 s at least, and 40 s after it was lit all that has
+    come of it is dark.
     """
     raise NotImplementedError("Exercise 4.2: Two types of your own")

@@ -40,8 +40,8 @@ class FireworkRule:
     Ages in s and velocities in m/s are drawn between a smallest and a largest one, velocities for
     each component. ``damping`` is the share of the velocity that is kept per second.
 
-    Raises ValueError where an age or the damping is negative, a number is not finite, or a smallest
-    is above its largest.
+    Raises ValueError where an age or the damping is negative, a number is not finite, a velocity
+    has not three components, or a smallest is above its largest.
     """
 
     type: int
@@ -59,6 +59,10 @@ class FireworkRule:
             raise ValueError(
                 f"max_age must be min_age, {self.min_age!r}, or more, got {self.max_age!r}"
             )
+        for name in ("min_velocity", "max_velocity"):
+            velocity = getattr(self, name)
+            if len([*velocity]) != 3:
+                raise ValueError(f"{name} must have three components, got {velocity!r}")
         for low, high in zip(self.min_velocity, self.max_velocity, strict=True):
             if not finite("min_velocity", low) <= finite("max_velocity", high):
                 raise ValueError(
@@ -108,7 +112,8 @@ class FireworksShow:
     The same seed gives the same show.
 
     Raises ValueError where two rules have one type, a payload has a type without a rule, the
-    capacity is below 1, or there is no such policy.
+    capacity is below 1, or there is no such policy; TypeError for a capacity that is no whole
+    number.
     """
 
     def __init__(
@@ -152,6 +157,9 @@ class FireworksShow:
         for all, "keep_old" lights the first of them, and "drop_oldest" lights those that would be
         left if the oldest were put out again and again: the last ones. A call never makes more than
         the capacity, whatever the counts.
+
+        Raises ValueError where there is no rule for a type, or a count is negative; then nothing is
+        lit.
         """
         raise NotImplementedError("Exercise B4.5: Slots, and what happens when they are full")
 

@@ -12,26 +12,30 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot
 from ch04_particle_engine.closed_form import state_after
-from ch04_particle_engine.demos import SPARK_COLORS, WHEEL_SPARK, make_wheel
+from ch04_particle_engine.demos import (
+    SHOT_COLORS,
+    SPARK_COLORS,
+    WHEEL_SPARK,
+    can_throw,
+    can_turn,
+    make_wheel,
+)
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworksShow
 from studies.drawing import (
-    BLACK,
-    BLUE,
     GREEN,
     GREY,
     ORANGE,
-    RED,
     Numbers,
     Picture,
     is_written,
     numbers,
     slope,
 )
+from studies.scenes import make_particle, scene_of
 
 FRAME = 1.0 / 60.0
 LONGEST = 600  # frames, in which every shot lands and every firework burns out
-COLORS = dict(zip(SHOT_TYPES, (BLACK, GREEN, ORANGE, RED, BLUE), strict=False))
 
 
 def shots() -> Picture:
@@ -41,8 +45,10 @@ def shots() -> Picture:
     )
     rows = []
     kept = {}
-    for name, color in COLORS.items():
-        type = SHOT_TYPES[name]
+    for name, type in SHOT_TYPES.items():
+        color = SHOT_COLORS[name]
+        if name == "grenade" and not can_throw():
+            continue
         flown = [*_flight(name)]
         speed = math.hypot(*type.velocity)
         start = 0.5 * type.mass * speed * speed
@@ -69,10 +75,12 @@ def shots() -> Picture:
     energies.set(xlabel="time, s", ylabel="energy kept, %", ylim=(0, 105))
     energies.grid(alpha=0.3)
     energies.legend(fontsize=8)
+    found = f"the fireball {kept['fireball']:.0f} %"
+    if "grenade" in kept:
+        found += f"; the grenade has {kept['grenade']:.0f} % before it bursts"
     paths.set_title(
         f"At its last frame the laser has {kept['laser']:.0f} % of its energy, the artillery shell "
-        f"{kept['artillery']:.0f} %,\nthe fireball {kept['fireball']:.0f} %; "
-        f"the grenade has {kept['grenade']:.0f} % before it bursts"
+        f"{kept['artillery']:.0f} %,\n{found}"
     )
     columns = ("fired", "shot", "time, s", "x, m", "y, m", "z, m", "energy, share of the start's")
     return Picture(figure, columns, rows)
@@ -97,10 +105,12 @@ def fireworks() -> Picture:
         rows += [(rule.type, (i + 1) * FRAME, count) for i, count in enumerate(counts)]
     show = FireworksShow([WHEEL_SPARK], capacity=400, seed=4)
     wheel = make_wheel(show, Vector3(0, 14, 0))
-    if is_written(wheel.nozzle):
+    if can_turn():
         counts = _streaks(panels.flat[11], show, lambda: wheel.update(FRAME), frames=60)
         panels.flat[11].set_title(f"Catherine wheel: {wheel.thrown} sparks in 1 s", fontsize=9)
         rows += [("wheel", (i + 1) * FRAME, count) for i, count in enumerate(counts)]
+    for axes in panels.flat[len(rules) : 11]:
+        axes.set_visible(False)
     figure.suptitle(f"{len(rules)} types and a wheel: of one launch at most {most} burn at a time")
     return Picture(figure, ("type", "time, s", "burning"), rows)
 
@@ -113,11 +123,11 @@ def step_error() -> Picture:
     rows = []
     orders = []
     for name, color, mark in (("artillery", GREEN, "o"), ("fireball", ORANGE, "s")):
-        start = _particle(name)
-        exact = numbers(state_after(start, seconds)[0])
+        scene = scene_of(SHOT_TYPES[name], seconds)
+        exact = numbers(state_after(make_particle(scene), seconds)[0])
         errors = []
         for frames in counts:
-            particle = _particle(name)
+            particle = make_particle(scene)
             for _ in range(frames):
                 particle.integrate(seconds / frames)
             errors.append(math.dist(numbers(particle.position), exact))
@@ -164,16 +174,6 @@ def _energy(name: str, velocity: Numbers, height: float) -> float:
     return 0.5 * math.hypot(*velocity) ** 2 - SHOT_TYPES[name].acceleration[1] * height
 
 
-def _particle(name: str) -> Particle:
-    type = SHOT_TYPES[name]
-    return Particle(
-        Vector3(*MUZZLE),
-        Vector3(*type.velocity),
-        Vector3(*type.acceleration),
-        damping=type.damping,
-    )
-
-
 def _streaks(
     axes: Axes, show: FireworksShow, before: Callable[[], None], frames: int = LONGEST
 ) -> list[int]:
@@ -183,7 +183,7 @@ def _streaks(
     for _ in range(frames):
         before()
         show.update(FRAME)
-        if not show.fireworks and len(counts) > 1:
+        if not show.fireworks and counts:
             break
         counts.append(len(show.fireworks))
         for firework in show.fireworks:

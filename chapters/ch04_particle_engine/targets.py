@@ -40,7 +40,7 @@ def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | No
     """Exercise 4.3b: return where the straight way from start to end first touches a block.
 
     0 is the start and 1 the end, so 0.25 is a quarter of the way. A way that starts inside gives 0,
-    touching counts, and a way that misses gives None. Positions in m.
+    touching counts, and a way that misses gives None. Positions in m, with finite components.
 
     >>> wall = TargetBlock(Vector3(0, 1, 30), (4, 2, 0.5), mass=100)
     >>> hit_fraction(Vector3(0, 1, 29.5), Vector3(0, 1, 30.5), wall)

@@ -1,8 +1,8 @@
 """Keep the display alive (project 4.1): a game whose rules need no screen.
 
 Rockets burn down. A player who clicks on one before it has burnt out makes it burst, and another
-rocket of its type starts from the ground. The display lives as long as there is a rocket; who waits
-until the last moment scores more, and may be too late.
+rocket of its type starts from the ground. The display lives as long as there is a rocket; whoever
+waits until the last moment scores more, and may be too late.
 """
 
 from __future__ import annotations
@@ -72,10 +72,14 @@ def is_over(display: Display) -> bool:
 
 
 def tick(display: Display, duration: float) -> None:
-    """Let a frame in s pass: the time counts until the game is over, and what burns burns out."""
-    if not is_over(display):
-        display.time += duration
+    """Let a frame in s pass: the time counts until the game is over, and what burns burns out.
+
+    Raises ValueError where the duration is not positive and finite; nothing has changed then.
+    """
+    over = is_over(display)
     display.show.update(duration)
+    if not over:
+        display.time += duration
 
 
 def _rockets(display: Display) -> list[Firework]:

@@ -41,8 +41,8 @@ class FireworkRule:
     Ages in s and velocities in m/s are drawn between a smallest and a largest one, velocities for
     each component. ``damping`` is the share of the velocity that is kept per second.
 
-    Raises ValueError where an age or the damping is negative, a number is not finite, or a smallest
-    is above its largest.
+    Raises ValueError where an age or the damping is negative, a number is not finite, a velocity
+    has not three components, or a smallest is above its largest.
     """
 
     type: int
@@ -60,6 +60,10 @@ class FireworkRule:
             raise ValueError(
                 f"max_age must be min_age, {self.min_age!r}, or more, got {self.max_age!r}"
             )
+        for name in ("min_velocity", "max_velocity"):
+            velocity = getattr(self, name)
+            if len([*velocity]) != 3:
+                raise ValueError(f"{name} must have three components, got {velocity!r}")
         for low, high in zip(self.min_velocity, self.max_velocity, strict=True):
             if not finite("min_velocity", low) <= finite("max_velocity", high):
                 raise ValueError(
@@ -127,7 +131,8 @@ class FireworksShow:
     The same seed gives the same show.
 
     Raises ValueError where two rules have one type, a payload has a type without a rule, the
-    capacity is below 1, or there is no such policy.
+    capacity is below 1, or there is no such policy; TypeError for a capacity that is no whole
+    number.
     """
 
     def __init__(
@@ -162,8 +167,6 @@ class FireworksShow:
 
         Raises ValueError where there is no rule for the type.
         """
-        if type not in self.rules:
-            raise ValueError(f"type must be one of {sorted(self.rules)}, got {type!r}")
         self.light([(type, 1, None)])
 
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
@@ -173,7 +176,15 @@ class FireworksShow:
         for all, "keep_old" lights the first of them, and "drop_oldest" lights those that would be
         left if the oldest were put out again and again: the last ones. A call never makes more than
         the capacity, whatever the counts.
+
+        Raises ValueError where there is no rule for a type, or a count is negative; then nothing is
+        lit.
         """
+        for type, count, _ in births:
+            if type not in self.rules:
+                raise ValueError(f"type must be one of {sorted(self.rules)}, got {type!r}")
+            if count < 0:
+                raise ValueError(f"count must be 0 or more, got {count!r}")
         burning, asked = len(self.fireworks), sum(count for _, count, _ in births)
         room, skip = self.capacity - burning, 0
         if self.when_full == "drop_oldest":

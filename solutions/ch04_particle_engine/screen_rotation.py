@@ -23,7 +23,7 @@ def screen_angle(start: float, rate: float, time: float) -> float:
     1.0
     """
     angle = finite("start", start) + finite("rate", rate) * finite("time", time)
-    return math.remainder(angle, 2.0 * math.pi)
+    return math.remainder(finite("angle", angle), 2.0 * math.pi)
 
 
 def screen_corners(center: Point, size: float, angle: float) -> list[Point]:

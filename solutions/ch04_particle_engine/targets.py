@@ -6,6 +6,7 @@ inside a block lets it pass through a thin one. The way it went in the frame is 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from ch02_vectors.vector import Vector3
@@ -40,7 +41,7 @@ def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | No
     """Exercise 4.3b: return where the straight way from start to end first touches a block.
 
     0 is the start and 1 the end, so 0.25 is a quarter of the way. A way that starts inside gives 0,
-    touching counts, and a way that misses gives None. Positions in m.
+    touching counts, and a way that misses gives None. Positions in m, with finite components.
 
     >>> wall = TargetBlock(Vector3(0, 1, 30), (4, 2, 0.5), mass=100)
     >>> hit_fraction(Vector3(0, 1, 29.5), Vector3(0, 1, 30.5), wall)
@@ -72,7 +73,7 @@ def strike_first(
     particle has now, along X and Z (the ground takes what is along Y), and counts the hit. Of two
     targets that are touched at once the earlier in the list is hit.
     """
-    first, earliest = None, 2.0
+    first, earliest = None, math.inf
     for target in targets:
         fraction = hit_fraction(start, particle.position, target)
         if fraction is not None and fraction < earliest:

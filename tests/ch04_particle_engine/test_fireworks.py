@@ -308,7 +308,7 @@ def test_the_same_seed_launches_the_same(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B4.5", weight=0.5)
-def test_a_type_without_a_rule_is_not_launched() -> None:
+def test_births_that_mean_nothing_are_refused() -> None:
     call = "show.launch(7), rules for 1 to 4"
     cause = "look for the type first, and name it in the ValueError"
     read = "the docstring of launch"
@@ -322,3 +322,19 @@ def test_a_type_without_a_rule_is_not_launched() -> None:
         read=read,
     )
     expect_exactly(f"{call}; how many burn", len(a_show.fireworks), 0, cause=cause, read=read)
+    cause = "look at all births before the first is lit"
+    for bad, births in (
+        ("a type without a rule", [(1, 2, None), (7, 1, None)]),
+        ("a negative count", [(1, 2, None), (2, -3, None)]),
+    ):
+        call = f"show.light({births}), {bad}"
+        expect_error(
+            call,
+            lambda births=births: a_show.light(births),
+            ValueError,
+            allowed=lambda: show(9, "keep_old").light([(4, 0, None), (4, 1, None)]),
+            cause=cause,
+            read="the docstring of light",
+        )
+        now = (len(a_show.fireworks), a_show.dropped)
+        expect_exactly(f"{call}; burning and dropped", now, (0, 0), cause=cause, read=read)

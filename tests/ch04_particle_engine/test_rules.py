@@ -125,7 +125,7 @@ def test_your_types_burn_and_come_to_an_end(rng: Random) -> None:
         call = f"own_types(), a show of all eleven with the seed {seed}; type {type} is lit 50 m "
         call += "up; show.update(0.05) 800 times; how many burn"
         counts = probes.own_show(type, seed, 0.05, 800)
-        cause = "something must be seen: a fuse of more than a frame"
+        cause = "each type burns for 0.1 s at least: a smallest age of 0.1 s"
         expect_exactly(f"{call}, any after 0.05 s", counts[0] > 0, True, cause=cause, read=read)
-        cause = "after 40 s it is dark: types that lead back to themselves never end"
+        cause = "after 40 s it is dark: fuses are too long, or a type leads back to itself"
         expect_exactly(f"{call}, after 40 s", counts[-1], 0, cause=cause, read=read)

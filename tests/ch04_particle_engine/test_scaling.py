@@ -36,9 +36,10 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         (round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)),
         (round(rng.uniform(2.0, 90.0), 3), 0.25),
     ):
-        call = f"slowed_mass({mass}, {factor})"
-        got = scaling.slowed_mass(mass, factor)
-        expect_close(call, got, mass * factor * factor, cause=cause, read=read)
+        call = f"slowed_mass({mass}, {factor}); m v^2 / 2 with that and {500.0 / factor} m/s"
+        slow = scaling.slowed_mass(mass, factor)
+        energy = 0.5 * slow * (500.0 / factor) ** 2
+        expect_close(call, energy, 0.5 * mass * 500.0**2, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B4.1")
@@ -54,9 +55,11 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
         (9.81, 0.5),
         (0.0, 4.0),
     ):
-        call = f"slowed_gravity({gravity}, {factor})"
-        got = scaling.slowed_gravity(gravity, factor)
-        expect_close(call, got, gravity / (factor * factor), cause=cause, read=read)
+        call = f"slowed_gravity({gravity}, {factor}); g t^2 / 2 with that over 100 m at "
+        call += f"{500.0 / factor} m/s"
+        weak = scaling.slowed_gravity(gravity, factor)
+        drop = 0.5 * weak * (100.0 * factor / 500.0) ** 2
+        expect_close(call, drop, 0.5 * gravity * 0.2**2, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B4.1", weight=0.5)

@@ -143,4 +143,4 @@ def test_e34_the_text_and_the_listing_end_two_ranges() -> None:
         frames += 1
         if laser.position.z <= 100.0:
             frames_past_100 = frames + 1
-    assert (frames_past_100, frames) == (61, 122)  # damping takes 2 % of its 2 s
+    assert (frames_past_100, frames) == (61, 122)  # 1.0 s and 2.0 s, and damping adds 1 %

@@ -10,9 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.catherine_wheel import CatherineWheel
-from ch04_particle_engine.display import Display, click, find_rocket, is_over, tick
+from ch04_particle_engine.display import Display, click, is_over, tick
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import (
     FireworkRule,
@@ -200,6 +199,11 @@ def test_a_seed_gives_the_same_show_to_the_last_bit() -> None:
             "max_velocity must be finite, got inf",
         ),
         (
+            lambda: FireworkRule(1, 1.0, 1.0, (0.0, 1.0), STILL, 1.0),  # type: ignore[arg-type]
+            ValueError,
+            r"min_velocity must have three components, got \(0.0, 1.0\)",
+        ),
+        (
             lambda: FireworkRule(1, 1.0, 1.0, STILL, STILL, -0.5),
             ValueError,
             "damping must be finite and not negative, got -0.5",
@@ -299,7 +303,7 @@ def test_a_game_can_be_kept_alive_and_ends_when_nobody_clicks() -> None:
     display.show.launch(1)
     for frame in range(600):
         if frame < 300:
-            for rocket in display.show.fireworks:
+            for rocket in [*display.show.fireworks]:
                 if rocket.type == 1 and 0.0 < rocket.age < 0.2:
                     assert click(display, rocket.particle.position.x, rocket.particle.position.y)
         tick(display, 1.0 / 60.0)
@@ -310,9 +314,22 @@ def test_a_game_can_be_kept_alive_and_ends_when_nobody_clicks() -> None:
     assert display.show.fireworks == []  # after its end, what burns burns out
 
 
-def test_a_click_at_exactly_the_reach_counts_and_the_first_lit_of_two_at_one_distance() -> None:
-    show = FireworksShow([simple(1, 2.0, Payload(2, 1)), simple(2)], 9, 1)
-    show.light([(1, 1, Particle(Vector3(x, 10, 0))) for x in (-2.5, 2.5)])
-    found = find_rocket(Display(show), 0.0, 10.0)
-    assert found is not None
-    assert abs(found.particle.position.x) == 2.5
+def test_a_refused_frame_costs_a_game_no_time() -> None:
+    display = Display(FireworksShow(FIREWORK_TYPES, 9, seed=1))
+    display.show.launch(1)
+    tick(display, 0.1)
+    for bad in (NAN, -1.0, INF):
+        with pytest.raises(ValueError, match="duration must be positive and finite"):
+            tick(display, bad)
+    assert display.time == 0.1
+
+
+def test_births_that_mean_nothing_are_refused_before_any_is_lit() -> None:
+    show = FireworksShow([simple(1), simple(2)], 9, 1)
+    for births, complaint in (
+        ([(1, 2, None), (9, 1, None)], r"type must be one of \[1, 2\], got 9"),
+        ([(1, 2, None), (2, -3, None)], "count must be 0 or more, got -3"),
+    ):
+        with pytest.raises(ValueError, match=complaint):
+            show.light(births)
+        assert (show.fireworks, show.dropped) == ([], 0)

@@ -15,6 +15,7 @@ from matplotlib.backend_bases import KeyEvent, MouseEvent
 from PIL import Image
 
 from autograder.manifest import ROOT
+from autograder.stubs import make_stubs
 from ch04_particle_engine.ballistics import SHOT_TYPES
 from studies import demo as demos
 
@@ -48,6 +49,33 @@ def test_without_a_display_a_demo_is_an_animation_and_a_contact_sheet(
     assert (tmp_path / f"{name}.png").stat().st_size > 20_000, "an empty sheet"
 
 
+def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    ballistics = tmp_path / "engine/ch04_particle_engine/ballistics.py"
+    ballistics.write_text(make_stubs()["chapters/ch04_particle_engine/ballistics.py"])
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "ballistics.gif").write_text("an older animation")
+    done = play("ballistics", "--engine", str(tmp_path / "engine"), "--out", str(out))
+    assert done.returncode == 1
+    assert "ballistics: not played, not written yet: Exercise B4.3" in done.stdout
+    assert [*out.iterdir()] == []
+
+
+def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
+    """Without grenades, targets, own types, a wheel and turning sparks there is enough to see."""
+    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    stubs = make_stubs()
+    for module in ("grenade", "targets", "firework_types", "catherine_wheel", "screen_rotation"):
+        path = f"ch04_particle_engine/{module}.py"
+        (tmp_path / "engine" / path).write_text(stubs[f"chapters/{path}"], encoding="utf-8")
+    for name in NAMES:
+        engine, out = str(tmp_path / "engine"), str(tmp_path / "out")
+        done = play(name, "--engine", engine, "--seconds", "4", "--out", out)
+        assert done.returncode == 0, done.stdout
+        assert (tmp_path / "out" / f"{name}.gif").exists()
+
+
 def test_what_is_not_written_is_said(tmp_path: Path) -> None:
     stubs = tmp_path / "ch04_particle_engine"
     shutil.copytree(ROOT / "solutions/ch04_particle_engine", stubs)
@@ -72,6 +100,8 @@ def test_a_demo_that_is_not_there_is_a_clear_sentence() -> None:
     assert "there is no demo 'trebuchets'; there is ballistics, fireworks" in done.stderr
     done = play("fireworks", "--engine", "nowhere")
     assert "--engine must be a folder of chapters, got 'nowhere'" in done.stderr
+    done = play("fireworks", "--engine", "solutions", "--seconds", "-1")
+    assert "--seconds must be positive and finite, got -1.0" in done.stderr
 
 
 @pytest.fixture

@@ -64,11 +64,12 @@ class FireworksShow:
         self.dropped = 0
 
     def launch(self, type):
-        if type not in self.rules:
-            raise ValueError(f"there is no rule for type {type!r}")
         self.light([(type, 1, None)])
 
     def light(self, births):
+        for type, count, _ in births:
+            if type not in self.rules or count < 0:
+                raise ValueError(f"cannot light {count!r} of type {type!r}")
         asked = sum(count for _, count, _ in births)
         burning = len(self.fireworks)
         room = self.capacity

@@ -33,9 +33,9 @@ You need Python 3.11 or newer and make; the first command sets up everything els
     make hint EX={example}   a nudge; N=2 shows the second hint too
     make plot           pictures of what your own functions do, under build/plots/
 {demo}
-Each chapter's README maps the book's sections to the functions that you write. Written questions
-are answered in `answers.md`. Hand in the folders under `chapters/` that you have edited: the files
-that the exercise table names are taken, so keep your own helpers in them.
+Each chapter's README maps the book's sections to the functions that you write. Written questions,
+where there are any, are answered in `answers.md`. Hand in the folders under `chapters/` that you
+have edited: the files that the exercise table names are taken, so keep your own helpers in them.
 """
 DEMO = "    make demo DEMO=...  a scene to play; its chapter's README names it\n"
 

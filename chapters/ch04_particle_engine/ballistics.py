@@ -6,7 +6,7 @@ MUZZLE. Angles are in radians.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ch02_vectors.vector import Vector3
@@ -83,6 +83,14 @@ def grenade_after(shot: Shot) -> list[Shot]:
     raise NotImplementedError("Exercise 4.1: A grenade")
 
 
+def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
+    """Return what is left of a shot that a frame has just moved on from ``start``.
+
+    Nothing, where it has hit a target on its way or is spent; of a grenade what grenade_after says.
+    """
+    raise NotImplementedError("Exercise B4.3: Shots in flight")
+
+
 class BallisticRange:
     """Shots in flight, in the order in which they were fired, and target blocks to hit."""
 
@@ -105,9 +113,9 @@ class BallisticRange:
     def update(self, duration: float) -> None:
         """Move everything on by a frame in s, and drop the shots that are spent (4.1.2).
 
-        First the targets move. Then each shot moves and gets older. Where there are targets, one
-        that hits one on its way (strike_first of targets.py) is gone, a grenade too. Of a grenade
-        there stays what grenade_after says, in its place; any other shot stays unless it is_spent.
+        First the targets move. Then each shot moves and gets older, and what_is_left of it takes
+        its place. What that wants to know is where the shot was before it moved: a copy, since
+        integrate moves the position itself.
 
         Raises ValueError where the duration is not positive and finite; nothing has moved then.
         """

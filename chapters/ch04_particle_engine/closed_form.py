@@ -22,9 +22,9 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     - gone = (1 - d^t) / k in s: how far a speed of 1 m/s carries,
     - fallen = (t - gone) / k in s^2: how far an acceleration of 1 m/s^2 carries.
 
-    As the damping goes to 1 they go to 1, t and t^2 / 2, and are right for a damping as near to 1
-    as a float can be, where the formulas would divide nothing by nothing. A damping of 0 stops
-    everything at once: 0, 0, 0, if any time passes.
+    As the damping goes to 1 they go to 1, t and t^2 / 2. They are right to 9 digits or more for a
+    damping as near to 1 as a float can be, where the formulas divide almost 0 by almost 0. A
+    damping of 0 stops everything at once: 0, 0, 0, if any time passes.
 
     Raises ValueError where the damping or the time is negative or not finite, OverflowError where a
     factor does not fit in a float.

@@ -6,7 +6,7 @@ import math
 
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
+from matplotlib.patches import Circle, Rectangle
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
@@ -18,7 +18,7 @@ from ch04_particle_engine.ballistics import (
     grenade_after,
 )
 from ch04_particle_engine.catherine_wheel import CatherineWheel
-from ch04_particle_engine.display import Display, click, is_over, tick
+from ch04_particle_engine.display import Display, click, find_rocket, is_over, tick
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, endless_types
 from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
@@ -90,7 +90,7 @@ class Ballistics:
         self.names = [name for name in SHOT_TYPES if name != "grenade" or can_throw()]
         self.orders = [order for order in self.ORDERS if order[1] in self.names]
         self.side, self.above = figure.subplots(2, 1, sharex=True)
-        self.side.set(xlim=(-2, 130), ylim=(-1, 31), ylabel="y, m")
+        self.side.set(xlim=(-2, 130), ylim=(-1, 36), ylabel="y, m")
         self.above.set(xlim=(-2, 130), ylim=(-14, 14), xlabel="z, m", ylabel="x, m")
         self.side.axhline(0.0, color=GREEN, lw=1)
         self.blocks = []
@@ -104,6 +104,9 @@ class Ballistics:
             for axes in (self.side, self.above)
             for type, color in SHOT_COLORS.items()
         }
+        for name in self.names:
+            self.side.plot([], [], ".", color=SHOT_COLORS[name], label=name)
+        self.side.legend(fontsize=7, ncols=5, loc="upper right")
         self.title = figure.suptitle("", fontsize=10)
 
     def update(self, duration: float) -> None:
@@ -127,8 +130,8 @@ class Ballistics:
             across = 1 if axes is self.side else 0
             line.set_data([p[2] for p in points], [p[across] for p in points])
         elevation = "its own" if self.elevation is None else f"{math.degrees(self.elevation):.0f}°"
-        moved = ", ".join(
-            f"{_mass(block)} {block.hits} hits, {block.particle.velocity.z:.1f} m/s"
+        moved = "; ".join(
+            f"{_mass(block)}: hits {block.hits}, {block.particle.velocity.z:.1f} m/s"
             for block in self.range.targets
         )
         self.title.set_text(
@@ -169,7 +172,7 @@ class Ballistics:
 class Fireworks:
     """A display to keep alive by clicking on its rockets (project 4.1), with a Catherine wheel."""
 
-    seconds = 14.0
+    seconds = 12.0
     keys = (
         "Click on a rocket, drawn larger, before it has burnt out: it bursts, and another one "
         "starts. 1 to 9 launch a firework, r starts anew."
@@ -180,6 +183,7 @@ class Fireworks:
         self.axes = figure.add_subplot(facecolor="black")
         self.axes.set(xlim=(-30, 30), ylim=(0, 32), aspect="equal", xlabel="x, m", ylabel="y, m")
         self.sparks = self.axes.add_collection(PolyCollection([]))
+        self.rim = self.axes.add_patch(Circle((0, 0), 0, fill=False, edgecolor=GREY))
         self.title = figure.suptitle("", fontsize=10)
         self.start()
 
@@ -190,6 +194,9 @@ class Fireworks:
         self.display = Display(FireworksShow(rules, capacity=400, seed=2))
         self.wheel = make_wheel(self.display.show, Vector3(-22, 10, 0))
         self.turns = can_turn()
+        self.plays = is_written(lambda: is_over(self.display)) and is_written(
+            lambda: find_rocket(self.display, 0.0, 0.0)
+        )
         self.endless = is_written(lambda: endless_types([])) and endless_types(rules)
         self.spins = is_written(
             lambda: screen_corners((0.0, 0.0), 1.0, screen_angle(0.0, 1.0, 0.0))
@@ -198,9 +205,16 @@ class Fireworks:
             self.display.show.launch(type)
 
     def update(self, duration: float) -> None:
-        if self.turns and not is_over(self.display):
+        if self.turns and not self.ended():
             self.wheel.update(duration)
-        tick(self.display, duration)
+        if self.plays:
+            tick(self.display, duration)
+        else:
+            self.display.show.update(duration)
+
+    def ended(self) -> bool:
+        """Say whether the game is over, where its rules are written."""
+        return self.plays and is_over(self.display)
 
     def draw(self) -> None:
         show = self.display.show
@@ -215,29 +229,36 @@ class Fireworks:
                 squares.append([(p.x - size, p.y), (p.x, p.y - size), (p.x + size, p.y)])
             colors.append(SPARK_COLORS[firework.type - 1])
         self.sparks.set(verts=squares, facecolor=colors)
-        state = "click on a rocket before it has burnt out"
-        if is_over(self.display):
+        self.rim.set(center=(self.wheel.center.x, self.wheel.center.y))
+        self.rim.set(radius=self.wheel.radius if self.turns else 0.0)
+        state = "click on a rocket before it has burnt out" if self.plays else "1 to 9 launch"
+        if self.ended():
             state = "the display has ended; r starts anew"
         elif self.endless:
             state = f"types {self.endless} light each other for ever, up to {show.capacity} sparks"
         self.title.set_text(
             f"score {self.display.score}, misses {self.display.misses}, {self.display.time:.1f} s "
-            f"alive, {len(show.fireworks)} burn, {show.dropped} found no slot\n{state}"
+            f"alive, {len(show.fireworks)} burn, {show.dropped} had no slot\n{state}"
         )
 
     def press(self, key: str) -> None:
         if key == "r":
             self.start()
-        elif key in "123456789" and not is_over(self.display):
+        elif key in "123456789" and not self.ended():
             self.display.show.launch(int(key))
 
     def click(self, axes: object, x: float, y: float) -> None:
         del axes  # there is only one
-        click(self.display, x, y)
+        if self.plays:
+            click(self.display, x, y)
 
     def play(self, time: float) -> None:
         """Click on each rocket late, but for the last seconds, in which the display goes dark."""
-        if time > self.seconds - 4.0:
+        if time > self.seconds - 3.0:
+            return
+        if not self.plays:
+            if round(time * 60.0) % 60 == 59:
+                self.display.show.launch(1 + round(time) % 2 * 5)
             return
         for firework in [*self.display.show.fireworks]:  # click adds to the show's own list
             if 0.0 < firework.age < 0.3 and firework.type in (1, 2, 6, 10):

@@ -67,4 +67,5 @@ def tick(display: Display, duration: float) -> None:
 
 
 def _rockets(display: Display) -> list[Firework]:
+    """Return the fireworks whose rule has payloads, with a fuse or without."""
     raise NotImplementedError("Exercise P4.1: Keep the display alive")

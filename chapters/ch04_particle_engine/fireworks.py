@@ -41,7 +41,8 @@ class FireworkRule:
     each component. ``damping`` is the share of the velocity that is kept per second.
 
     Raises ValueError where an age or the damping is negative, a number is not finite, a velocity
-    has not three components, or a smallest is above its largest.
+    has not three components, or a smallest is above its largest; TypeError for payloads that are no
+    tuple or list.
     """
 
     type: int
@@ -58,6 +59,10 @@ class FireworkRule:
         if not self.min_age <= finite("max_age", self.max_age):
             raise ValueError(
                 f"max_age must be min_age, {self.min_age!r}, or more, got {self.max_age!r}"
+            )
+        if not isinstance(self.payloads, (tuple, list)):
+            raise TypeError(
+                f"payloads must be a tuple of Payloads, got {self.payloads!r}: is a comma missing?"
             )
         for name in ("min_velocity", "max_velocity"):
             velocity = getattr(self, name)

@@ -72,10 +72,10 @@ def shots() -> Picture:
     paths.set(xlabel="z, m", ylabel="y, m", xlim=(0, 205))
     paths.grid(alpha=0.3)
     paths.legend(fontsize=8)
-    energies.set(xlabel="time, s", ylabel="energy kept, %", ylim=(0, 105))
+    energies.set(xlabel="time, s", ylabel="motion and height:\nenergy kept, %", ylim=(0, 105))
     energies.grid(alpha=0.3)
     energies.legend(fontsize=8)
-    found = f"the fireball {kept['fireball']:.0f} %"
+    found = f"the pistol {kept['pistol']:.0f} %, the fireball {kept['fireball']:.0f} %"
     if "grenade" in kept:
         found += f"; the grenade has {kept['grenade']:.0f} % before it bursts"
     paths.set_title(
@@ -89,7 +89,7 @@ def shots() -> Picture:
 def fireworks() -> Picture:
     """Every type of firework and the Catherine wheel, from one launch to the dark."""
     rules = [*FIREWORK_TYPES, *(own_types() if is_written(own_types) else [])]
-    figure, panels = pyplot.subplots(3, 4, figsize=(12, 9), layout="constrained")
+    figure, panels = pyplot.subplots(3, 4, figsize=(12, 7.4), layout="constrained")
     rows = []
     most = 0
     for rule, axes in zip(rules, panels.flat, strict=False):
@@ -101,10 +101,12 @@ def fireworks() -> Picture:
         counts = _streaks(axes, show, lambda: None)
         most = max(most, *counts)
         name = f"type {rule.type}" if lit == 1 else f"{lit} of type {rule.type}"
-        axes.set_title(f"{name}: at most {max(counts)}, {len(counts) * FRAME:.1f} s", fontsize=9)
+        axes.set_title(
+            f"{name}: at most {max(counts)} burn, {len(counts) * FRAME:.1f} s", fontsize=9
+        )
         rows += [(rule.type, (i + 1) * FRAME, count) for i, count in enumerate(counts)]
     show = FireworksShow([WHEEL_SPARK], capacity=400, seed=4)
-    wheel = make_wheel(show, Vector3(0, 14, 0))
+    wheel = make_wheel(show, Vector3(0, 12, 0))
     if can_turn():
         counts = _streaks(panels.flat[11], show, lambda: wheel.update(FRAME), frames=60)
         panels.flat[11].set_title(f"Catherine wheel: {wheel.thrown} sparks in 1 s", fontsize=9)
@@ -145,7 +147,7 @@ def step_error() -> Picture:
     axes.grid(alpha=0.3, which="both")
     axes.legend()
     axes.set_title(
-        "The step comes near the closed form as h to the power\n"
+        "The error of the step shrinks as h to the power\n"
         "{:.3f} (artillery) and {:.3f} (fireball)".format(*orders)
     )
     return Picture(figure, ("shot", "h, s", "error, m"), rows)
@@ -192,8 +194,9 @@ def _streaks(
             xs.append(x)
             ys.append(y)
     for type, (xs, ys) in seen.items():
-        axes.plot(xs, ys, ".", ms=1.2, color=SPARK_COLORS[type - 1])
-    axes.set(facecolor="black", xlim=(-16, 16), ylim=(0, 32), aspect="equal")
+        bursts = bool(show.rules[type].payloads)  # in grey, so that what it leaves stands out
+        axes.plot(xs, ys, ".", ms=1.2, color=GREY if bursts else SPARK_COLORS[type - 1])
+    axes.set(facecolor="black", xlim=(-16, 16), ylim=(0, 24), aspect="equal")
     axes.tick_params(labelsize=7)
     axes.set(xlabel="x, m", ylabel="y, m")
     return counts

@@ -7,7 +7,7 @@ MUZZLE. Angles are in radians.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ch02_vectors.vector import Vector3
@@ -96,6 +96,18 @@ def grenade_after(shot: Shot) -> list[Shot]:
     return [] if is_spent(shot) else [shot]
 
 
+def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
+    """Return what is left of a shot that a frame has just moved on from ``start``.
+
+    Nothing, where it has hit a target on its way or is spent; of a grenade what grenade_after says.
+    """
+    if targets and strike_first(start, shot.particle, targets):
+        return []
+    if shot.type == "grenade":
+        return grenade_after(shot)
+    return [] if is_spent(shot) else [shot]
+
+
 class BallisticRange:
     """Shots in flight, in the order in which they were fired, and target blocks to hit."""
 
@@ -131,9 +143,9 @@ class BallisticRange:
     def update(self, duration: float) -> None:
         """Move everything on by a frame in s, and drop the shots that are spent (4.1.2).
 
-        First the targets move. Then each shot moves and gets older. Where there are targets, one
-        that hits one on its way (strike_first of targets.py) is gone, a grenade too. Of a grenade
-        there stays what grenade_after says, in its place; any other shot stays unless it is_spent.
+        First the targets move. Then each shot moves and gets older, and what_is_left of it takes
+        its place. What that wants to know is where the shot was before it moved: a copy, since
+        integrate moves the position itself.
 
         Raises ValueError where the duration is not positive and finite; nothing has moved then.
         """
@@ -145,10 +157,5 @@ class BallisticRange:
             start = shot.particle.position.copy()
             shot.particle.integrate(duration)
             shot.age += duration
-            if self.targets and strike_first(start, shot.particle, self.targets):
-                continue
-            if shot.type == "grenade":
-                flying += grenade_after(shot)
-            elif not is_spent(shot):
-                flying.append(shot)
+            flying += what_is_left(shot, start, self.targets)
         self.shots = flying

@@ -83,5 +83,6 @@ def tick(display: Display, duration: float) -> None:
 
 
 def _rockets(display: Display) -> list[Firework]:
+    """Return the fireworks whose rule has payloads, with a fuse or without."""
     rules = display.show.rules
     return [firework for firework in display.show.fireworks if rules[firework.type].payloads]

@@ -5,11 +5,14 @@ Each function takes and returns plain numbers.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from random import Random
+from typing import Any
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine import closed_form, fireworks
 from ch04_particle_engine.ballistics import BallisticRange
 from ch04_particle_engine.catherine_wheel import CatherineWheel
 from ch04_particle_engine.closed_form import burst_positions
@@ -162,12 +165,30 @@ def births_after(first: RuleData, second: RuleData, when_full: str) -> list[tupl
 
 def many_births(
     first: RuleData, second: RuleData, capacity: int, when_full: str, births: int, count: int
-) -> tuple[list[int], int]:
-    """Light as many births of types 1 and 2, half of each; return how many burn and dropped."""
+) -> tuple[list[int], int, int]:
+    """Light births of types 1 and 2, half of each; return how many burn, are dropped and made."""
     show = show_of([first, second], capacity, when_full, 1)
-    show.light([(1 if i < births // 2 else 2, count, None) for i in range(births)])
+    with counted(fireworks, "make_firework") as made:
+        show.light([(1 if i < births // 2 else 2, count, None) for i in range(births)])
     types = [firework.type for firework in show.fireworks]
-    return [types.count(1), types.count(2)], show.dropped
+    return [types.count(1), types.count(2)], show.dropped, len(made)
+
+
+@contextmanager
+def counted(module: Any, name: str) -> Iterator[list[None]]:
+    """Let a list grow by one whenever code of a module calls a function of it by its name."""
+    function = getattr(module, name)
+    calls: list[None] = []
+
+    def counting(*arguments: Any, **named: Any) -> Any:
+        calls.append(None)
+        return function(*arguments, **named)
+
+    setattr(module, name, counting)
+    try:
+        yield calls
+    finally:
+        setattr(module, name, function)
 
 
 def sparks(
@@ -277,3 +298,12 @@ def speeds_after(
     """Ask for the positions of a burst and return the speeds that were given, as they are then."""
     burst_positions(start, speeds, acceleration, damping, time)
     return speeds
+
+
+def calls_of_drag_factors(
+    start: float, speeds: list[float], acceleration: float, damping: float, time: float
+) -> tuple[list[float], int]:
+    """Return the positions of a burst, and how often drag_factors was called for them."""
+    with counted(closed_form, "drag_factors") as calls:
+        positions = closed_form.burst_positions(start, speeds, acceleration, damping, time)
+    return [*positions], len(calls)

@@ -132,7 +132,10 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
 @pytest.mark.exercise("B4.2")
 def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> None:
     azimuth = round(rng.uniform(0.3, 1.2), 3)
-    cause = "without an elevation the shot has that of its type's velocity, 30 up and 40 along"
+    cause = (
+        "the azimuth counts, whether or not there is an elevation; without one the shot has that "
+        "of its type's velocity, such as 30 up and 40 along"
+    )
     read = "the docstring of fire"
     for name, up, along in (("artillery", 30.0, 40.0), ("pistol", 0.0, 35.0)):
         call = f'r.fire("{name}", azimuth={azimuth}); r.shots[-1].particle.velocity'

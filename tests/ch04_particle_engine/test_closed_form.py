@@ -46,7 +46,7 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         (1.5, round(rng.uniform(1.0, 3.0), 3)),  # above 1 it gains speed, by the same formula
         (0.9999, 3000.0),  # what counts as small is k t, not k
     ):
-        call = f"drag_factors({damping}, {time})"
+        call = f"kept, gone and fallen of drag_factors({damping}, {time})"
         k = -math.log(damping)
         gone = -math.expm1(-k * time) / k
         wanted = (math.exp(-k * time), gone, (time - gone) / k)
@@ -66,7 +66,7 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
         (0.5, 0.0, (1.0, 0.0, 0.0), "no time, no change"),
         (0.0, 0.0, (1.0, 0.0, 0.0), "no time, no change, whatever the damping"),
     ):
-        call = f"drag_factors({damping}, {t})"
+        call = f"kept, gone and fallen of drag_factors({damping}, {t})"
         got = closed_form.drag_factors(damping, t)
         expect_close(call, got, wanted, cause=cause, read=read)
 
@@ -81,7 +81,7 @@ def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> N
     read = FACTORS
     for damping in (1.0 - away, 1.0 + away):
         t = round(rng.uniform(1.0, 9.0), 3)
-        call = f"drag_factors({damping!r}, {t})"
+        call = f"kept, gone and fallen of drag_factors({damping!r}, {t})"
         got = closed_form.drag_factors(damping, t)
         # A series that is cut early, or that begins elsewhere, may be as far off as 1e-9.
         wanted = by_series(damping, t)
@@ -95,11 +95,11 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
     read = FACTORS
     damping = round(rng.uniform(0.3, 0.9), 3)
     for t in (1.0 / 60.0, 1e-6):
-        call = f"drag_factors({damping}, {t})"
+        call = f"kept, gone and fallen of drag_factors({damping}, {t})"
         wanted = by_series(damping, t)
         got = closed_form.drag_factors(damping, t)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
-        name = f"{call}[2] / t^2"
+        name = f"drag_factors({damping}, {t})[2] / t^2"
         share = got[2] / (t * t)
         expect_close(name, share, wanted[2] / (t * t), cause=cause, read=read, tolerance=1e-8)
 
@@ -183,7 +183,7 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
 def test_the_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5)
-    call = f"{words}; position, velocity = state_after(p, t)"
+    call = f"{words}; position, velocity = state_after(p, t); position.x = velocity.x = 99"
     cause = "return new vectors: the state of the particle is still needed"
     read = STATE
     for t in (2.0, 0.0):
@@ -205,6 +205,7 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     expect_close(f"{call}; position", xyz(position), x, cause=cause, read=read)
     expect_close(f"{call}; velocity", xyz(velocity), v, cause=cause, read=read)
     position.x = velocity.x = 99.0
+    call += "; position.x = velocity.x = 99"
     cause = "return new vectors"
     expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
     expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
@@ -265,6 +266,18 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     got = closed_form.burst_positions(start, speeds, a, damping, t)
     wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B4.9")
+def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
+    call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
+    cause = "the factors do not depend on the speed: call drag_factors before the loop"
+    read = BURST
+    positions, calls = probes.calls_of_drag_factors(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
+    expect_close(f"{call} beyond one", max(0, calls - 1), 0, cause=cause, read=read)
+    cause = "50 sparks have 50 positions"
+    name = "burst_positions(1, [2.0] * 50, -10, 0.5, 1), how many"
+    expect_close(name, len(positions), 50, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B4.9")

@@ -193,7 +193,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         ((spark, spark), 0, True, "sparks alone do not keep the display alive"),
         ((), 0, True, "nothing burns"),
     ):
-        call = f"fireworks of types {[type for type, *_ in lit]}, {misses} misses; is_over(display)"
+        call = f"fireworks of types {[type for type, *_ in lit]}, of which only 1 has a payload; "
+        call += f"{misses} misses; is_over(display)"
         a_game = game(*lit)
         a_game.misses = misses
         expect_exactly(call, display.is_over(a_game), over, cause=cause, read=read)

@@ -278,10 +278,16 @@ def test_births_have_their_own_parents(rng: Random) -> None:
 @pytest.mark.exercise("B4.5")
 @pytest.mark.parametrize("when_full", ["keep_old", "drop_oldest"])
 def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str) -> None:
-    call = f'capacity 2000, "{when_full}"; show.light() of 1000 births, each of 10**9'
-    cause = "work out how many have room before any is made: a call never makes more than 2000"
+    call = f'capacity 2000, "{when_full}"; show.light() of 1000 births of 50 each; fireworks made'
+    cause = (
+        "work out how many have room before any is made, and of which births: what would be put "
+        "out at once is not made at all"
+    )
     read = "the docstring of light"
-    lit, dropped = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 10**9)
+    _, _, made = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 50)
+    expect_exactly(f"{call}, beyond 2000", max(0, made - 2000), 0, cause=cause, read=read)
+    call = f'capacity 2000, "{when_full}"; show.light() of 1000 births, each of 10**9'
+    lit, dropped, _ = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 10**9)
     wanted = [2000, 0] if when_full == "keep_old" else [0, 2000]
     name = f"{call}, the first of type 1 and the last of type 2; how many burn of types 1 and 2"
     expect_exactly(name, lit, wanted, cause=cause, read=read)

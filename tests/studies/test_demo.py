@@ -63,10 +63,11 @@ def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Pa
 
 
 def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
-    """Without grenades, targets, own types, a wheel and turning sparks there is enough to see."""
+    """Without grenades, targets, own types, wheel, turns and game there is enough to see."""
     shutil.copytree(ROOT / "solutions", tmp_path / "engine")
     stubs = make_stubs()
-    for module in ("grenade", "targets", "firework_types", "catherine_wheel", "screen_rotation"):
+    missing = ("grenade", "targets", "firework_types", "catherine_wheel", "screen_rotation")
+    for module in (*missing, "display"):
         path = f"ch04_particle_engine/{module}.py"
         (tmp_path / "engine" / path).write_text(stubs[f"chapters/{path}"], encoding="utf-8")
     for name in NAMES:

@@ -36,7 +36,7 @@ from studies.drawing import (
     is_written,
 )
 
-SHOT_COLORS = {
+SHOT_COLORS = dict.fromkeys(SHOT_TYPES, PINK) | {  # a shot of your own is pink
     "pistol": BLACK,
     "artillery": GREEN,
     "fireball": ORANGE,
@@ -227,7 +227,7 @@ class Fireworks:
                 squares.append(screen_corners((p.x, p.y), size, angle))
             else:
                 squares.append([(p.x - size, p.y), (p.x, p.y - size), (p.x + size, p.y)])
-            colors.append(SPARK_COLORS[firework.type - 1])
+            colors.append(SPARK_COLORS[(firework.type - 1) % len(SPARK_COLORS)])
         self.sparks.set(verts=squares, facecolor=colors)
         self.rim.set(center=(self.wheel.center.x, self.wheel.center.y))
         self.rim.set(radius=self.wheel.radius if self.turns else 0.0)

@@ -194,8 +194,9 @@ def _streaks(
             xs.append(x)
             ys.append(y)
     for type, (xs, ys) in seen.items():
+        color = SPARK_COLORS[(type - 1) % len(SPARK_COLORS)]
         bursts = bool(show.rules[type].payloads)  # in grey, so that what it leaves stands out
-        axes.plot(xs, ys, ".", ms=1.2, color=GREY if bursts else SPARK_COLORS[type - 1])
+        axes.plot(xs, ys, ".", ms=1.2, color=GREY if bursts else color)
     axes.set(facecolor="black", xlim=(-16, 16), ylim=(0, 24), aspect="equal")
     axes.tick_params(labelsize=7)
     axes.set(xlabel="x, m", ylabel="y, m")

@@ -108,6 +108,7 @@ def test_a_demo_that_is_not_there_is_a_clear_sentence() -> None:
 @pytest.fixture
 def window(monkeypatch: pytest.MonkeyPatch) -> Any:
     """Return a function that plays a demo in a window, in which these events happen."""
+    pyplot.switch_backend("Agg")  # whether or not there is a display
 
     def played(name: str, *events: tuple[Any, ...]) -> Any:
         figure = pyplot.figure(figsize=(8, 5), layout="constrained")

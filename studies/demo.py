@@ -24,7 +24,7 @@ from matplotlib.figure import Figure
 from rich.progress import track
 
 from autograder.manifest import ROOT, load_chapters
-from studies.plot import reason, shown
+from studies.plot import reason, shown, use_engine
 
 FRAME = 1.0 / 60.0
 STEPS_A_PICTURE = 3  # 20 pictures a second: the format counts in hundredths
@@ -69,9 +69,7 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:
         parser.error(f"--seconds must be positive and finite, got {options.seconds!r}")
-    if not (ROOT / options.engine).is_dir():
-        parser.error(f"--engine must be a folder of chapters, got {options.engine!r}")
-    sys.path[:0] = [str(ROOT / options.engine), str(ROOT / "chapters")]
+    use_engine(parser, options.engine)
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
     demos = find_demos()
     if options.name not in demos:

@@ -30,9 +30,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--engine", default="chapters", help="the folder to draw with")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "plots")
     options = parser.parse_args(arguments)
-    if not (ROOT / options.engine).is_dir():
-        parser.error(f"--engine must be a folder of chapters, got {options.engine!r}")
-    sys.path[:0] = [str(ROOT / options.engine), str(ROOT / "chapters")]
+    use_engine(parser, options.engine)
     try:
         chapters = select_chapters(options.chapter)
     except ValueError as error:
@@ -41,6 +39,13 @@ def main(arguments: list[str]) -> int:
     if pyplot.get_backend().lower() != "agg":  # matplotlib found a display to open windows on
         pyplot.show()
     return 0 if all(drawn) else 1
+
+
+def use_engine(parser: argparse.ArgumentParser, engine: str) -> None:
+    """Put a folder of chapters over the stubs; a parser's error where there is no such folder."""
+    if not (ROOT / engine).is_dir():
+        parser.error(f"--engine must be a folder of chapters, got {engine!r}")
+    sys.path[:0] = [str(ROOT / engine), str(ROOT / "chapters")]
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:

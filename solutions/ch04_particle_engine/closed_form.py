@@ -50,9 +50,10 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
         term *= -k * time / n
     share = total * time  # of the time: fallen / t
     gone = time * (1.0 - k * share)
-    if math.isinf(share * time):
+    fallen = share * time
+    if math.isinf(fallen):
         raise OverflowError(f"fallen does not fit in a float for the time {time!r}")
-    return 1.0 - k * gone, gone, share * time
+    return 1.0 - k * gone, gone, fallen
 
 
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:

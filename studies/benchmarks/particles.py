@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import random
-import timeit
-from collections.abc import Callable
 
 from ch03_laws_of_motion.particle import Particle
 from studies.scenes import DAMPED_FALL, PROJECTILE, Numbers, make_particle, make_space
-from studies.timing import Line, Timer, ratio
+from studies.timing import Line, ratio, timer
 
 FRAME = 1.0 / 60.0
 STEPS = 10_000
@@ -19,19 +17,19 @@ def lines() -> list[Line]:
     """Return every line about particles."""
     even = [FRAME] * STEPS
     uneven = [FRAME * random.uniform(0.8, 1.2) for _ in even]
-    step = _timer(lambda: steps(make_particle(PROJECTILE), even))
-    uneven_step = _timer(lambda: steps(make_particle(PROJECTILE), uneven))
-    operators = _timer(lambda: operator_steps(make_particle(PROJECTILE), even))
-    in_place = _timer(lambda: in_place_steps(make_particle(PROJECTILE), even))
+    step = timer(lambda: steps(make_particle(PROJECTILE), even))
+    uneven_step = timer(lambda: steps(make_particle(PROJECTILE), uneven))
+    operators = timer(lambda: operator_steps(make_particle(PROJECTILE), even))
+    in_place = timer(lambda: in_place_steps(make_particle(PROJECTILE), even))
     measured = [
         Line(
             "Particle.integrate / its own arithmetic in local variables",
-            *ratio(step, _timer(lambda: arithmetic(even)), ROUNDS, "arithmetic"),
+            *ratio(step, timer(lambda: arithmetic(even)), ROUNDS, "arithmetic"),
             "at most 1.6; 2.0 on 3.13",
         ),
         Line(
             "the same, in frames of random length",
-            *ratio(uneven_step, _timer(lambda: arithmetic(uneven)), ROUNDS, "uneven frames"),
+            *ratio(uneven_step, timer(lambda: arithmetic(uneven)), ROUNDS, "uneven frames"),
             "",
         ),
         Line(
@@ -78,7 +76,7 @@ def _against_pymunk(bodies: int, *, read: bool) -> Line:
 
     many = "1 body" if bodies == 1 else f"{bodies} bodies"
     what = "step and read every position" if read else "step only"
-    measured = ratio(_timer(theirs), _timer(ours), ROUNDS, f"pymunk, {many}")
+    measured = ratio(timer(theirs), timer(ours), ROUNDS, f"pymunk, {many}")
     target = "at least 1.8" if read else ""
     if not read and bodies > 1:
         target = "pymunk wins below 1"
@@ -126,7 +124,3 @@ def arithmetic(frames: list[float]) -> Numbers:
         vy = (vy + ay * frame) * keep
         vz = (vz + az * frame) * keep
     return x, y, z
-
-
-def _timer(run: Callable[[], object]) -> Timer:
-    return lambda: timeit.timeit(run, number=1)

@@ -5,15 +5,12 @@ Both end with lists of coordinates, as a screen wants them.
 
 from __future__ import annotations
 
-import timeit
-from collections.abc import Callable
-
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.closed_form import burst_positions, state_after
 from ch04_particle_engine.fireworks import GRAVITY, FireworkRule, FireworksShow
 from studies.benchmarks.particles import steps
-from studies.timing import Line, Timer, ratio
+from studies.timing import Line, ratio, timer
 
 FRAME = 1.0 / 60.0
 SPARKS = 1000
@@ -62,7 +59,7 @@ def lines() -> list[Line]:
             "",
         ),
     ):
-        timers = (_timer(stepped, times), _timer(closed, times))
+        timers = (timer(stepped, times), timer(closed, times))
         measured.append(Line(what, *ratio(*timers, ROUNDS, what), target))
     return measured
 
@@ -95,7 +92,3 @@ def positions(speeds: list[list[float]], time: float, axes: str) -> list[list[fl
         burst_positions(START[axis], speeds[axis], GRAVITY[axis], DAMPING, time)
         for axis in range(len(axes))
     ]
-
-
-def _timer(run: Callable[[], object], times: int) -> Timer:
-    return lambda: timeit.timeit(run, number=times)

@@ -121,14 +121,26 @@ def _messages(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Return the functions that only the bodies taken out use, with the message of the first."""
+    """Return the functions that only the bodies taken out use, with the message of the first.
+
+    One that says what others must have, as in a Protocol, has no body to take out.
+    """
     return {
         name: message
         for name in defined.keys() - messages.keys()
+        if not _is_declaration(defined[name])
         for user, message in reversed(messages.items())
         if (short := name.rpartition(".")[2]) in gone
         and short in _used_names(ast.unparse(defined[user]))
     }
+
+
+def _is_declaration(function: ast.FunctionDef) -> bool:
+    """Say whether a function is a docstring, or an ellipsis, and no more."""
+    return all(
+        isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
+        for statement in function.body
+    )
 
 
 def _used_names(source: str) -> set[str]:

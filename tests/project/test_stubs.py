@@ -26,6 +26,7 @@ from os.path import (
     basename,
     join,
 )
+from typing import Protocol
 
 LIMIT = 3.0
 SIDES = 4.0
@@ -58,9 +59,16 @@ def throw() -> str:
     return basename(str(random.random()))
 
 
+class Solid(Protocol):
+    """What the answer alone asks for."""
+
+    def weight(self) -> float:
+        """Return the weight."""
+
+
 def _cube(x: float) -> float:
     """Return x^3."""
-    join("a", "b")
+    join("a", "b").weight()
     return x * x * x
 '''
 
@@ -98,6 +106,7 @@ def test_bodies_helpers_imports_and_constants_of_the_answer_go_and_the_rest_stay
 
 import random
 from os.path import basename
+from typing import Protocol
 
 LIMIT = 3.0
 SIDES = 4.0
@@ -126,6 +135,13 @@ class Ball:
 
 def throw() -> str:
     return basename(str(random.random()))
+
+
+class Solid(Protocol):
+    """What the answer alone asks for."""
+
+    def weight(self) -> float:
+        """Return the weight."""
 
 
 def _cube(x: float) -> float:

@@ -1,0 +1,137 @@
+"""A sniper range (project 4.2): targets of one size, and a wind that changes between the shots.
+
+The rules need no screen. Z points down the range, Y up and X to the left of one who looks along Z.
+A shot is aimed by two angles in radians: azimuth from Z towards X, elevation above the level.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from random import Random
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.arguments import not_negative
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+
+MUZZLE = (0.0, 1.5, 0.0)  # m
+MUZZLE_SPEED = 120.0  # m/s: slow enough to be seen, as in chapter 4
+SWING = 0.2  # rad, how far the rifle turns to each side, up and down
+BULLET_MASS = 1.0  # kg
+GRAVITY = (0.0, -2.0, 0.0)  # m/s^2, as slow as the bullet
+K1, K2 = 0.02, 0.0003  # N s/m and N s^2/m^2, the drag of the bullet
+END_OF_RANGE = 210.0  # m along Z
+STRONGEST_WIND = 10.0  # m/s along X and along Z, to either side
+SHOTS = 10
+
+
+@dataclass(frozen=True)
+class Target:
+    """A disc that faces the rifle: its middle in m, and a factor for the points of its rings."""
+
+    x: float
+    y: float
+    distance: float
+    factor: int
+
+
+TARGETS = (
+    Target(-1.5, 1.5, 50.0, 1),
+    Target(-0.5, 1.5, 100.0, 2),
+    Target(2.0, 1.5, 150.0, 3),
+    Target(5.0, 1.5, 200.0, 4),
+)
+RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # radius in m and points, from the innermost
+
+
+@dataclass(frozen=True)
+class Hole:
+    """Where a target was hit, in m from its middle, and the points that it brought."""
+
+    target: Target
+    x: float
+    y: float
+    points: int
+
+
+class Wind:
+    """A force generator: the drag of Eq. 5.1 in air that moves with ``velocity``, in m/s."""
+
+    def __init__(self, k1: float, k2: float) -> None:
+        self.k1 = not_negative("k1", k1)
+        self.k2 = not_negative("k2", k2)
+        self.velocity = Vector3()
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Project 4.2: add the drag_force at the particle's velocity relative to the air.
+
+        What moves with the air feels nothing; in still air this is Drag.
+        """
+        raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
+
+
+class SniperRange:
+    """A round of SHOTS shots: what is in flight, the wind, the holes and the score."""
+
+    def __init__(self, seed: int) -> None:
+        self.random = Random(seed)
+        self.wind = Wind(K1, K2)
+        self.forces = ForceRegistry()
+        self.bullet: Particle | None = None
+        self.shots_left = SHOTS
+        self.score = 0
+        self.holes: list[Hole] = []
+        self.change_wind()
+
+    def is_over(self) -> bool:
+        """Say whether the last shot has been fired and has landed."""
+        return self.shots_left == 0 and self.bullet is None
+
+    def change_wind(self) -> None:
+        """Project 4.2: let the wind blow anew, level, as self.random draws it.
+
+        Its parts along X and along Z are drawn each from -STRONGEST_WIND to STRONGEST_WIND.
+        """
+        raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
+
+    def shoot(self, azimuth: float, elevation: float) -> bool:
+        """Project 4.2: fire a bullet, and say whether one was fired.
+
+        None is while one is in flight, or when no shots are left. The bullet starts at MUZZLE with
+        MUZZLE_SPEED; gravity is its acceleration, and the wind acts on it by self.forces. A shot is
+        taken off shots_left.
+
+        Raises ValueError where an angle is beyond SWING to either side, or not finite; nothing is
+        fired then.
+        """
+        raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
+
+    def update(self, duration: float) -> None:
+        """Project 4.2: let a frame in s pass for the bullet in flight, if there is one.
+
+        The forces are added up, the bullet moves, and a target that it has passed through on its
+        way is hit: hit_on_the_way tells. That adds the hole to holes and its points to the score.
+        The shot has landed when it has hit, when the bullet is below the ground (y < 0) or past
+        END_OF_RANGE in z. Then nothing acts on the bullet any more, there is none, and the wind
+        changes.
+
+        Raises ValueError where the duration is not positive and finite; nothing has moved then.
+        """
+        raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
+
+
+def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
+    """Project 4.2: return the first hole that the straight way from start to end makes, or None.
+
+    The way passes a target's plane where start.z < distance <= end.z. There it makes a hole in the
+    target if that brings any points.
+    """
+    raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
+
+
+def ring_points(x: float, y: float) -> int:
+    """Project 4.2: return the points of the smallest of the RINGS in which a point lies, or 0.
+
+    The point is in m from the middle of a target. One on the edge of a ring lies in it.
+    """
+    raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")

@@ -1,0 +1,227 @@
+"""What must run beside the student's code: loops of steps, and generators that keep a record.
+
+Each function takes and returns plain numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from random import Random
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import (
+    Airbrake,
+    Drag,
+    ForceRegistry,
+    Gravity,
+    InverseSquareGravity,
+)
+from ch05_forces.particle import Particle
+from ch05_forces.sniper import SniperRange
+
+Components = tuple[float, float, float]
+State = tuple[Components, Components]
+Call = tuple[int, int, float]
+
+
+def xyz(v: Vector3) -> Components:
+    return v.x, v.y, v.z
+
+
+def state_of(particle: Particle) -> State:
+    return xyz(particle.position), xyz(particle.velocity)
+
+
+def pushed(force: Components, mass: float, damping: float, duration: float, frames: int) -> State:
+    """Push a particle from rest at the origin, by the same force in every frame."""
+    particle = Particle(mass=mass, damping=damping)
+    for _ in range(frames):
+        particle.add_force(Vector3(*force))
+        particle.integrate(duration)
+    return state_of(particle)
+
+
+class Recorder:
+    """A generator that writes down whom it was asked for. To == they are all alike."""
+
+    def __init__(self, index: int, calls: list[Call], particles: Sequence[Particle]) -> None:
+        self.index = index
+        self.calls = calls
+        self.particles = particles
+
+    def __eq__(self, other: object) -> bool:
+        return True
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        (index,) = [i for i, known in enumerate(self.particles) if known is particle]
+        self.calls.append((index, self.index, duration))
+
+
+def asked(immovable: Sequence[int], acts: Sequence[tuple]) -> list[Call]:
+    """Do to a registry of three particles and three generators what ``acts`` say.
+
+    They are ("add", 0, 2), ("remove", 0, 2), ("clear",), ("update", 0.5) and ("free", 0), which
+    makes a particle movable. Return each call of update_force: its particle, its generator and its
+    duration.
+    """
+    calls: list[Call] = []
+    particles = [Particle(mass=2.0) for _ in range(3)]
+    recorders = [Recorder(i, calls, particles) for i in range(3)]
+    for i in immovable:
+        particles[i].inverse_mass = 0.0
+    registry = ForceRegistry()
+    for name, *numbers in acts:
+        if name in ("add", "remove"):
+            particle, generator = numbers
+            getattr(registry, name)(particles[particle], recorders[generator])
+        elif name == "clear":
+            registry.clear()
+        elif name == "update":
+            registry.update_forces(*numbers)
+        else:
+            particles[numbers[0]].inverse_mass = 1.0
+    return calls
+
+
+def asked_while_it_changes(what: str) -> list[int]:
+    """Let the first of three generators add or remove itself when it is asked; update twice.
+
+    Return how many calls each update made.
+    """
+    counts = [0]
+    particle = Particle()
+    registry = ForceRegistry()
+
+    class Counter:
+        def update_force(self, particle: Particle, duration: float) -> None:
+            counts[-1] += 1
+
+    class Changing(Counter):
+        def update_force(self, particle: Particle, duration: float) -> None:
+            super().update_force(particle, duration)
+            getattr(registry, what)(particle, self)
+
+    for generator in (Changing(), Counter(), Counter()):
+        registry.add(particle, generator)
+    registry.update_forces(0.5)
+    counts.append(0)
+    registry.update_forces(0.5)
+    return counts
+
+
+def fall(
+    gravity: Components, mass: float, damping: float, duration: float, frames: int
+) -> tuple[State, State]:
+    """Let two particles fall from rest: by the generator, and by the constant acceleration."""
+    by_force = Particle(mass=mass, damping=damping)
+    built_in = Particle(acceleration=Vector3(*gravity), mass=mass, damping=damping)
+    generator = Gravity(Vector3(*gravity))
+    for _ in range(frames):
+        generator.update_force(by_force, duration)
+        by_force.integrate(duration)
+        built_in.integrate(duration)
+    return state_of(by_force), state_of(built_in)
+
+
+def with_drag(
+    velocity: Components,
+    k1: float,
+    k2: float,
+    mass: float,
+    duration: float,
+    frames: int,
+    gravity: float = 0.0,
+) -> State:
+    """Move a particle from the origin under drag, and under gravity along -Y as acceleration."""
+    particle = Particle(
+        velocity=Vector3(*velocity), acceleration=Vector3(0.0, -gravity, 0.0), mass=mass
+    )
+    drag = Drag(k1, k2)
+    for _ in range(frames):
+        drag.update_force(particle, duration)
+        particle.integrate(duration)
+    return state_of(particle)
+
+
+def braked(seed: int, tries: int) -> list[float]:
+    """Brake particles in one frame each, with a k above m / h; return what is left of each speed.
+
+    It is a share of what it was. Each moves along X, with another k, mass, speed and h.
+    """
+    rng = Random(seed)
+    shares = []
+    for _ in range(tries):
+        mass, duration = 10.0 ** rng.uniform(-3.0, 3.0), 10.0 ** rng.uniform(-4.0, 1.0)
+        speed = rng.choice((-1.0, 1.0)) * 10.0 ** rng.uniform(-6.0, 6.0)
+        particle = Particle(velocity=Vector3(speed), mass=mass)
+        brake = Airbrake(mass / duration * 10.0 ** rng.uniform(0.01, 9.0))
+        brake.on = True
+        brake.update_force(particle, duration)
+        particle.integrate(duration)
+        shares.append(particle.velocity.x / speed)
+    return shares
+
+
+def orbit(
+    start: State, mu: float, mass: float, duration: float, frames: int, center: Components
+) -> State:
+    """Move a particle under inverse square gravity; return its state relative to the center."""
+    position = Vector3(*center) + Vector3(*start[0])
+    particle = Particle(position, Vector3(*start[1]), mass=mass)
+    gravity = InverseSquareGravity(Vector3(*center), mu)
+    for _ in range(frames):
+        gravity.update_force(particle, duration)
+        particle.integrate(duration)
+    return xyz(particle.position - Vector3(*center)), xyz(particle.velocity)
+
+
+def winds(seeds: Sequence[int], changes: int) -> list[list[Components]]:
+    """Let the wind of ranges with these seeds change in turn; return the winds of each."""
+    ranges = [SniperRange(seed) for seed in seeds]
+    seen = [[xyz(one.wind.velocity)] for one in ranges]
+    for _ in range(changes):
+        for one, blown in zip(ranges, seen, strict=True):
+            one.change_wind()
+            blown.append(xyz(one.wind.velocity))
+    return seen
+
+
+def play(
+    aims: Sequence[tuple[float, float]],
+    duration: float,
+    *,
+    wind: Components | None = None,
+    k1: float = 0.0,
+    k2: float = 0.0,
+    seed: int = 1,
+) -> dict[str, Any]:
+    """Fire at these azimuths and elevations, one after the other; each lands within 8 seconds.
+
+    The air that the first shot meets moves with ``wind``, where one is given. Return what came of
+    it: the position of the bullet after each frame after which it was still in flight, the wind
+    after each frame, the holes as (distance of the target, x, y, points), score and shots left.
+    """
+    at = SniperRange(seed)
+    at.wind.k1, at.wind.k2 = k1, k2
+    if wind is not None:
+        at.wind.velocity = Vector3(*wind)
+    positions, blown = [], []
+    for azimuth, elevation in aims:
+        at.shoot(azimuth, elevation)
+        for _ in range(round(8.0 / duration)):
+            at.update(duration)
+            blown.append(xyz(at.wind.velocity))
+            if at.bullet is None:
+                break
+            positions.append(xyz(at.bullet.position))
+    holes = [(hole.target.distance, hole.x, hole.y, hole.points) for hole in at.holes]
+    return {
+        "positions": positions,
+        "winds": blown,
+        "holes": holes,
+        "score": at.score,
+        "shots_left": at.shots_left,
+    }

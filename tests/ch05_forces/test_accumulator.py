@@ -1,0 +1,184 @@
+"""The force accumulator, build task B5.1."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from draw import components
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+# The sum of four components below 10, in whatever order, is off by a few roundings of 40.
+ROUNDED = 1e-13
+
+
+@pytest.mark.exercise("B5.1")
+def test_forces_add_up(rng: Random) -> None:
+    forces = [components(rng) for _ in range(4)]
+    call = "p = Particle(mass=4.0)"
+    cause = "each force is added to the sum, component by component; the mass does not matter here"
+    read = "book 5.1.1"
+    p = Particle(mass=4.0)
+    total = [0.0, 0.0, 0.0]
+    for force in forces:
+        call += f"; p.add_force(Vector3{force})"
+        p.add_force(Vector3(*force))
+        total = [total[i] + force[i] for i in range(3)]
+        name = f"{call}; p.force_accumulator"
+        got = xyz(p.force_accumulator)
+        expect_close(name, got, total, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.1")
+def test_without_forces_the_sum_is_zero(rng: Random) -> None:
+    force = components(rng)
+    opposite = (-force[0], -force[1], -force[2])
+    read = "the docstring of force_accumulator"
+    cause = "where no force was added the sum is Vector3(0, 0, 0), and not None"
+    call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator"
+    p = Particle(acceleration=Vector3(0, -10, 0))
+    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
+    call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
+    cause = "two forces that cancel add up to zero"
+    p.add_force(Vector3(*force))
+    first = xyz(p.force_accumulator)
+    p.add_force(Vector3(*opposite))
+    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
+    call = f"p.add_force(Vector3{force}); p.force_accumulator"
+    cause = "the sum after the first force is that force"
+    expect_close(call, first, force, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.1")
+def test_a_force_is_only_read(rng: Random) -> None:
+    first, second = components(rng), components(rng)
+    call = f"f = Vector3{first}; p.add_force(f)"
+    cause = "keep the numbers of the force and not the vector itself, which others may change"
+    read = "the docstring of add_force"
+    p, f = Particle(), Vector3(*first)
+    p.add_force(f)
+    f.x = 99.0
+    name = f"{call}; f.x = 99.0; p.force_accumulator"
+    expect_close(name, xyz(p.force_accumulator), first, cause=cause, read=read)
+    call = f"f = Vector3{first}; p.add_force(f); p.add_force(Vector3{second})"
+    p, f = Particle(), Vector3(*first)
+    p.add_force(f)
+    p.add_force(Vector3(*second))
+    expect_unchanged(call, "f", xyz(f), first, cause=cause, read=read)
+    wanted = tuple(first[i] + second[i] for i in range(3))
+    name = f"{call}; p.force_accumulator"
+    got = xyz(p.force_accumulator)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.1")
+def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
+    force = components(rng)
+    call = f"p.add_force(Vector3{force}); total = p.force_accumulator; total.x = 99.0"
+    cause = "what comes back is new: changing it changes nothing in the particle"
+    read = "the docstring of force_accumulator"
+    p = Particle()
+    p.add_force(Vector3(*force))
+    total = p.force_accumulator
+    expect_close("p.force_accumulator", xyz(total), force, cause="the sum so far", read=read)
+    total.x = 99.0
+    name = f"{call}; p.force_accumulator"
+    expect_close(name, xyz(p.force_accumulator), force, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.1")
+def test_two_particles_have_forces_of_their_own(rng: Random) -> None:
+    first, second = components(rng), components(rng)
+    call = f"p.add_force(Vector3{first}); q.add_force(Vector3{second})"
+    cause = "the sum belongs to one particle: keep it in self"
+    read = "the docstring of Particle"
+    p, q = Particle(), Particle()
+    p.add_force(Vector3(*first))
+    q.add_force(Vector3(*second))
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, first, cause=cause, read=read)
+    got = xyz(q.force_accumulator)
+    expect_close(f"{call}; q.force_accumulator", got, second, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.1")
+def test_forces_can_be_dropped(rng: Random) -> None:
+    first, second = components(rng), components(rng)
+    call = f"p.add_force(Vector3{first}); p.clear_forces()"
+    cause = "afterwards no force is there"
+    read = "the docstring of clear_forces"
+    p = Particle()
+    p.add_force(Vector3(*first))
+    before = xyz(p.force_accumulator)
+    p.clear_forces()
+    expect_close(
+        f"{call}; p.force_accumulator", xyz(p.force_accumulator), ZERO, cause=cause, read=read
+    )
+    p.clear_forces()
+    p.add_force(Vector3(*second))
+    call = f"{call}; p.clear_forces(); p.add_force(Vector3{second})"
+    cause = "to clear an empty sum is no error, and the next force is the first one again"
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, second, cause=cause, read=read)
+    name = f"p.add_force(Vector3{first}); p.force_accumulator"
+    expect_close(name, before, first, cause="the sum so far", read=read)
+
+
+def expect_refusal(call: str, bad: Any, error: type[Exception], cause: str) -> None:
+    """Expect that a particle with a force refuses another one, and keeps its sum."""
+    read = "the docstring of add_force"
+    p = Particle()
+    p.add_force(Vector3(1e308, 2.0, -3.0))
+    expect_error(
+        f"p.add_force(Vector3(1e308, 2, -3)); {call}",
+        lambda: p.add_force(bad),
+        error,
+        allowed=lambda: Particle().add_force(Vector3(1.0, 2.0, 3.0)),
+        cause=cause,
+        read=read,
+    )
+    name = f"p.add_force(Vector3(1e308, 2, -3)); {call}; p.force_accumulator"
+    cause = "look at the force before anything is changed"
+    expect_close(name, xyz(p.force_accumulator), (1e308, 2.0, -3.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.1", weight=0.5)
+@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
+def test_a_force_must_be_finite(bad: float) -> None:
+    cause = "refuse it with ValueError: finite_vector of arguments.py does"
+    for numbers in ((bad, 2.0, 3.0), (1.0, bad, 3.0), (1.0, 2.0, bad)):
+        expect_refusal(f"p.add_force(Vector3{numbers})", Vector3(*numbers), ValueError, cause)
+
+
+@pytest.mark.exercise("B5.1", weight=0.5)
+def test_the_sum_must_be_finite() -> None:
+    cause = "1e308 + 1e308 is too large for a float: look at the sum too, before it is kept"
+    call = "p.add_force(Vector3(1e308, 0, 0))"
+    expect_refusal(call, Vector3(1e308, 0.0, 0.0), ValueError, cause)
+
+
+@pytest.mark.exercise("B5.1", weight=0.5)
+def test_a_force_must_be_a_vector() -> None:
+    cause = "refuse it with TypeError: finite_vector of arguments.py does"
+    for bad in (3.0, (1.0, 2.0, 3.0), None, "up"):
+        expect_refusal(f"p.add_force({bad!r})", bad, TypeError, cause)
+
+
+@pytest.mark.exercise("B5.1", weight=0.5)
+def test_what_changes_the_sum_returns_nothing(rng: Random) -> None:
+    force = components(rng)
+    call = f"p.add_force(Vector3{force})"
+    cause = "what works in place returns None"
+    read = "the docstrings of add_force and clear_forces"
+    p = Particle()
+    got = p.add_force(Vector3(*force))
+    expect_exactly(call, got, None, cause=cause, read=read)
+    total = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", total, force, cause="the sum so far", read=read)
+    expect_exactly("p.clear_forces()", p.clear_forces(), None, cause=cause, read=read)

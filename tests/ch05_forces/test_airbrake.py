@@ -1,0 +1,119 @@
+"""The airbrake, exercise 5.2."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import Airbrake
+from ch05_forces.particle import Particle
+from ch05_forces.probes import braked
+from draw import components
+from expect import expect_close, expect_error, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+READ = "book 5, exercise 5.2; the docstring of Airbrake"
+
+
+def brake_of(k: float, *, on: bool) -> Airbrake:
+    brake = Airbrake(k)
+    brake.on = on
+    return brake
+
+
+@pytest.mark.exercise("5.2")
+def test_a_brake_works_when_it_is_on(rng: Random) -> None:
+    v, k = components(rng), round(rng.uniform(0.1, 0.9), 3)
+    pulled = tuple(-k * v[i] for i in range(3))
+    call = f"p = Particle(velocity=Vector3{v}, mass=2.0); brake = Airbrake({k})"
+    p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k)
+    for on, wanted, cause in (
+        (None, ZERO, "a new brake is off, and then it adds nothing"),
+        (True, pulled, "where the brake is on it adds -k v"),
+        (False, ZERO, "where the brake is off it adds nothing: look at self.on each time"),
+        (True, pulled, "where the brake is on it adds -k v"),
+    ):
+        if on is not None:
+            brake.on = on
+            call += f"; brake.on = {on}"
+        call += "; brake.update_force(p, 0.5)"
+        brake.update_force(p, 0.5)
+        got = xyz(p.force_accumulator)
+        expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=READ)
+        p.clear_forces()
+        call += "; p.clear_forces()"
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, read=READ)
+
+
+@pytest.mark.exercise("5.2")
+def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
+    v, f = components(rng), components(rng)
+    mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
+    cause = "while k h / m is below 1 the force is -k v, and nothing is cut off"
+    for share in (0.01, 0.5, 0.98):
+        k = share * mass / h
+        call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
+        call += f"brake = Airbrake({k!r}), on; brake.update_force(p, {h}); p.force_accumulator"
+        p = Particle(velocity=Vector3(*v), mass=mass)
+        p.add_force(Vector3(*f))
+        brake_of(k, on=True).update_force(p, h)
+        wanted = tuple(f[i] - k * v[i] for i in range(3))
+        got = xyz(p.force_accumulator)
+        # A few roundings of numbers up to 900.
+        expect_close(call, got, wanted, cause=cause, read=READ, tolerance=1e-11)
+
+
+@pytest.mark.exercise("5.2")
+def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -> None:
+    v = components(rng)
+    mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
+    cause = "in a frame a force f changes the velocity by f h / m: never add more than -v m / h"
+    for share in (1.02, 2.02, 1e3, 1e12):
+        k = share * mass / h
+        call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = Airbrake({k!r}), on; "
+        call += f"brake.update_force(p, {h}); p.integrate({h}); p.velocity"
+        p = Particle(velocity=Vector3(*v), mass=mass)
+        brake_of(k, on=True).update_force(p, h)
+        p.integrate(h)
+        # What FULL, or rounding, leaves of 10 m/s.
+        expect_close(call, xyz(p.velocity), ZERO, cause=cause, read=READ, tolerance=1e-9)
+
+
+@pytest.mark.exercise("5.2")
+def test_no_brake_turns_any_motion_round(rng: Random) -> None:
+    cause = "-v m / h can be a rounding too much: stay a little below it, as FULL says"
+    tries = 400
+
+    shares = braked(rng.randrange(10**6), tries)
+    call = f"brake.update_force(p, h) in {tries} frames with k above m / h, each with another k, "
+    call += "mass, h and speed: the smallest share that is left of the velocity"
+    least = min(shares, default=math.nan)
+    most = max(shares, default=math.nan)
+    # A share from 0 to 1e-9: between 0 and twice the half of that.
+    expect_close(call, least, 5e-10, cause=cause, read=READ, tolerance=5e-10)
+    cause = "a brake of this strength leaves nothing but a rounding"
+    name = call.replace("smallest", "largest")
+    expect_close(name, most, 5e-10, cause=cause, read=READ, tolerance=5e-10)
+    expect_close("how many frames", len(shares), tries, cause="one for each try", read=READ)
+
+
+@pytest.mark.exercise("5.2", weight=0.5)
+@pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
+def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
+    call = f"brake = Airbrake(2.0), on; brake.update_force(p, {duration!r})"
+    cause = "positive of arguments.py raises the errors for you: m / h needs an h that means time"
+    p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=True)
+    expect_error(
+        call,
+        lambda: brake.update_force(p, duration),
+        TypeError if isinstance(duration, str) else ValueError,
+        allowed=lambda: brake.update_force(Particle(), 0.5),
+        cause=cause,
+        read=READ,
+    )
+    got = xyz(p.force_accumulator)
+    cause = "look at the duration before a force is added"
+    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=READ)

@@ -1,0 +1,348 @@
+"""Drag without steps: terminal speed (B5.6), falling and coasting (B5.7), long frames (B5.8)."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch05_forces.closed_form import coasting_speed, drag_limits, quadratic_fall, terminal_speed
+from ch05_forces.probes import with_drag
+from expect import expect_close, expect_error, expect_exactly
+
+TERMINAL = "the docstring of terminal_speed"
+FALL = "the docstring of quadratic_fall"
+COAST = "the docstring of coasting_speed"
+LIMITS = "the docstring of drag_limits"
+# Formulas of a few operations each, of which none loses digits: relative.
+ROUNDED = 1e-12
+
+
+def drawn(rng: Random, low: float = 0.2, high: float = 9.0) -> float:
+    return round(rng.uniform(low, high), 3)
+
+
+def bad_numbers(good: tuple[float, ...]) -> list[tuple[float, ...]]:
+    """Return these arguments with NaN, and with infinity, in each place in turn."""
+    return [
+        (*good[:i], bad, *good[i + 1 :]) for i in range(len(good)) for bad in (math.nan, math.inf)
+    ]
+
+
+# B5.6 Terminal speed
+
+
+@pytest.mark.exercise("B5.6")
+def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
+    cause = "v = (-k1 + sqrt(k1^2 + 4 k2 W)) / (2 k2) solves k1 v + k2 v^2 = W"
+    call = "terminal_speed(2 * 9.81, 0.3, 0.05)"
+    got = terminal_speed(2 * 9.81, 0.3, 0.05)
+    # The last digit that is known of it.
+    expect_close(call, got, 17.0349694, cause=cause, read=TERMINAL, tolerance=1e-7)
+    for _ in range(3):
+        weight, k1, k2 = drawn(rng, 5.0, 900.0), drawn(rng), drawn(rng)
+        call = f"v = terminal_speed({weight}, {k1}, {k2}); k1 v + k2 v^2"
+        v = terminal_speed(weight, k1, k2)
+        drag = k1 * v + k2 * v * v
+        tolerance = ROUNDED * weight
+        expect_close(call, drag, weight, cause=cause, read=TERMINAL, tolerance=tolerance)
+        call = f"terminal_speed({weight}, {k1}, {k2}) > 0"
+        cause = "a speed is positive: of the two roots, the positive one"
+        expect_exactly(call, v > 0.0, True, cause=cause, read=TERMINAL)
+
+
+@pytest.mark.exercise("B5.6")
+def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
+    weight, k = drawn(rng, 5.0, 900.0), drawn(rng)
+    cause = "with k2 = 0 it is W / k1: the formula divides by 2 k2, another form of it does not"
+    call = f"terminal_speed({weight}, {k}, 0.0)"
+    got = terminal_speed(weight, k, 0.0)
+    expect_close(call, got, weight / k, cause=cause, read=TERMINAL, tolerance=ROUNDED * got)
+    cause = "with k1 = 0 it is sqrt(W / k2)"
+    call = f"terminal_speed({weight}, 0.0, {k})"
+    got = terminal_speed(weight, 0.0, k)
+    wanted = math.sqrt(weight / k)
+    expect_close(call, got, wanted, cause=cause, read=TERMINAL, tolerance=ROUNDED * wanted)
+
+
+@pytest.mark.exercise("B5.6")
+def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
+    weight, k1 = drawn(rng, 5.0, 90.0), drawn(rng, 2.0)
+    cause = "-k1 + root is the difference of two nearly equal numbers: 2 W / (k1 + root) is as much"
+    for k2 in (1e-6, 1e-10, 1e-14):
+        call = f"terminal_speed({weight}, {k1}, {k2})"
+        got = terminal_speed(weight, k1, k2)
+        u = weight / k1
+        # The series in e = k2 W / k1^2: u (1 - e + 2 e^2 - 5 e^3); the next term is below 1e-16.
+        e = k2 * u / k1
+        wanted = u * (1.0 - e + 2.0 * e * e - 5.0 * e**3)
+        expect_close(call, got, wanted, cause=cause, read=TERMINAL, tolerance=ROUNDED * u)
+
+
+@pytest.mark.exercise("B5.6")
+def test_a_terminal_speed_needs_weight_and_drag() -> None:
+    for bad in (
+        (0.0, 0.3, 0.05),
+        (-9.81, 0.3, 0.05),
+        (9.81, -0.3, 0.05),
+        (9.81, 0.3, -0.05),
+        (9.81, 0.0, 0.0),
+        *bad_numbers((9.81, 0.3, 0.05)),
+    ):
+        cause = "refuse what means nothing with ValueError; without any drag there is no such speed"
+        expect_error(
+            f"terminal_speed{bad}",
+            lambda bad=bad: terminal_speed(*bad),
+            ValueError,
+            allowed=lambda: terminal_speed(9.81, 0.3, 0.05),
+            cause=cause,
+            read=TERMINAL,
+        )
+
+
+# B5.7 Falling and coasting without steps
+
+
+@pytest.mark.exercise("B5.7")
+def test_a_fall_with_quadratic_drag(rng: Random) -> None:
+    cause = "the speed is u tanh(g t / u), the way u^2 / g ln cosh(g t / u), u the terminal speed"
+    call = "quadratic_fall(2.0, 9.81, 0.05, 3.0)"
+    got = quadratic_fall(2.0, 9.81, 0.05, 3.0)
+    wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
+    expect_close(call, got, wanted, cause=cause, read=FALL)
+    for time in (0.5, 1.0, 30.0):
+        mass, g, k2 = drawn(rng, 0.5), drawn(rng, 1.0, 20.0), drawn(rng, 0.01, 0.5)
+        call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
+        speed, way = quadratic_fall(mass, g, k2, time)
+        u = math.sqrt(mass * g / k2)
+        e = math.exp(-2.0 * g * time / u)
+        wanted_speed = u * (1.0 - e) / (1.0 + e)
+        name = f"{call}, the speed"
+        tolerance = ROUNDED * u
+        expect_close(name, speed, wanted_speed, cause=cause, read=FALL, tolerance=tolerance)
+        # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
+        name = f"{call} = (v, x); v^2 + u^2 e^(-2 k2 x / m)"
+        total = speed * speed + u * u * math.exp(-2.0 * k2 * way / mass)
+        cause = "of what it falls, the drag takes its part: speed and way belong together"
+        expect_close(name, total, u * u, cause=cause, read=FALL, tolerance=ROUNDED * u * u)
+        name = f"{call}, the way minus that of the exact one, by parts"
+        left = way - u * u / g * (math.log1p(e) + g * time / u - math.log(2.0))
+        expect_close(name, left, 0.0, cause=cause, read=FALL, tolerance=ROUNDED * (way + u))
+
+
+@pytest.mark.exercise("B5.7")
+def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
+    g, time = drawn(rng, 1.0, 20.0), drawn(rng, 0.5, 3.0)
+    cause = (
+        "for a small x the logarithm of cosh x loses its digits: ln(1 + 2 sinh(x / 2)^2) does not"
+    )
+    for k2 in (1e-8, 1e-12, 1e-15):
+        call = f"quadratic_fall(2.0, {g}, {k2}, {time})"
+        got = quadratic_fall(2.0, g, k2, time)
+        square = g * time * time * k2 / 2.0  # x^2, with x = g t / u
+        # The series of tanh and of ln cosh; the next terms are below 1e-13.
+        speed = g * time * (1.0 - square / 3.0 + 2.0 * square**2 / 15.0)
+        way = g * time * time / 2.0 * (1.0 - square / 6.0 + 2.0 * square**2 / 45.0)
+        expect_close(f"{call}, the speed", got[0], speed, cause=cause, read=FALL, tolerance=1e-11)
+        expect_close(f"{call}, the way", got[1], way, cause=cause, read=FALL, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B5.7")
+def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
+    mass, g, k2 = drawn(rng, 0.5), drawn(rng, 1.0, 20.0), drawn(rng, 0.01, 0.5)
+    cause = "cosh of a large number does not fit in a float, but its logarithm, x - ln 2, does"
+    u = math.sqrt(mass * g / k2)
+    for time in (600.0, 1e6):
+        call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
+        speed, way = quadratic_fall(mass, g, k2, time)
+        tolerance = ROUNDED * u
+        expect_close(f"{call}, the speed", speed, u, cause=cause, read=FALL, tolerance=tolerance)
+        wanted = u * time - u * u / g * math.log(2.0)
+        tolerance = ROUNDED * wanted
+        expect_close(f"{call}, the way", way, wanted, cause=cause, read=FALL, tolerance=tolerance)
+
+
+@pytest.mark.exercise("B5.7")
+def test_a_fall_begins_at_rest() -> None:
+    cause = "at the time 0 there is no speed and no way; a time of 0 is no error"
+    got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
+    expect_close("quadratic_fall(2.0, 9.81, 0.05, 0.0)", got, (0.0, 0.0), cause=cause, read=FALL)
+    cause = "after a short time t they are g t and g t^2 / 2"
+    got = quadratic_fall(2.0, 10.0, 0.05, 1e-6)
+    call = "quadratic_fall(2.0, 10.0, 0.05, 1e-6)"
+    # What drag takes is a part in 1e12 of it.
+    expect_close(f"{call}, the speed", got[0], 1e-5, cause=cause, read=FALL, tolerance=1e-16)
+    expect_close(f"{call}, the way", got[1], 5e-12, cause=cause, read=FALL, tolerance=1e-22)
+
+
+@pytest.mark.exercise("B5.7")
+def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
+    cause = "v e^-s / (1 + (k2 v t / m) (1 - e^-s) / s), with s = k1 t / m"
+    for _ in range(3):
+        v, k1, k2 = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
+        mass, time = drawn(rng), drawn(rng, 0.2, 2.0)
+        call = f"coasting_speed({v}, {k1}, {k2}, {mass}, {time})"
+        ratio = k2 / k1
+        # From 1 / v + k2 / k1, which grows as e^(k1 t / m).
+        wanted = 1.0 / ((1.0 / v + ratio) * math.exp(k1 * time / mass) - ratio)
+        got = coasting_speed(v, k1, k2, mass, time)
+        # The difference below the line loses a digit or two.
+        expect_close(call, got, wanted, cause=cause, read=COAST, tolerance=1e-10 * v)
+    half = coasting_speed(v, k1, k2, mass, time / 2.0)
+    name = f"the same in two halves of {time} s, the second from coasting_speed() of the first"
+    got = coasting_speed(half, k1, k2, mass, time / 2.0)
+    cause = "how it came to its speed does not matter to what follows"
+    expect_close(name, got, wanted, cause=cause, read=COAST, tolerance=1e-10 * v)
+
+
+@pytest.mark.exercise("B5.7")
+def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
+    v, k, mass = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
+    time = drawn(rng, 0.2, 2.0)
+    tolerance = ROUNDED * v
+    for k1, k2, wanted, cause in (
+        (k, 0.0, v * math.exp(-k * time / mass), "with k1 alone it is v e^(-k1 t / m)"),
+        (0.0, k, v / (1.0 + k * v * time / mass), "with k2 alone it is v / (1 + k2 v t / m)"),
+        (
+            1e-13,
+            k,
+            v / (1.0 + k * v * time / mass),
+            "a k1 near 0 is nearly as none: 1 - e^-s must not lose its digits",
+        ),
+        (0.0, 0.0, v, "without drag the speed stays"),
+    ):
+        call = f"coasting_speed({v}, {k1}, {k2}, {mass}, {time})"
+        got = coasting_speed(v, k1, k2, mass, time)
+        expect_close(call, got, wanted, cause=cause, read=COAST, tolerance=tolerance)
+
+
+@pytest.mark.exercise("B5.7")
+def test_coasting_begins_with_its_speed_and_ends_in_rest(rng: Random) -> None:
+    v, k1, k2 = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
+    for speed, time, wanted, cause in (
+        (v, 0.0, v, "at the time 0 it is the speed itself"),
+        (0.0, 2.0, 0.0, "what is at rest stays so"),
+        (v, 1e9, 0.0, "in the end nothing is left, and e^s is too large a number"),
+    ):
+        call = f"coasting_speed({speed}, {k1}, {k2}, 2.0, {time})"
+        got = coasting_speed(speed, k1, k2, 2.0, time)
+        expect_close(call, got, wanted, cause=cause, read=COAST, tolerance=ROUNDED * speed)
+
+
+@pytest.mark.exercise("B5.7")
+def test_a_fall_needs_numbers_that_mean_something() -> None:
+    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    for bad in (
+        (0.0, 9.81, 0.05, 3.0),
+        (2.0, 0.0, 0.05, 3.0),
+        (2.0, 9.81, 0.0, 3.0),
+        (-2.0, 9.81, -0.05, 3.0),  # the signs cancel below the root
+        (2.0, 9.81, 0.05, -3.0),
+        *bad_numbers((2.0, 9.81, 0.05, 3.0)),
+    ):
+        expect_error(
+            f"quadratic_fall{bad}",
+            lambda bad=bad: quadratic_fall(*bad),
+            ValueError,
+            allowed=lambda: quadratic_fall(2.0, 9.81, 0.05, 3.0),
+            cause=cause,
+            read=FALL,
+        )
+
+
+@pytest.mark.exercise("B5.7")
+def test_coasting_needs_numbers_that_mean_something() -> None:
+    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    for bad in (
+        (-20.0, 0.3, 0.05, 2.0, 1.5),
+        (20.0, -0.3, 0.05, 2.0, 1.5),
+        (20.0, 0.3, -0.05, 2.0, 1.5),
+        (20.0, 0.3, 0.05, 0.0, 1.5),
+        (20.0, 0.3, 0.05, 2.0, -1.5),
+        *bad_numbers((20.0, 0.3, 0.05, 2.0, 1.5)),
+    ):
+        expect_error(
+            f"coasting_speed{bad}",
+            lambda bad=bad: coasting_speed(*bad),
+            ValueError,
+            allowed=lambda: coasting_speed(20.0, 0.3, 0.05, 2.0, 1.5),
+            cause=cause,
+            read=COAST,
+        )
+
+
+# B5.8 Frames that are too long for drag
+
+
+@pytest.mark.exercise("B5.8")
+def test_the_limits_by_their_formula(rng: Random) -> None:
+    k1, k2, mass, speed = drawn(rng), drawn(rng), drawn(rng), drawn(rng, 1.0, 90.0)
+    cause = (
+        "v' = v (1 - (k1 + k2 |v|) h / m): the bracket is 0 at the first limit, -1 at the second"
+    )
+    for one, two, rate in (
+        (k1, 0.0, k1 / mass),
+        (0.0, k2, k2 * speed / mass),
+        (k1, k2, (k1 + k2 * speed) / mass),
+    ):
+        call = f"drag_limits({one}, {two}, {mass}, {speed})"
+        got = drag_limits(one, two, mass, speed)
+        expect_close(call, got, (1.0 / rate, 2.0 / rate), cause=cause, read=LIMITS)
+    call = f"drag_limits({k1}, {k2}, {mass}, 0.0)"
+    cause = "slow motion has the limits of k1 alone"
+    got = drag_limits(k1, k2, mass, 0.0)
+    expect_close(call, got, (mass / k1, 2.0 * mass / k1), cause=cause, read=LIMITS)
+
+
+@pytest.mark.exercise("B5.8")
+def test_without_drag_no_frame_is_too_long() -> None:
+    cause = "where nothing drags there is no limit: math.inf for both, and nothing to divide by"
+    for arguments in ((0.0, 0.0, 2.0, 5.0), (0.0, 0.5, 2.0, 0.0)):
+        call = f"[*drag_limits{arguments}]"
+        got = [*drag_limits(*arguments)]
+        expect_exactly(call, got, [math.inf, math.inf], cause=cause, read=LIMITS)
+    cause = "(k1 + k2 v) / m is 1 here"
+    got = drag_limits(1.0, 0.5, 2.0, 2.0)
+    expect_close("drag_limits(1.0, 0.5, 2.0, 2.0)", got, (1.0, 2.0), cause=cause, read=LIMITS)
+
+
+@pytest.mark.exercise("B5.8")
+def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> None:
+    k1, k2, mass, speed = drawn(rng), drawn(rng), drawn(rng), drawn(rng, 1.0, 90.0)
+    call = f"drag_limits({k1}, {k2}, {mass}, {speed})"
+    first, second = drag_limits(k1, k2, mass, speed)
+    for limit, share, wanted, cause in (
+        (first, 0.98, 1, "in a frame a little below the first limit the drag only slows down"),
+        (first, 1.02, -1, "in a frame a little above the first limit the drag turns round"),
+        (second, 0.98, -1, "below the second limit it is turned round, and slower than it was"),
+        (second, 1.02, -2, "above the second limit it is turned round, and faster than it was"),
+    ):
+        h = limit * share
+        name = f"{call} = (a, b); a frame of {h!r} s with Drag({k1}, {k2}) at {speed} m/s"
+        name += ": 1 slower, -1 turned round and slower, -2 turned round and faster"
+        _, velocity = with_drag((speed, 0.0, 0.0), k1, k2, mass, h, 1)
+        v = velocity[0] / speed
+        kind = 1 if 0.0 <= v < 1.0 else -1 if -1.0 <= v < 0.0 else -2 if v < -1.0 else 0
+        expect_exactly(name, kind, wanted, cause=cause, read=LIMITS)
+
+
+@pytest.mark.exercise("B5.8")
+def test_limits_need_numbers_that_mean_something() -> None:
+    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    for bad in (
+        (-0.3, 0.05, 2.0, 5.0),
+        (0.3, -0.05, 2.0, 5.0),
+        (0.3, 0.05, 0.0, 5.0),
+        (0.3, 0.05, -2.0, 5.0),
+        (0.3, 0.05, 2.0, -5.0),
+        *bad_numbers((0.3, 0.05, 2.0, 5.0)),
+    ):
+        expect_error(
+            f"drag_limits{bad}",
+            lambda bad=bad: drag_limits(*bad),
+            ValueError,
+            allowed=lambda: drag_limits(0.3, 0.05, 2.0, 5.0),
+            cause=cause,
+            read=LIMITS,
+        )

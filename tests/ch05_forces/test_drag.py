@@ -1,0 +1,171 @@
+"""Drag, build task B5.5: the force, and where the steps that it is used in lead."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import Drag, drag_force
+from ch05_forces.particle import Particle
+from ch05_forces.probes import with_drag
+from draw import components
+from expect import expect_close, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+READ = "book 5.3.2, Eq. 5.1"
+
+
+def draw_coefficient(rng: Random) -> float:
+    return round(rng.uniform(0.2, 0.9), 3)
+
+
+@pytest.mark.exercise("B5.5")
+def test_drag_points_against_the_motion(rng: Random) -> None:
+    v = components(rng)
+    k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
+    speed = math.hypot(*v)
+    for one, two, cause in (
+        (k1, 0.0, "k1 |v| along -v^ is -k1 v: v^ |v| is v again"),
+        (0.0, k2, "k2 |v|^2 along -v^ is -k2 |v| v: only one |v| is left over"),
+        (k1, k2, "both parts add up: -v (k1 + k2 |v|)"),
+    ):
+        call = f"drag_force(Vector3{v}, {one}, {two})"
+        wanted = tuple(-v[i] * (one + two * speed) for i in range(3))
+        expect_close(call, xyz(drag_force(Vector3(*v), one, two)), wanted, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B5.5")
+def test_drag_grows_with_the_speed_and_with_its_square() -> None:
+    cause = "k1 takes with the speed, k2 with its square: they must not be exchanged"
+    for v, k1, k2, force in (
+        ((0.0, 0.0, 2.0), 3.0, 0.0, -6.0),
+        ((0.0, 0.0, -2.0), 3.0, 0.0, 6.0),
+        ((0.0, 0.0, 2.0), 0.0, 3.0, -12.0),
+        ((0.0, 0.0, -4.0), 0.0, 3.0, 48.0),
+        ((0.0, 0.0, 0.5), 4.0, 8.0, -4.0),
+    ):
+        call = f"drag_force(Vector3{v}, {k1}, {k2})"
+        got = xyz(drag_force(Vector3(*v), k1, k2))
+        expect_close(call, got, (0.0, 0.0, force), cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B5.5")
+def test_at_rest_there_is_no_drag(rng: Random) -> None:
+    k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
+    cause = "the zero vector has no direction: nothing may be divided by its length"
+    call = f"drag_force(Vector3(), {k1}, {k2})"
+    expect_close(call, xyz(drag_force(Vector3(), k1, k2)), ZERO, cause=cause, read=READ)
+    call = f"drag_force(Vector3(0, 1e-9, 0), {k1}, {k2})"
+    cause = "slow motion is motion: the drag is small, and not zero"
+    got = xyz(drag_force(Vector3(0, 1e-9, 0), k1, k2))
+    wanted = (0.0, -k1 * 1e-9 - k2 * 1e-18, 0.0)
+    expect_close(call, got, wanted, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B5.5")
+def test_the_velocity_is_only_read(rng: Random) -> None:
+    v = components(rng)
+    call = f"v = Vector3{v}; drag_force(v, 0.5, 0.25)"
+    cause = "normalize, invert and *= work in place: use normalized, - and *"
+    velocity = Vector3(*v)
+    got = xyz(drag_force(velocity, 0.5, 0.25))
+    expect_unchanged(call, "v", xyz(velocity), v, cause=cause, read=READ)
+    wanted = tuple(-v[i] * (0.5 + 0.25 * math.hypot(*v)) for i in range(3))
+    expect_close(call, got, wanted, cause="-v (k1 + k2 |v|)", read=READ)
+    call = f"p = Particle(velocity=Vector3{v}); Drag(0.5, 0.25).update_force(p, 0.5)"
+    p = Particle(velocity=Vector3(*v))
+    Drag(0.5, 0.25).update_force(p, 0.5)
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("B5.5")
+def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
+    v, f = components(rng), components(rng)
+    k1, k2, mass = draw_coefficient(rng), draw_coefficient(rng), round(rng.uniform(2.0, 9.0), 3)
+    speed = math.hypot(*v)
+    read = "the docstring of Drag"
+    call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
+    call += f"drag = Drag({k1}, {k2}); drag.update_force(p, 0.5); p.force_accumulator"
+    cause = "add the drag to the forces that are there; it is a force, whatever the mass"
+    p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
+    p.add_force(Vector3(*f))
+    drag.update_force(p, 0.5)
+    wanted = tuple(f[i] - v[i] * (k1 + k2 * speed) for i in range(3))
+    got = xyz(p.force_accumulator)
+    # A few roundings of numbers up to 150.
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, 0.5)"
+    cause = "read self.k1 and self.k2 each time"
+    p.clear_forces()
+    drag.k1, drag.k2 = k2, k1
+    drag.update_force(p, 0.5)
+    wanted = tuple(-v[i] * (k2 + k1 * speed) for i in range(3))
+    got = xyz(p.force_accumulator)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B5.5")
+def test_a_fall_comes_to_its_terminal_speed() -> None:
+    call = "drag = Drag(0.3, 0.05), 2 kg, g = 9.81; a minute of drag.update_force(), p.integrate()"
+    cause = "the drag grows until it is as large as the weight: k1 v + k2 v^2 = m g"
+    _, velocity = with_drag(ZERO, 0.3, 0.05, 2.0, 1.0 / 60.0, 3600, gravity=9.81)
+    wanted = (0.0, -17.034969428476803, 0.0)
+    # What is left after a minute, e^-60, is far below rounding.
+    expect_close(f"{call}; p.velocity", velocity, wanted, cause=cause, read=READ, tolerance=1e-10)
+
+
+def expect_first_order(
+    call: str, errors: tuple[float, float], scale: float, *, cause: str, what: str
+) -> None:
+    """Expect that the error of the longer frame is small, and that half the frame has half of it.
+
+    Of first order, the ratio is 2 plus a term of the order of h: with these frames 0.02 at most.
+    """
+    long, short = errors
+    expect_close(f"{call}: error of {what}", long, 0.0, cause=cause, read=READ, tolerance=scale)
+    name = f"{call}: error of {what}, at h = 1/100 over h = 1/200"
+    expect_close(name, long / short, 2.0, cause=cause, read=READ, tolerance=0.05)
+
+
+@pytest.mark.exercise("B5.5")
+def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_frames() -> None:
+    call = "Drag(0, 0.05), 2 kg, g = 9.81, a fall of 3 s by drag.update_force(), p.integrate()"
+    cause = "exact are v_t tanh(g t / v_t), and v_t^2 / g ln cosh(g t / v_t) of way"
+    states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
+    speed, way = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
+    speeds = [-velocity[1] - speed for _, velocity in states]
+    ways = [-position[1] - way for position, _ in states]
+    expect_first_order(call, (speeds[0], speeds[1]), 0.02, cause=cause, what="the speed")
+    expect_first_order(call, (ways[0], ways[1]), 0.06, cause=cause, what="the way")
+
+
+@pytest.mark.exercise("B5.5")
+def test_coasting_with_both_kinds_of_drag_comes_nearer_with_shorter_frames() -> None:
+    call = "Drag(0.3, 0.05), 2 kg, 20 m/s, 2 s of drag.update_force(), p.integrate()"
+    cause = "exact is 1 / v + k2 / k1 = (1 / v0 + k2 / k1) e^(k1 t / m)"
+    ends = [
+        with_drag((20.0, 0.0, 0.0), 0.3, 0.05, 2.0, h, round(2.0 / h))[1][0] for h in (0.01, 0.005)
+    ]
+    ratio = 0.05 / 0.3
+    exact = 1.0 / ((1.0 / 20.0 + ratio) * math.exp(0.3 * 2.0 / 2.0) - ratio)
+    errors = (ends[0] - exact, ends[1] - exact)
+    expect_first_order(call, errors, 0.03, cause=cause, what="the speed")
+
+
+@pytest.mark.exercise("B5.5")
+def test_linear_drag_in_frames_just_inside_and_just_outside_its_limits() -> None:
+    k1, mass, frames = 8.0, 2.0, 40
+    cause = "each step multiplies the velocity by 1 - k1 h / m: below 0 it turns round, below -1 it"
+    cause += " grows. That is the method's own failing, which Drag does not mend (an Airbrake does)"
+    # The rounding of each step, which the factor below never enlarges more than 1.04^40 = 5 times.
+    for share in (0.98, 1.02, 1.98, 2.02):
+        h = share * mass / k1
+        call = f"p at 3 m/s, 2 kg, Drag(8, 0), h = {share} m / k1 = {h}; p.velocity.x"
+        for steps in (1, 2, frames):
+            _, velocity = with_drag((3.0, 0.0, 0.0), k1, 0.0, mass, h, steps)
+            wanted = 3.0 * (1.0 - share) ** steps
+            name = f"{call} after {steps} frames of drag.update_force(), p.integrate()"
+            expect_close(name, velocity[0], wanted, cause=cause, read=READ, tolerance=1e-12)

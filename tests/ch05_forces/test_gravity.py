@@ -1,0 +1,111 @@
+"""Gravity as a generator, build task B5.4."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import Gravity
+from ch05_forces.particle import Particle
+from ch05_forces.probes import fall
+from draw import components
+from expect import expect_close, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+
+
+@pytest.mark.exercise("B5.4")
+def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
+    g = components(rng)
+    read = "book 3.2, Eq. 3.4"
+    cause = "f = m g with all three components of g, however the particle moves"
+    for mass in (round(rng.uniform(2.0, 90.0), 3), 0.125):
+        call = f"p = Particle(velocity=Vector3(5, 6, 7), mass={mass}); "
+        call += f"Gravity(Vector3{g}).update_force(p, 0.5); p.force_accumulator"
+        p = Particle(velocity=Vector3(5, 6, 7), mass=mass)
+        Gravity(Vector3(*g)).update_force(p, 0.5)
+        wanted = tuple(mass * g[i] for i in range(3))
+        expect_close(call, xyz(p.force_accumulator), wanted, cause=cause, read=read)
+        cause = "a generator adds a force and changes nothing else"
+        expect_unchanged(call, "p.acceleration", xyz(p.acceleration), ZERO, cause=cause, read=read)
+        got = xyz(p.velocity)
+        expect_unchanged(call, "p.velocity", got, (5, 6, 7), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.4")
+def test_gravity_adds_to_the_other_forces_of_the_frame(rng: Random) -> None:
+    f, g, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
+    call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}); gravity = Gravity(Vector3{g}); "
+    call += "gravity.update_force(p, 0.5) twice; p.force_accumulator"
+    cause = "add_force adds; what is there already stays"
+    read = "the docstring of ForceGenerator"
+    p, gravity = Particle(mass=mass), Gravity(Vector3(*g))
+    p.add_force(Vector3(*f))
+    gravity.update_force(p, 0.5)
+    gravity.update_force(p, 0.5)
+    wanted = tuple(f[i] + 2 * mass * g[i] for i in range(3))
+    got = xyz(p.force_accumulator)
+    # Three roundings of numbers up to 200.
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B5.4")
+def test_a_new_gravity_counts_from_the_next_frame_on(rng: Random) -> None:
+    first, second = components(rng), components(rng)
+    call = f"gravity = Gravity(Vector3{first}); gravity.acceleration = Vector3{second}; "
+    call += "gravity.update_force(Particle(mass=2.0), 0.5)"
+    cause = "read self.acceleration each time"
+    read = "the docstring of Gravity"
+    p, gravity = Particle(mass=2.0), Gravity(Vector3(*first))
+    gravity.acceleration = Vector3(*second)
+    gravity.update_force(p, 0.5)
+    wanted = tuple(2.0 * second[i] for i in range(3))
+    expect_close(call, xyz(p.force_accumulator), wanted, cause=cause, read=read)
+    got = xyz(gravity.acceleration)
+    cause = "the acceleration of the generator is only read"
+    expect_unchanged(call, "gravity.acceleration", got, second, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.4")
+def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
+    g = components(rng)
+    read = "book 5.3.1"
+    cause = "ask has_finite_mass: infinity times g is no force, and infinity times 0 is NaN"
+    for gravity in (g, (0.0, -10.0, 0.0)):
+        call = f"p = Particle(mass=math.inf); Gravity(Vector3{gravity}).update_force(p, 0.5)"
+        p = Particle(mass=math.inf)
+        Gravity(Vector3(*gravity)).update_force(p, 0.5)
+        got = xyz(p.force_accumulator)
+        expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
+    cause = "the largest mass that is not infinite has a weight"
+    call = "p = Particle(mass=1e300); Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)"
+    p = Particle(mass=1e300)
+    Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, (0.0, -1e301, 0.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.4")
+def test_the_generator_does_what_the_constant_acceleration_does(rng: Random) -> None:
+    g, mass, damping = components(rng), round(rng.uniform(2.0, 90.0), 3), 0.75
+    h, frames = 1.0 / 64.0, 192
+    call = f"a fall of 3 s with g = {g}, mass {mass}, damping {damping}, by gravity.update_force()"
+    cause = "m g / m is g: the same steps as with Particle.acceleration, but for rounding"
+    read = "book 5.3.1"
+    (by_force, velocity), (built_in, built_in_velocity) = fall(g, mass, damping, h, frames)
+    # The sum of the geometric series of v' = (v + g h) D, D = d^h.
+    kept = damping**h
+    gone = (1.0 - kept**frames) / (1.0 - kept)
+    speed = h * kept * gone
+    way = h * h * kept * (frames - gone) / (1.0 - kept)
+    wanted = tuple(g[i] * way for i in range(3))
+    # 200 roundings of numbers up to 50.
+    expect_close(call, by_force, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(call, by_force, built_in, cause=cause, read=read, tolerance=1e-11)
+    name = f"{call}; p.velocity"
+    wanted = tuple(g[i] * speed for i in range(3))
+    expect_close(name, velocity, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(name, velocity, built_in_velocity, cause=cause, read=read, tolerance=1e-11)

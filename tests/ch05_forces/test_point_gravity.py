@@ -1,0 +1,100 @@
+"""Gravity towards a point, of one strength: exercise 5.3."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import PointGravity
+from ch05_forces.particle import Particle
+from draw import Components, components, direction
+from expect import expect_close, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+READ = "book 5, exercise 5.3; the docstring of PointGravity"
+# The difference of two positions of 10 m, 0.1 m apart, keeps 14 digits; the force is up to 900 N.
+ROUNDED = 1e-11
+
+
+def away_from(center: Components, way: Components, distance: float) -> Vector3:
+    return Vector3(*(center[i] + way[i] * distance for i in range(3)))
+
+
+@pytest.mark.exercise("5.3")
+def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> None:
+    center, way = components(rng), direction(rng)
+    mass, strength = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
+    cause = "m times the strength, along the unit vector from the particle to the center: the "
+    cause += "distance does not matter, its direction does"
+    for distance in (0.1, 1.0, 25.0, 4000.0):
+        place = away_from(center, way, distance)
+        call = f"p = Particle({distance} m from the center, mass={mass}); "
+        call += f"PointGravity(Vector3{center}, {strength}).update_force(p, 0.5)"
+        p = Particle(place, Vector3(5, 6, 7), mass=mass)
+        PointGravity(Vector3(*center), strength).update_force(p, 0.5)
+        wanted = tuple(-mass * strength * way[i] for i in range(3))
+        got = xyz(p.force_accumulator)
+        name = f"{call}; p.force_accumulator"
+        expect_close(name, got, wanted, cause=cause, read=READ, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("5.3")
+def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
+    center = components(rng)
+    call = (
+        f"p = Particle(Vector3{center}); PointGravity(Vector3{center}, 10.0).update_force(p, 0.5)"
+    )
+    cause = "at the center every direction is as good: there is no force, and nothing to divide by"
+    p = Particle(Vector3(*center))
+    PointGravity(Vector3(*center), 10.0).update_force(p, 0.5)
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=READ)
+    call = "p = Particle(Vector3(0, 1e-9, 0)); PointGravity(Vector3(), 10.0).update_force(p, 0.5)"
+    cause = "near the center the force is as strong as anywhere"
+    p = Particle(Vector3(0, 1e-9, 0))
+    PointGravity(Vector3(), 10.0).update_force(p, 0.5)
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, (0, -10.0, 0), cause=cause, read=READ)
+
+
+@pytest.mark.exercise("5.3")
+def test_point_gravity_leaves_an_immovable_particle_alone() -> None:
+    call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
+    call += "PointGravity(Vector3(), 10.0).update_force(p, 0.5); p.force_accumulator"
+    cause = "ask has_finite_mass: infinity times 0 is NaN"
+    p = Particle(Vector3(0, 2, 0), mass=math.inf)
+    PointGravity(Vector3(), 10.0).update_force(p, 0.5)
+    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=READ)
+    call = call.replace("math.inf", "4.0")
+    cause = "a finite mass has a weight"
+    p = Particle(Vector3(0, 2, 0), mass=4.0)
+    PointGravity(Vector3(), 10.0).update_force(p, 0.5)
+    expect_close(call, xyz(p.force_accumulator), (0, -40.0, 0), cause=cause, read=READ)
+
+
+@pytest.mark.exercise("5.3")
+def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
+    force, center = components(rng), (7.0, 0.0, 0.0)
+    call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); "
+    call += "gravity = PointGravity(Vector3(), -5.0); gravity.update_force(p, 0.5)"
+    cause = "a negative strength pushes away; the force is added to what is there"
+    p, gravity = Particle(Vector3(3, 0, 0), mass=2.0), PointGravity(Vector3(), -5.0)
+    p.add_force(Vector3(*force))
+    gravity.update_force(p, 0.5)
+    wanted = (force[0] + 10.0, force[1], force[2])
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=READ)
+    cause = "the center and the position are only read"
+    expect_unchanged(call, "gravity.center", xyz(gravity.center), ZERO, cause=cause, read=READ)
+    expect_unchanged(call, "p.position", xyz(p.position), (3, 0, 0), cause=cause, read=READ)
+    call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
+    call += "gravity.update_force(p, 0.5)"
+    cause = "read self.center and self.strength each time"
+    gravity.center, gravity.strength = Vector3(*center), 1.5
+    p.clear_forces()
+    gravity.update_force(p, 0.5)
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, (3.0, 0, 0), cause=cause, read=READ)

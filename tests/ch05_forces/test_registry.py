@@ -1,0 +1,182 @@
+"""The force registry, build task B5.3: generators that keep a record stand in probes.py."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry, Gravity
+from ch05_forces.particle import Particle
+from ch05_forces.probes import asked, asked_while_it_changes
+from expect import expect_error, expect_exactly
+
+
+def expect_asked(
+    acts: list[tuple[Any, ...]],
+    wanted: list[tuple[int, int, float]],
+    *,
+    cause: str,
+    read: str,
+    immovable: tuple[int, ...] = (),
+) -> None:
+    """Expect these calls of update_force: which particle, which generator, which duration."""
+    told = []
+    for name, *numbers in acts:
+        if name in ("add", "remove"):
+            told.append(f"registry.{name}(p[{numbers[0]}], generator[{numbers[1]}])")
+        elif name == "free":
+            told.append(f"p[{numbers[0]}].inverse_mass = 1.0")
+        else:
+            told.append(
+                f"registry.{'clear' if name == 'clear' else 'update_forces'}{tuple(numbers)}"
+            )
+    call = "; ".join(told).replace(",)", ")") + ": who was asked, by whom, for how long"
+    if immovable:
+        call = f"p{[*immovable]} immovable; {call}"
+    got = asked(immovable, acts)
+    expect_exactly(call, [*map(tuple, got)], wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3")
+def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
+    h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
+    cause = "in the order in which they were added, each generator gets its particle and the frame"
+    read = "book 5.2.2"
+    acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
+    wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
+    expect_asked(acts, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3")
+def test_one_generator_may_serve_many_particles() -> None:
+    cause = "a pair is a particle and a generator: both may stand in other pairs too"
+    read = "the docstring of ForceRegistry"
+    acts = [("add", 0, 0), ("add", 1, 0), ("add", 2, 0), ("update", 0.5)]
+    expect_asked(acts, [(0, 0, 0.5), (1, 0, 0.5), (2, 0, 0.5)], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3")
+def test_a_pair_that_is_added_twice_acts_twice() -> None:
+    cause = "each call of add counts: no pair is looked for first"
+    read = "the docstring of add"
+    acts = [("add", 1, 1), ("add", 1, 1), ("update", 0.5)]
+    expect_asked(acts, [(1, 1, 0.5), (1, 1, 0.5)], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3")
+def test_remove_takes_back_one_call_of_add() -> None:
+    read = "the docstring of remove"
+    cause = "one pair goes for each call of remove, and the others stay"
+    thrice = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
+    acts = [*thrice, ("remove", 0, 0), ("update", 0.5)]
+    expect_asked(
+        [*thrice, ("update", 0.5)],
+        [(0, 0, 0.5), (1, 1, 0.5)] + [(0, 0, 0.5)] * 2,
+        cause="each call of add counts",
+        read="the docstring of add",
+    )
+    got = sorted(asked((), acts))
+    call = "(p0, g0), (p1, g1), (p0, g0), (p0, g0) added; registry.remove(p0, g0): who was asked"
+    wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
+    expect_exactly(call, [*map(tuple, got)], wanted, cause=cause, read=read)
+    acts = [*thrice, *[("remove", 0, 0)] * 3, ("update", 0.5)]
+    expect_asked(acts, [(1, 1, 0.5)], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3")
+def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
+    read = "the docstring of remove"
+    cause = "only the pair of this very particle (is) and this very generator (is) goes"
+    pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
+    everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
+    for i, (_, particle, generator) in enumerate(pairs):
+        acts = [*pairs, ("remove", particle, generator), ("update", 0.5)]
+        expect_asked(acts, everyone[:i] + everyone[i + 1 :], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3")
+def test_remove_of_what_is_absent_changes_nothing() -> None:
+    read = "the docstring of remove"
+    cause = "a pair that is not there needs no error, and nobody else goes for it"
+    acts = [("remove", 0, 0), ("add", 0, 1), ("add", 1, 0), ("remove", 0, 0), ("update", 0.5)]
+    expect_asked(acts, [(0, 1, 0.5), (1, 0, 0.5)], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3")
+def test_clear_takes_back_everything() -> None:
+    read = "the docstring of clear"
+    cause = "after clear the registry is as new: what is added then is all there is"
+    acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
+    acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
+    expect_asked(acts, [(0, 0, 0.5), (1, 1, 0.5), (2, 1, 0.25)], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3")
+def test_immovable_particles_are_skipped() -> None:
+    read = "the docstring of update_forces"
+    cause = "no force moves a particle whose inverse mass is 0: its generators are not asked"
+    acts = [("add", 0, 0), ("add", 1, 0), ("add", 1, 1), ("add", 2, 0), ("update", 0.5)]
+    wanted = [(0, 0, 0.5), (2, 0, 0.5)]
+    expect_asked(acts, wanted, cause=cause, read=read, immovable=(1,))
+    cause = "a particle that can be moved now is asked for: look at it in every frame"
+    acts = [("add", 1, 2), ("add", 0, 2), ("update", 0.5), ("free", 1), ("update", 0.5)]
+    wanted = [(0, 2, 0.5), (1, 2, 0.5), (0, 2, 0.5)]
+    expect_asked(acts, wanted, cause=cause, read=read, immovable=(1,))
+
+
+@pytest.mark.exercise("B5.3")
+def test_a_generator_may_change_the_registry_meanwhile() -> None:
+    read = "the docstring of update_forces"
+    cause = "what a loop goes through must not change under it: go through a copy of the list"
+    for what, second in (("remove", 2), ("add", 4)):
+        call = (
+            f"three pairs, the first of which calls registry.{what} for itself when it is asked; "
+        )
+        call += "registry.update_forces(0.5) twice: calls of update_force in each"
+        got = asked_while_it_changes(what)
+        expect_exactly(call, got, [3, second], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3", weight=0.5)
+@pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
+def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None:
+    call = f"registry.update_forces({duration!r})"
+    cause = "positive of arguments.py raises the errors for you"
+    read = "the docstring of update_forces"
+    registry = ForceRegistry()
+    p = Particle(mass=2.0)
+    registry.add(p, Gravity(Vector3(0.0, -10.0, 0.0)))
+    expect_error(
+        call,
+        lambda: registry.update_forces(duration),
+        TypeError if isinstance(duration, str) else ValueError,
+        allowed=lambda: ForceRegistry().update_forces(0.5),
+        cause=cause,
+        read=read,
+    )
+
+
+@pytest.mark.exercise("B5.3", weight=0.5)
+@pytest.mark.parametrize("bad", [None, "gravity"])
+def test_only_a_particle_and_a_generator_can_be_added(bad: Any) -> None:
+    cause = "refuse what has no add_force, or no update_force, with TypeError: here it is cheap"
+    read = "the docstring of add"
+    registry = ForceRegistry()
+    p, gravity = Particle(), Gravity(Vector3(0.0, -10.0, 0.0))
+    for call, attempt in (
+        (f"registry.add(p, {bad!r})", lambda: registry.add(p, bad)),
+        (f"registry.add({bad!r}, gravity)", lambda: registry.add(bad, gravity)),
+        ("registry.add(gravity, p)", lambda: registry.add(gravity, p)),  # type: ignore[arg-type]
+    ):
+        expect_error(
+            call,
+            attempt,
+            TypeError,
+            allowed=lambda: registry.add(p, gravity),
+            cause=cause,
+            read=read,
+        )

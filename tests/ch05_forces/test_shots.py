@@ -1,0 +1,243 @@
+"""How a shot of the sniper range is fired, and what it hits: project 4.2b."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.sniper import SniperRange, hit_on_the_way, ring_points
+from expect import expect_close, expect_error, expect_exactly, xyz
+
+SHOOT = "the docstring of shoot"
+WAY = "the docstring of hit_on_the_way"
+
+
+def draw_angles(rng: Random) -> tuple[float, float]:
+    return round(rng.uniform(0.05, 0.19), 4), round(rng.uniform(0.05, 0.19), 4)
+
+
+@pytest.mark.exercise("P4.2b")
+def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
+    a, e = draw_angles(rng)
+    for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
+        call = f"range = SniperRange(1); range.shoot({azimuth}, {elevation})"
+        at = SniperRange(1)
+        fired = at.shoot(azimuth, elevation)
+        cause = "a bullet was fired: True"
+        expect_exactly(call, fired, True, cause=cause, read=SHOOT)
+        expect_exactly(
+            f"{call}; range.bullet is None", at.bullet is None, False, cause=cause, read=SHOOT
+        )
+        bullet: Any = at.bullet
+        cause = "elevation: sin for y, and cos is left along the ground; azimuth turns from Z to X"
+        wanted = (
+            120.0 * math.cos(elevation) * math.sin(azimuth),
+            120.0 * math.sin(elevation),
+            120.0 * math.cos(elevation) * math.cos(azimuth),
+        )
+        got = xyz(bullet.velocity)
+        expect_close(f"{call}; range.bullet.velocity", got, wanted, cause=cause, read=SHOOT)
+        cause = "MUZZLE, GRAVITY and BULLET_MASS stand at the head of the file; damping is 1"
+        got = xyz(bullet.position)
+        expect_close(f"{call}; range.bullet.position", got, (0, 1.5, 0), cause=cause, read=SHOOT)
+        got = xyz(bullet.acceleration)
+        expect_close(f"{call}; range.bullet.acceleration", got, (0, -2, 0), cause=cause, read=SHOOT)
+        numbers = (bullet.mass, bullet.damping)
+        name = f"{call}; mass and damping of range.bullet"
+        expect_close(name, numbers, (1.0, 1.0), cause=cause, read=SHOOT)
+        cause = "each shot is taken off"
+        expect_exactly(f"{call}; range.shots_left", at.shots_left, 9, cause=cause, read=SHOOT)
+
+
+@pytest.mark.exercise("P4.2b")
+def test_the_wind_acts_on_the_bullet() -> None:
+    call = (
+        "range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); range.shoot(0.0, 0.0); "
+    )
+    call += "range.forces.update_forces(0.5); range.bullet.force_accumulator"
+    cause = "shoot registers the bullet and the wind with self.forces, once"
+    at = SniperRange(1)
+    at.wind.velocity = Vector3(4, 0, 20)
+    at.shoot(0.0, 0.0)
+    at.forces.update_forces(0.5)
+    bullet: Any = at.bullet
+    # K1 and K2 are 0.02 and 0.0003; relative to the air the bullet has (-4, 0, 100).
+    drag = 0.02 + 0.0003 * math.hypot(4.0, 100.0)
+    wanted = (4.0 * drag, 0.0, -100.0 * drag)
+    expect_close(call, xyz(bullet.force_accumulator), wanted, cause=cause, read=SHOOT)
+
+
+@pytest.mark.exercise("P4.2b")
+def test_one_bullet_flies_at_a_time(rng: Random) -> None:
+    a, e = draw_angles(rng)
+    call = f"range = SniperRange(1); range.shoot({a}, {e}); range.update(1/60)"
+    at = SniperRange(1)
+    at.shoot(a, e)
+    at.update(1.0 / 60.0)
+    bullet: Any = at.bullet
+    place = xyz(bullet.position)
+    call += "; range.shoot(0.0, 0.0)"
+    cause = "while a bullet is in flight none is fired, and the shot is not taken off"
+    expect_exactly(call, at.shoot(0.0, 0.0), False, cause=cause, read=SHOOT)
+    expect_exactly(f"{call}; range.shots_left", at.shots_left, 9, cause=cause, read=SHOOT)
+    bullet = at.bullet
+    name = f"{call}; range.bullet.position"
+    expect_close(name, xyz(bullet.position), place, cause=cause, read=SHOOT)
+    cause = "the bullet has moved on by v h"
+    wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
+    expect_close(f"{name}: x and y", place[:2], wanted, cause=cause, read=SHOOT, tolerance=1e-12)
+
+
+@pytest.mark.exercise("P4.2b")
+def test_without_shots_left_none_is_fired() -> None:
+    call = (
+        "range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); range.bullet = None; "
+    )
+    call += "range.shoot(0.0, 0.0)"
+    cause = "when no shots are left, False comes back and nothing is fired"
+    at = SniperRange(1)
+    at.shots_left = 1
+    fired = at.shoot(0.0, 0.0)
+    expect_exactly(
+        "range.shots_left = 1; range.shoot(0.0, 0.0)", fired, True, cause="one is left", read=SHOOT
+    )
+    at.bullet = None
+    expect_exactly(call, at.shoot(0.0, 0.0), False, cause=cause, read=SHOOT)
+    expect_exactly(f"{call}; range.shots_left", at.shots_left, 0, cause=cause, read=SHOOT)
+    expect_exactly(
+        f"{call}; range.bullet is None", at.bullet is None, True, cause=cause, read=SHOOT
+    )
+
+
+@pytest.mark.exercise("P4.2b", weight=0.5)
+@pytest.mark.parametrize("bad", [0.2001, -0.2001, 1.6, math.inf, math.nan])
+def test_the_rifle_turns_only_so_far(bad: float) -> None:
+    cause = (
+        "refuse an angle beyond SWING, 0.2, to either side with ValueError; 0.2 itself is allowed"
+    )
+    for angles in ((bad, 0.0), (0.0, bad)):
+        call = f"range.shoot{angles}"
+        at = SniperRange(1)
+
+        def allowed() -> None:
+            for good in ((0.2, -0.2), (-0.2, 0.2)):
+                SniperRange(1).shoot(*good)
+
+        expect_error(
+            call,
+            lambda at=at, angles=angles: at.shoot(*angles),
+            ValueError,
+            allowed=allowed,
+            cause=cause,
+            read=SHOOT,
+        )
+        cause = "look at both angles before a shot is taken off"
+        expect_exactly(f"{call}; range.shots_left", at.shots_left, 10, cause=cause, read=SHOOT)
+        name = f"{call}; range.bullet is None"
+        expect_exactly(name, at.bullet is None, True, cause=cause, read=SHOOT)
+
+
+# ring_points and hit_on_the_way
+
+
+@pytest.mark.exercise("P4.2b")
+def test_the_innermost_ring_counts(rng: Random) -> None:
+    read = "the docstring of ring_points"
+    cause = (
+        "the rings are 0.1, 0.25 and 0.5 m for 10, 5 and 2 points, by the distance from the middle"
+    )
+    turn = rng.uniform(0.1, 1.4)
+    for away, points in (
+        (0.0, 10),
+        (0.09, 10),
+        (0.11, 5),
+        (0.24, 5),
+        (0.26, 2),
+        (0.49, 2),
+        (0.51, 0),
+    ):
+        for angle in (turn, turn + math.pi):
+            x, y = away * math.cos(angle), away * math.sin(angle)
+            call = f"ring_points({x!r}, {y!r}), {away} m from the middle"
+            expect_exactly(call, ring_points(x, y), points, cause=cause, read=read)
+    cause = "one on the edge of a ring lies in it"
+    for x, y, points in ((0.1, 0.0, 10), (0.0, -0.25, 5), (-0.5, 0.0, 2), (0.3, 0.4, 2)):
+        call = f"ring_points({x}, {y})"
+        expect_exactly(call, ring_points(x, y), points, cause=cause, read=read)
+
+
+def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -> tuple[str, Any]:
+    """Return the words and the hole that a way makes, as (distance, x, y, points), or None."""
+    call = f"hit_on_the_way(Vector3{start}, Vector3{end})"
+    hole = hit_on_the_way(Vector3(*start), Vector3(*end))
+    if hole is None:
+        return call, None
+    return call, (hole.target.distance, hole.x, hole.y, hole.points)
+
+
+def expect_hole(
+    start: tuple[float, float, float],
+    end: tuple[float, float, float],
+    wanted: tuple[float, float, float, int],
+    cause: str,
+) -> None:
+    call, got = way_of(start, end)
+    expect_exactly(f"{call} is None", got is None, False, cause=cause, read=WAY)
+    name = f"{call}: distance of the target, x, y, points"
+    # Positions of 200 m, some roundings each.
+    expect_close(name, got, wanted, cause=cause, read=WAY, tolerance=1e-12)
+
+
+def expect_no_hole(
+    start: tuple[float, float, float], end: tuple[float, float, float], cause: str
+) -> None:
+    call, got = way_of(start, end)
+    expect_exactly(f"{call} is None", got is None, True, cause=cause, read=WAY)
+
+
+@pytest.mark.exercise("P4.2b")
+def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> None:
+    x, y = round(rng.uniform(0.02, 0.06), 3), round(rng.uniform(-0.06, -0.02), 3)
+    middles = ((-1.5, 50.0, 10), (-0.5, 100.0, 20), (2.0, 150.0, 30), (5.0, 200.0, 40))
+    cause = "its middle is taken off, and its rings' points are multiplied by its factor"
+    for middle, distance, points in middles:
+        start, end = (middle + x, 1.5 + y, distance - 1.0), (middle + x, 1.5 + y, distance + 1.0)
+        expect_hole(start, end, (distance, x, y, points), cause)
+    cause = "a way that slants: x and y have come as far as z has, here a quarter of the way"
+    start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
+    expect_hole(start, end, (100.0, 0.0, 0.0, 20), cause)
+    start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
+    expect_hole(start, end, (100.0, 0.0, 0.3, 4), cause)
+
+
+@pytest.mark.exercise("P4.2b")
+def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
+    for start, end, cause in (
+        ((-2.1, 1.5, 49.0), (-2.1, 1.5, 51.0), "it passes beside the target"),
+        ((-1.5, 1.5, 40.0), (-1.5, 1.5, 49.9), "it ends before the target"),
+        ((-1.5, 1.5, 50.1), (-1.5, 1.5, 60.0), "it begins behind the target"),
+        ((-1.5, 1.5, 51.0), (-1.5, 1.5, 49.0), "it comes from behind"),
+        ((-1.5, 1.5, 50.0), (-1.5, 1.5, 50.0), "it goes nowhere: nothing to divide by"),
+        (
+            (3.5, 1.5, 49.0),
+            (-1.5, 1.5, 51.0),
+            "at the plane it is at x = 1, and only later at -1.5",
+        ),
+        ((-1.5, 1.5, 50.0), (-1.5, 1.5, 52.0), "start.z < distance: that plane was passed before"),
+    ):
+        expect_no_hole(start, end, cause)
+    cause = "distance <= end.z: this frame still passes the plane, and the next one does not"
+    expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10), cause)
+
+
+@pytest.mark.exercise("P4.2b")
+def test_a_long_way_hits_the_first_target_that_it_meets() -> None:
+    cause = "of two targets on the way the nearer stops the bullet"
+    expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10), cause)
+    cause = "the nearer target is missed, so the next on the way is asked"
+    expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20), cause)
+    expect_hole((2.0, 1.5, 25.0), (2.0, 1.5, 175.0), (150.0, 0.0, 0.0, 30), cause)

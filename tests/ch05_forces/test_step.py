@@ -1,0 +1,261 @@
+"""The step with forces, build task B5.2."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces import probes
+from ch05_forces.particle import Particle
+from draw import Components, components
+from expect import expect_close, expect_error, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+# Numbers up to 100, and a handful of roundings of each.
+ROUNDED = 1e-12
+
+
+def draw_frame(rng: Random) -> float:
+    """Draw the duration of a frame, long enough for each mistake to show."""
+    return round(rng.uniform(0.2, 0.8), 3)
+
+
+def draw_mass(rng: Random) -> float:
+    """Draw a mass that is far from 1, so that it differs from its inverse."""
+    return round(rng.choice((rng.uniform(2.0, 9.0), rng.uniform(0.1, 0.5))), 3)
+
+
+def moving(
+    x: Components, v: Components, a: Components, mass: float, damping: float = 1.0
+) -> tuple[str, Particle]:
+    """Return a particle and the words that make it."""
+    words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass}"
+    words += f", damping={damping})" if damping != 1.0 else ")"
+    return words, Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass, damping=damping)
+
+
+@pytest.mark.exercise("B5.2")
+def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
+    v, f, mass, h = components(rng), components(rng), draw_mass(rng), draw_frame(rng)
+    words, p = moving(ZERO, v, ZERO, mass)
+    call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
+    cause = "v' = v + (f / m) h: the force times the inverse mass is an acceleration (Eq. 3.2)"
+    read = "book 5.1.1"
+    p.add_force(Vector3(*f))
+    p.integrate(h)
+    wanted = tuple(v[i] + f[i] / mass * h for i in range(3))
+    got = xyz(p.velocity)
+    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    cause = "the position moves with the velocity from before the step, as in chapter 3"
+    wanted = tuple(v[i] * h for i in range(3))
+    got = xyz(p.position)
+    expect_close(f"{call}; p.position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2")
+def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) -> None:
+    v, a, f, g = (components(rng) for _ in range(4))
+    mass, h = draw_mass(rng), draw_frame(rng)
+    words, p = moving(ZERO, v, a, mass)
+    call = f"{words}; p.add_force(Vector3{f}); p.add_force(Vector3{g}); p.integrate({h})"
+    cause = "the acceleration of the step is a + f / m, where f is the sum of all forces"
+    read = "the docstring of integrate"
+    p.add_force(Vector3(*f))
+    p.add_force(Vector3(*g))
+    p.integrate(h)
+    wanted = tuple(v[i] + (a[i] + (f[i] + g[i]) / mass) * h for i in range(3))
+    got = xyz(p.velocity)
+    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    cause = "the constant acceleration is as it was given: forces last for one step"
+    expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.2")
+def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
+    v, a, f = (components(rng) for _ in range(3))
+    mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
+    words, p = moving(ZERO, v, a, mass, damping)
+    call = f"{words}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
+    cause = "v' = (v + (a + f / m) h) d^h: the damping comes last (E-16)"
+    read = "the docstring of integrate, errata.md"
+    p.add_force(Vector3(*f))
+    p.integrate(h)
+    wanted = tuple((v[i] + (a[i] + f[i] / mass) * h) * damping**h for i in range(3))
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2")
+def test_the_step_clears_the_forces(rng: Random) -> None:
+    v, a, f = (components(rng) for _ in range(3))
+    mass, h = draw_mass(rng), draw_frame(rng)
+    words, p = moving(ZERO, v, a, mass)
+    call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
+    cause = "a force acts in one step: integrate clears the sum"
+    read = "book 5.1.1"
+    p.add_force(Vector3(*f))
+    p.integrate(h)
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
+    p.integrate(h)
+    wanted = tuple(v[i] + f[i] / mass * h + a[i] * 2 * h for i in range(3))
+    name = f"{call}; p.integrate({h}); p.velocity"
+    expect_close(name, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2")
+def test_without_forces_the_step_is_chapter_3s(rng: Random) -> None:
+    x, v, a = (components(rng) for _ in range(3))
+    mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
+    words, p = moving(x, v, a, mass, damping)
+    call = f"{words}; p.integrate({h})"
+    cause = "without a force: p' = p + v h, v' = (v + a h) d^h, whatever the mass"
+    read = "the docstring of integrate"
+    p.integrate(h)
+    wanted = tuple(x[i] + v[i] * h for i in range(3))
+    got = xyz(p.position)
+    expect_close(f"{call}; p.position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
+    got = xyz(p.velocity)
+    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2")
+def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -> None:
+    v, f, mass = components(rng), components(rng), draw_mass(rng)
+    call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; "
+    call += f"p.mass = {mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity"
+    cause = "d^h and 1 / m are those of now: what is kept of an earlier step is out of date"
+    read = "the docstring of integrate"
+    p = Particle(velocity=Vector3(*v))
+    p.integrate(0.5)
+    p.damping = 0.25
+    p.mass = mass
+    p.add_force(Vector3(*f))
+    p.integrate(0.5)
+    wanted = tuple((v[i] + f[i] / mass * 0.5) * 0.5 for i in range(3))
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2")
+def test_a_push_of_5_seconds_lags_as_explicit_euler_does(rng: Random) -> None:
+    f, mass = components(rng), draw_mass(rng)
+    call = f"p = Particle(mass={mass}); 300 times p.add_force(Vector3{f}), p.integrate(1/60)"
+    cause = "a constant force is a constant acceleration: the error of explicit Euler is a t h / 2"
+    read = "book 5.1.1, 3.3.2"
+    position, velocity = probes.pushed(f, mass, 1.0, 1.0 / 60.0, 300)
+    # 300 roundings of numbers up to 1200.
+    wanted = tuple(f[i] / mass * (12.5 - 5.0 / 120.0) for i in range(3))
+    expect_close(f"{call}; p.position", position, wanted, cause=cause, read=read, tolerance=1e-10)
+    wanted = tuple(f[i] / mass * 5.0 for i in range(3))
+    expect_close(f"{call}; p.velocity", velocity, wanted, cause=cause, read=read, tolerance=1e-10)
+
+
+@pytest.mark.exercise("B5.2")
+def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> None:
+    a, f, g, mass = components(rng), components(rng), components(rng), draw_mass(rng)
+    call = f"p = Particle(acceleration=Vector3{a}, mass={mass}, damping=0.5); "
+    call += f"p.add_force(Vector3{f}); p.integrate(0.5)"
+    cause = "a + f / m of the step that was made, undamped"
+    read = "the docstring of last_acceleration"
+    p = Particle(acceleration=Vector3(*a), mass=mass, damping=0.5)
+    p.add_force(Vector3(*f))
+    p.integrate(0.5)
+    wanted = tuple(a[i] + f[i] / mass for i in range(3))
+    name = f"{call}; p.last_acceleration"
+    got = xyz(p.last_acceleration)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    cause = "forces that wait for the next step are not of the last one, nor is clear_forces"
+    p.add_force(Vector3(*g))
+    name = f"{call}; p.add_force(Vector3{g}); p.last_acceleration"
+    got = xyz(p.last_acceleration)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    p.clear_forces()
+    name = f"{call}; p.clear_forces(); p.last_acceleration"
+    got = xyz(p.last_acceleration)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    cause = "a step without forces leaves the constant acceleration alone"
+    p.integrate(0.5)
+    name = f"{call}; p.integrate(0.5); p.last_acceleration"
+    expect_close(name, xyz(p.last_acceleration), a, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2")
+def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Random) -> None:
+    a, f = components(rng), components(rng)
+    call = f"p = Particle(acceleration=Vector3{a}); p.add_force(Vector3{f}); p.last_acceleration"
+    cause = "no step has used the force yet"
+    read = "the docstring of last_acceleration"
+    p = Particle(acceleration=Vector3(*a))
+    p.add_force(Vector3(*f))
+    last = p.last_acceleration
+    expect_close(call, xyz(last), a, cause=cause, read=read)
+    last.x = 99.0
+    cause = "what comes back is new: changing it changes nothing in the particle"
+    expect_unchanged(f"{call}.x = 99.0", "p.acceleration", xyz(p.acceleration), a, read=read)
+    p.integrate(0.5)
+    last = p.last_acceleration
+    last.x = 99.0
+    wanted = tuple(a[i] + f[i] for i in range(3))
+    name = f"{call[: call.rindex(';')]}; p.integrate(0.5); p.last_acceleration.x = 99.0"
+    name += "; p.last_acceleration"
+    got = xyz(p.last_acceleration)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2")
+def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
+    x, v, a, f = (components(rng) for _ in range(4))
+    h, mass = draw_frame(rng), draw_mass(rng)
+    call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
+    call += f"p.add_force(Vector3{f}); p.integrate({h})"
+    read = "the docstring of integrate"
+    p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf)
+    p.add_force(Vector3(*f))
+    p.integrate(h)
+    expect_unchanged(call, "p.position", xyz(p.position), x, cause="it stays", read=read)
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause="it stays", read=read)
+    cause = "its forces are cleared all the same, or they would add up until it is set free"
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
+    cause = "its forces do nothing: what is left is the constant acceleration"
+    name = f"{call}; p.last_acceleration"
+    expect_close(name, xyz(p.last_acceleration), a, cause=cause, read=read)
+    p.mass = mass
+    p.add_force(Vector3(*f))
+    p.integrate(h)
+    call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
+    cause = "now it has a finite mass, and only the new force acts"
+    wanted = tuple(v[i] + (a[i] + f[i] / mass) * h for i in range(3))
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2", weight=0.5)
+@pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
+def test_a_refused_step_keeps_the_forces(duration: float) -> None:
+    cause = "refuse it before anything is changed: no time passes in it, or time runs back"
+    read = "the docstring of integrate"
+    error = TypeError if isinstance(duration, str) else ValueError
+    x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
+    for mass in (2.0, math.inf):
+        words, p = moving(x, v, a, mass)
+        call = f"{words}; p.add_force(Vector3{f}); p.integrate({duration!r})"
+        p.add_force(Vector3(*f))
+        expect_error(
+            call,
+            lambda p=p: p.integrate(duration),
+            error,
+            allowed=lambda: Particle().integrate(0.5),
+            cause=cause,
+            read=read,
+        )
+        cause = "refuse the duration before anything is changed"
+        expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
+        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+        expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+        got = xyz(p.force_accumulator)
+        expect_close(f"{call}; p.force_accumulator", got, f, cause=cause, read=read)
+        got = xyz(p.last_acceleration)
+        expect_close(f"{call}; p.last_acceleration", got, a, cause=cause, read=read)

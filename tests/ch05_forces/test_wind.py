@@ -1,0 +1,123 @@
+"""The wind of the sniper range, project 4.2a."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch05_forces.probes import winds
+from ch05_forces.sniper import Wind
+from draw import components
+from expect import expect_close, expect_exactly, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+READ = "the docstring of Wind.update_force"
+CHANGE = "the docstring of change_wind"
+
+
+def blow(
+    v: tuple[float, float, float], w: tuple[float, float, float], k1: float, k2: float
+) -> tuple[str, object]:
+    """Let the wind act on a particle; return the words and the force."""
+    call = f"p = Particle(velocity=Vector3{v}, mass=4.0); wind = Wind({k1}, {k2}); "
+    call += f"wind.velocity = Vector3{w}; wind.update_force(p, 0.5); p.force_accumulator"
+    p, wind = Particle(velocity=Vector3(*v), mass=4.0), Wind(k1, k2)
+    wind.velocity = Vector3(*w)
+    wind.update_force(p, 0.5)
+    return call, xyz(p.force_accumulator)
+
+
+@pytest.mark.exercise("P4.2a")
+def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
+    v, w = components(rng), components(rng)
+    k1, k2 = round(rng.uniform(0.2, 0.9), 3), round(rng.uniform(0.2, 0.9), 3)
+    cause = "Eq. 5.1 with u = v - w, the velocity relative to the air: -u (k1 + k2 |u|)"
+    u = [v[i] - w[i] for i in range(3)]
+    for one, two in ((k1, 0.0), (0.0, k2), (k1, k2)):
+        call, got = blow(v, w, one, two)
+        wanted = tuple(-u[i] * (one + two * math.hypot(*u)) for i in range(3))
+        # A few roundings of numbers up to 700.
+        expect_close(call, got, wanted, cause=cause, read=READ, tolerance=1e-11)
+
+
+@pytest.mark.exercise("P4.2a")
+def test_what_moves_with_the_air_feels_nothing(rng: Random) -> None:
+    v = components(rng)
+    cause = "the wind blows things along until they are as fast as it is; then there is no force"
+    call, got = blow(v, v, 0.5, 0.25)
+    expect_close(call, got, ZERO, cause=cause, read=READ)
+    cause = "the wind pushes what is at rest along its own way: u is v - w, and not w - v"
+    call, got = blow(ZERO, (2.0, 0.0, 0.0), 0.5, 0.25)
+    expect_close(call, got, (2.0, 0.0, 0.0), cause=cause, read=READ)
+    cause = "in still air the wind is the drag of the bullet"
+    call, got = blow((0.0, 0.0, 2.0), ZERO, 0.5, 0.25)
+    expect_close(call, got, (0.0, 0.0, -2.0), cause=cause, read=READ)
+
+
+@pytest.mark.exercise("P4.2a")
+def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
+    f, v, w = components(rng), components(rng), components(rng)
+    call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(0.5, 0.0); "
+    call += f"wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
+    cause = "add_force adds; velocities are only read"
+    p, wind = Particle(velocity=Vector3(*v)), Wind(0.5, 0.0)
+    p.add_force(Vector3(*f))
+    wind.velocity = Vector3(*w)
+    wind.update_force(p, 0.5)
+    wanted = tuple(f[i] - 0.5 * (v[i] - w[i]) for i in range(3))
+    got = xyz(p.force_accumulator)
+    # A few roundings of numbers up to 30.
+    name = f"{call}; p.force_accumulator"
+    expect_close(name, got, wanted, cause=cause, read=READ, tolerance=1e-13)
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=READ)
+    expect_unchanged(call, "wind.velocity", xyz(wind.velocity), w, cause=cause, read=READ)
+
+
+@pytest.mark.exercise("P4.2a")
+def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
+    seed = rng.randrange(1000)
+    call = f"range = SniperRange({seed}); range.change_wind() 400 times; range.wind.velocity"
+    (seen,) = winds([seed], 400)
+    expect_exactly(f"how many: {call}", len(seen), 401, cause="one each time", read=CHANGE)
+    cause = "the wind is level: its y is 0"
+    highest = max(abs(y) for _, y, _ in seen)
+    expect_close(f"{call}: the largest |y|", highest, 0.0, cause=cause, read=CHANGE)
+    for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
+        cause = f"{name} is uniform from -STRONGEST_WIND to STRONGEST_WIND, which are 10 m/s"
+        # Of 401 uniform numbers in 20 none lies in the last of either side once in 10^9 runs, and
+        # their mean is beyond 2 as seldom: 7 times its deviation.
+        for what, got, low, high in (
+            ("smallest", min(blown), -10.0, -9.0),
+            ("largest", max(blown), 9.0, 10.0),
+            ("mean", sum(blown) / len(blown), -2.0, 2.0),
+        ):
+            middle, reach = (low + high) / 2.0, (high - low) / 2.0
+            words = f"{call}: the {what} {name}"
+            expect_close(words, got, middle, cause=cause, read=CHANGE, tolerance=reach)
+    cause = "x and z are drawn each for itself, so they are the same as good as never"
+    same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
+    expect_exactly(f"{call}: how often |x| is |z|", same, 0, cause=cause, read=CHANGE)
+
+
+@pytest.mark.exercise("P4.2a")
+def test_the_wind_follows_the_seed_of_its_range(rng: Random) -> None:
+    seed = rng.randrange(1000)
+    call = f"ranges of the seeds {seed}, {seed} and {seed + 1}; change_wind() of each in turn"
+    first, second, other = winds([seed, seed, seed + 1], 6)
+    cause = "draw with self.random: the same seed gives the same winds, whatever else is drawn"
+    same = sum(a == b for a, b in zip(first, second, strict=True))
+    expect_exactly(
+        f"{call}: winds that are the same for one seed", same, 7, cause=cause, read=CHANGE
+    )
+    cause = "another seed gives other winds"
+    same = sum(a == b for a, b in zip(first, other, strict=True))
+    expect_exactly(
+        f"{call}: winds that are the same for two seeds", same, 0, cause=cause, read=CHANGE
+    )
+    cause = "each change draws a new wind"
+    kinds = len({tuple(w) for w in first})
+    expect_exactly(f"{call}: how many winds the first has seen", kinds, 7, cause=cause, read=CHANGE)

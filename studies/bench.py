@@ -20,10 +20,11 @@ def main(arguments: list[str]) -> int:
     parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = Console(highlight=False)
-    from studies.benchmarks import check, grading, particles, sparks, vectors  # import chapters
+    # These import chapters.
+    from studies.benchmarks import check, forces, grading, particles, sparks, vectors
 
     lines = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    lines += grading.lines(console)
+    lines += [*forces.lines(), *grading.lines(console)]
     table = Table("what", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("ratio", "spread", "target"):
         table.add_column(heading, justify="right", no_wrap=True)

@@ -31,8 +31,8 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
     """Return what is left of a speed in m/s after a time in s in which nothing but drag acts.
 
-    With s = k1 t / m it is v e^-s / (1 + (k2 v t / m) (1 - e^-s) / s), where (1 - e^-s) / s goes
-    to 1 for s = 0.
+    With s = k1 t / m it is v e^-s / (1 + k2 v (1 - e^-s) / k1), where (1 - e^-s) / k1 goes to t / m
+    for k1 = 0.
 
     Raises ValueError where the mass is not positive, another of them is negative, or one of them is
     not finite.

@@ -62,7 +62,7 @@ class Particle(particle.Particle):
     def last_acceleration(self) -> Vector3:
         """All of the acceleration of the last step, as new: the constant one, and f / m (Eq. 3.2).
 
-        Before the first step that is the constant one; the mass is that of now.
+        Before the first step that is the constant one.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")
 

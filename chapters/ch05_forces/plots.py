@@ -1,2 +1,316 @@
-"""Plots."""
-PLOTS = ()
+"""Pictures of chapter 5: terminal speeds, a fall with drag, an orbit that drifts, what forces cost.
+
+Titles give what is measured on the picture: a wrong engine cannot hide.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+from matplotlib import pyplot
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion import particle as chapter_3
+from ch05_forces.closed_form import quadratic_fall, terminal_speed
+from ch05_forces.forces import (
+    Airbrake,
+    Drag,
+    ForceGenerator,
+    ForceRegistry,
+    Gravity,
+    InverseSquareGravity,
+    PointGravity,
+    Uplift,
+)
+from ch05_forces.particle import Particle
+from studies.drawing import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    SKY,
+    Numbers,
+    Picture,
+    cross,
+    is_written,
+    number,
+    numbers,
+    slope,
+)
+from studies.timing import ratio, timer
+
+FRAME = 1.0 / 60.0
+MASS = 2.0
+G = 9.81
+DOWN = (0.0, -G, 0.0)
+
+# The orbit: half as far at its nearest as on average, where a turn takes 2 pi s.
+ECCENTRICITY = 0.5
+TURNS = 20
+PERIOD = 2.0 * math.pi
+
+
+def terminal_speeds() -> Picture:
+    """Falls with linear and with quadratic drag, and the speeds that they come to."""
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
+    rows: list[Sequence[object]] = []
+    worst = 0.0
+    falls = ((1.0, 0.0), (3.0, 0.0), (0.0, 0.02), (0.0, 0.1), (1.0, 0.1))
+    for (k1, k2), color in zip(falls, (BLUE, SKY, ORANGE, RED, BLACK), strict=True):
+        speeds = [speed for _, speed in _fall(MASS, k1, k2, FRAME, 600)]
+        times = [i * FRAME for i in range(len(speeds))]
+        end = terminal_speed(MASS * G, k1, k2)
+        left.plot(times, speeds, color=color, label=f"k1 = {k1:g}, k2 = {k2:g}")
+        left.axhline(end, color=color, lw=1, ls=":")
+        worst = max(worst, abs(_fall(MASS, k1, k2, FRAME, 3600)[-1][1] / end - 1.0))
+        rows += [("fall", k1, k2, MASS, *pair, end) for pair in zip(times, speeds, strict=True)]
+    left.set(xlabel="time, s", ylabel="speed of a fall of 2 kg, m/s")
+    left.grid(alpha=0.3)
+    left.legend(fontsize=8)
+    left.set_title(f"After a minute each is at its terminal speed (dotted),\nto {worst:.1g} of it")
+    masses = [0.01 * 10.0 ** (i / 4.0) for i in range(17)]
+    slopes = []
+    for (k1, k2), color, mark in (
+        ((1.0, 0.0), BLUE, "o"),
+        ((0.0, 0.1), RED, "s"),
+        ((1.0, 0.1), BLACK, "^"),
+    ):
+        exact = [terminal_speed(mass * G, k1, k2) for mass in masses]
+        label = f"k1 = {k1:g}, k2 = {k2:g}"
+        right.loglog([m * G for m in masses], exact, color=color, lw=1)
+        # As many frames, of a length in which the drag takes the same share at the end.
+        found = [
+            _fall(mass, k1, k2, 0.1 * mass / (k1 + k2 * end), 600)[-1][1]
+            for mass, end in zip(masses, exact, strict=True)
+        ]
+        right.loglog([m * G for m in masses], found, mark, color=color, ms=5, label=label)
+        slopes.append(slope(masses, found))
+        rows += [
+            ("end", k1, k2, mass, 0.0, *pair)
+            for mass, pair in zip(masses, zip(found, exact, strict=True), strict=True)
+        ]
+    right.set(xlabel="weight, N", ylabel="speed in the end, m/s")
+    right.grid(alpha=0.3, which="both")
+    right.legend(fontsize=8)
+    right.set_title(
+        f"It goes as the weight to the power {slopes[0]:.2f} with k1 alone,\n"
+        f"{slopes[1]:.2f} with k2 alone (lines: the formula)"
+    )
+    columns = ("part", "k1", "k2", "mass, kg", "time, s", "speed, m/s", "terminal speed, m/s")
+    return Picture(figure, columns, rows)
+
+
+def fall_with_drag() -> Picture:
+    """A fall with quadratic drag in long frames beside the closed form, and its error."""
+    k2, seconds, frame = 0.05, 4.0, 0.2
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
+    count = round(seconds / frame)
+    stepped = _fall(MASS, 0.0, k2, frame, count)
+    times = [i * frame for i in range(count + 1)]
+    fine = [i * seconds / 200.0 for i in range(201)]
+    exact = [quadratic_fall(MASS, G, k2, time) for time in fine]
+    for part, color, label in ((1, BLUE, "speed, m/s"), (0, ORANGE, "way, m")):
+        left.plot(fine, [pair[1 - part] for pair in exact], color=color, label=label)
+        words = f"{label}, in steps of {frame} s"
+        left.plot(times, [pair[part] for pair in stepped], "o", color=color, ms=4, label=words)
+    left.set(xlabel="time, s", ylabel="fall of 2 kg with k2 = 0.05")
+    left.grid(alpha=0.3)
+    left.legend(fontsize=8)
+    ends = quadratic_fall(MASS, G, k2, seconds)
+    rows, lengths = [], []
+    errors: tuple[list[float], list[float]] = ([], [])
+    for frames in (10, 20, 40, 80, 160, 320, 640, 1280):
+        way, speed = _fall(MASS, 0.0, k2, seconds / frames, frames)[-1]
+        lengths.append(seconds / frames)
+        errors[0].append(abs(speed - ends[0]))
+        errors[1].append(abs(way - ends[1]))
+        rows.append((seconds / frames, speed, ends[0], way, ends[1]))
+    for found, color, label in zip(errors, (BLUE, ORANGE), ("speed, m/s", "way, m"), strict=True):
+        right.loglog(lengths, found, "o-", color=color, ms=5, label=f"error of the {label}")
+    right.loglog(lengths, lengths, color=GREY, lw=5, alpha=0.4, label="first order: as h")
+    right.set(xlabel="length of a frame h, s", ylabel=f"error after {seconds:g} s")
+    right.grid(alpha=0.3, which="both")
+    right.legend(fontsize=8)
+    orders = [slope(lengths[3:], found[3:]) for found in errors]
+    right.set_title("Errors shrink as h to the power {:.3f} and {:.3f}".format(*orders))
+    most = max(
+        abs(a[0] - quadratic_fall(MASS, G, k2, t)[1]) for a, t in zip(stepped, times, strict=True)
+    )
+    left.set_title(f"In steps of {frame} s the way is off by up to {most:.2f} m")
+    columns = ("h, s", "speed, m/s", "exact speed, m/s", "way, m", "exact way, m")
+    return Picture(figure, columns, rows)
+
+
+def orbit() -> Picture:
+    """Energy and angular momentum of an orbit over 20 turns, by the book's step."""
+    figure, (path, energies, momenta) = pyplot.subplots(
+        1, 3, figsize=(14, 4.6), layout="constrained"
+    )
+    rows = []
+    words = []
+    for frames, color in ((20_000, BLUE), (40_000, ORANGE)):
+        h = PERIOD / frames
+        seen = _orbit(h, frames * TURNS, frames // 40)
+        turns = [i / 40.0 for i in range(len(seen))]
+        energy = [0.5 * math.hypot(*v) ** 2 - 1.0 / math.hypot(*p) for p, v in seen]
+        momentum = [cross(p, v)[2] for p, v in seen]
+        label = f"{frames} frames a turn"
+        path.plot([p[0] for p, _ in seen], [p[1] for p, _ in seen], color=color, lw=0.4)
+        drifts = (_energy_drift(h), _momentum_drift(h))
+        for axes, values, drift in ((energies, energy, drifts[0]), (momenta, momentum, drifts[1])):
+            axes.plot(turns, values, color=color, lw=1.2, label=label)
+            theory = [values[0] + drift * turn for turn in turns]
+            axes.plot(turns, theory, color=color, lw=5, alpha=0.3)
+        # The first turn, from farthest point to farthest: later the orbit has become another one.
+        words.append(([values[40] - values[0] for values in (energy, momentum)], drifts))
+        rows += [(frames, *row) for row in zip(turns, energy, momentum, strict=True)]
+    path.plot([0], [0], "o", color=BLACK, ms=6)
+    path.set(xlabel="x, m", ylabel="y, m", aspect="equal")
+    path.set_title(f"{TURNS} turns about the center of gravity")
+    (found, drifts), (half, _) = words
+    energies.set(xlabel="turns", ylabel="energy, J/kg")
+    energies.set_title(
+        f"The first turn adds {found[0]:.2g} J/kg (theory {drifts[0]:.2g}),\n"
+        f"{half[0]:.2g} in frames of half the length",
+        fontsize=10,
+    )
+    momenta.set(xlabel="turns", ylabel="angular momentum, m$^2$/s")
+    momenta.set_title(
+        f"The first turn adds {found[1]:.2g} m$^2$/s (theory {drifts[1]:.2g}),\n"
+        f"{half[1]:.2g} in frames of half the length",
+        fontsize=10,
+    )
+    for axes in (path, energies, momenta):
+        axes.grid(alpha=0.3)
+    energies.plot([], [], color=GREY, lw=5, alpha=0.5, label="theory for the first turn")
+    energies.legend(fontsize=8)
+    columns = ("frames a turn", "turns", "energy, J/kg", "angular momentum, m^2/s")
+    return Picture(figure, columns, rows)
+
+
+def cost_of_a_generator() -> Picture:
+    """How long a frame takes with each generator, next to gravity as a constant acceleration."""
+    place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
+    brake = Airbrake(0.5)
+    brake.on = True
+    generators: list[tuple[str, ForceGenerator]] = [
+        ("Gravity", Gravity(Vector3(*DOWN))),
+        ("Drag", Drag(0.3, 0.05)),
+        ("Uplift, inside", Uplift(Vector3(), 1e9, Vector3(0.0, 20.0, 0.0))),
+        ("Airbrake, on", brake),
+        ("PointGravity", PointGravity(Vector3(), G)),
+        ("InverseSquareGravity", InverseSquareGravity(Vector3(), 4e14)),
+    ]
+    built_in = chapter_3.Particle(place, motion, Vector3(*DOWN))
+    base = timer(lambda: _frames(built_in.integrate))
+    shown: list[tuple[str, Callable[[float], None]]] = [
+        (
+            "gravity as acceleration, chapter 5's step",
+            Particle(place, motion, Vector3(*DOWN)).integrate,
+        )
+    ]
+    for name, generator in generators:
+        particle = Particle(place, motion)
+        if is_written(lambda g=generator, p=particle: g.update_force(p, FRAME)):  # type: ignore[misc]
+            shown.append((f"{name}, by the registry", _registered(particle, generator)))
+    rows = [(name, *ratio(timer(lambda f=f: _frames(f)), base, 21, name)) for name, f in shown]  # type: ignore[misc]
+    figure, axes = pyplot.subplots(figsize=(9, 4.2), layout="constrained")
+    names, ratios, lows, highs = zip(*rows, strict=True)
+    spread = [
+        [r - low for r, low in zip(ratios, lows, strict=True)],
+        [high - r for r, high in zip(ratios, highs, strict=True)],
+    ]
+    colors = [GREEN if "acceleration" in name else BLUE for name in names]
+    axes.barh(names, ratios, xerr=spread, color=colors, ecolor=GREY)
+    axes.invert_yaxis()
+    axes.axvline(1.0, color=BLACK, lw=1)
+    axes.set(xlabel="time of a frame, chapter 3's step with gravity as acceleration = 1")
+    axes.grid(alpha=0.3, axis="x")
+    costs = {name: number(value) for name, value in zip(names, ratios, strict=True)}
+    gravity = costs.get("Gravity, by the registry", math.nan)
+    axes.set_title(
+        f"Gravity by a generator takes {gravity:.1f} times as long, for the same path:\n"
+        "it is worth that where g is not the same at all places and times"
+    )
+    return Picture(figure, ("what", "ratio", "lower quartile", "upper quartile"), rows)
+
+
+PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
+
+
+def _fall(
+    mass: float, k1: float, k2: float, frame: float, frames: int
+) -> list[tuple[float, float]]:
+    """Let a particle fall from rest, with drag; return its way and speed after each frame."""
+    particle = Particle(acceleration=Vector3(*DOWN), mass=mass)
+    drag = Drag(k1, k2)
+    seen = [(0.0, 0.0)]
+    for _ in range(frames):
+        drag.update_force(particle, frame)
+        particle.integrate(frame)
+        seen.append((-numbers(particle.position)[1], -numbers(particle.velocity)[1]))
+    return seen
+
+
+def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
+    """Move a particle about mu = 1 from its farthest point; return every so-manieth state."""
+    farthest = 1.0 + ECCENTRICITY
+    slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
+    particle = Particle(Vector3(-farthest, 0.0, 0.0), Vector3(0.0, -slowest, 0.0))
+    gravity = InverseSquareGravity(Vector3(), 1.0)
+    seen = [(numbers(particle.position), numbers(particle.velocity))]
+    for i in range(1, frames + 1):
+        gravity.update_force(particle, frame)
+        particle.integrate(frame)
+        if i % every == 0:
+            seen.append((numbers(particle.position), numbers(particle.velocity)))
+    return seen
+
+
+def _momentum_drift(h: float) -> float:
+    """Return what the book's step adds to the angular momentum in a turn of the exact orbit.
+
+    A step changes r x v by h^2 v x a, since r x a is 0; v x a = L / r^3, and the mean of 1 / r^3
+    over a turn is (1 - e^2)^(-3/2).
+    """
+    momentum = math.sqrt(1.0 - ECCENTRICITY**2)
+    return h * PERIOD * momentum / (1.0 - ECCENTRICITY**2) ** 1.5
+
+
+def _energy_drift(h: float) -> float:
+    """Return what the book's step adds to the energy in a turn of the exact orbit.
+
+    A step adds h^2 / 2 times a^2 + v . (dU / dr dr) v = 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which is
+    added up over the turn by the angle.
+    """
+    p = 1.0 - ECCENTRICITY**2
+    count = 2000
+    total = 0.0
+    for i in range(count):
+        angle = PERIOD * (i + 0.5) / count
+        r = p / (1.0 + ECCENTRICITY * math.cos(angle))
+        radial = ECCENTRICITY * math.sin(angle) / math.sqrt(p)
+        square = radial**2 + p / r**2
+        time = r * r / math.sqrt(p) * PERIOD / count
+        total += (1.0 / r**4 + (square - 3.0 * radial**2) / r**3) * time
+    return h / 2.0 * total
+
+
+def _frames(frame: Callable[[float], None]) -> None:
+    for _ in range(500):
+        frame(FRAME)
+
+
+def _registered(particle: Particle, generator: ForceGenerator) -> Callable[[float], None]:
+    """Return what lets a frame pass for a particle on which a generator acts."""
+    registry = ForceRegistry()
+    registry.add(particle, generator)
+
+    def frame(duration: float) -> None:
+        registry.update_forces(duration)
+        particle.integrate(duration)
+
+    return frame

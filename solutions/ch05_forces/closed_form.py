@@ -24,7 +24,8 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
     if k1 == 0.0 and k2 == 0.0:
         raise ValueError("k1 and k2 are both 0: without drag there is no terminal speed")
     # The formula with (-k1 + root) / (2 k2) loses its digits where k2 is small, and divides by 0.
-    return 2.0 * weight / (k1 + math.sqrt(k1 * k1 + 4.0 * k2 * weight))
+    root = math.hypot(k1, 2.0 * math.sqrt(k2) * math.sqrt(weight))  # of k1^2 + 4 k2 weight
+    return 2.0 * (weight / (k1 + root))
 
 
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
@@ -40,14 +41,14 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
     x = gravity * not_negative("time", time) / u
     # cosh x is 1 + 2 sinh^2(x / 2), which keeps the digits of a small x; e^x / 2 for a large one.
     ln_cosh = math.log1p(2.0 * math.sinh(x / 2.0) ** 2) if x < 40.0 else x - math.log(2.0)
-    return u * math.tanh(x), u * u / gravity * ln_cosh
+    return u * math.tanh(x), u * (u / gravity * ln_cosh)
 
 
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
     """Return what is left of a speed in m/s after a time in s in which nothing but drag acts.
 
-    With s = k1 t / m it is v e^-s / (1 + (k2 v t / m) (1 - e^-s) / s), where (1 - e^-s) / s goes
-    to 1 for s = 0.
+    With s = k1 t / m it is v e^-s / (1 + k2 v (1 - e^-s) / k1), where (1 - e^-s) / k1 goes to t / m
+    for k1 = 0.
 
     Raises ValueError where the mass is not positive, another of them is negative, or one of them is
     not finite.
@@ -55,8 +56,8 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
     not_negative("speed", speed)
     not_negative("time", time)
     s = not_negative("k1", k1) * time / positive("mass", mass)
-    share = -math.expm1(-s) / s if s else 1.0
-    return speed * math.exp(-s) / (1.0 + not_negative("k2", k2) * speed * time / mass * share)
+    gone = -math.expm1(-s) / k1 if s else time / mass
+    return speed * math.exp(-s) / (1.0 + not_negative("k2", k2) * speed * gone)
 
 
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:

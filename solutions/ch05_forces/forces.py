@@ -196,7 +196,7 @@ class InverseSquareGravity:
             return
         way = self.center - particle.position
         distance = way.magnitude()
-        force = particle.mass * self.mu / distance / distance if distance else math.inf
+        force = particle.mass / distance * (self.mu / distance) if distance else math.inf
         if not math.isfinite(force):
             raise ArithmeticError(f"m mu / r^2 is not finite: the particle is {distance!r} m away")
         particle.add_force(way.normalized() * force)

@@ -75,7 +75,7 @@ class Particle(particle.Particle):
     def last_acceleration(self) -> Vector3:
         """All of the acceleration of the last step, as new: the constant one, and f / m (Eq. 3.2).
 
-        Before the first step that is the constant one; the mass is that of now.
+        Before the first step that is the constant one.
         """
         force = Vector3(*(self._forces[1] or ()))
         return self.acceleration + force * self._inverse_mass
@@ -100,7 +100,7 @@ class Particle(particle.Particle):
         force, last_force = self._forces
         inverse_mass = self._inverse_mass
         if not inverse_mass:
-            self._forces = [None, None]
+            self._forces = [None, force]
             return
         position = self.position
         velocity = self.velocity

@@ -86,10 +86,71 @@ def asked(immovable: Sequence[int], acts: Sequence[tuple]) -> list[Call]:
     return calls
 
 
-def asked_while_it_changes(what: str) -> list[int]:
-    """Let the first of three generators add or remove itself when it is asked; update twice.
+class Push:
+    """A generator of a constant force."""
 
-    Return how many calls each update made.
+    def __init__(self, force: Components) -> None:
+        self.force = Vector3(*force)
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        particle.add_force(self.force)
+
+
+def gathered(by_hand: Components, pushes: Sequence[Components]) -> list[Components]:
+    """Add a force by hand, and one by a generator for each push.
+
+    Return the sum after the registry was filled, after an update, and after it was emptied.
+    """
+    particle = Particle(mass=2.0)
+    particle.add_force(Vector3(*by_hand))
+    registry = ForceRegistry()
+    generators = [Push(push) for push in pushes]
+    for generator in generators:
+        registry.add(particle, generator)
+    sums = [xyz(particle.force_accumulator)]
+    registry.update_forces(0.5)
+    sums.append(xyz(particle.force_accumulator))
+    registry.remove(particle, generators[0])
+    registry.clear()
+    return [*sums, xyz(particle.force_accumulator)]
+
+
+def failing() -> ForceRegistry:
+    """Return a registry with a generator that raises ArithmeticError."""
+
+    class Failing:
+        def update_force(self, particle: Particle, duration: float) -> None:
+            raise ArithmeticError("no finite force")
+
+    registry = ForceRegistry()
+    registry.add(Particle(), Failing())
+    return registry
+
+
+def asked_after_a_refusal(duration: float, immovable: bool) -> int:
+    """Let an update be refused, then make one of 0.5 s; return how many were asked in all."""
+    calls: list[Call] = []
+    particle = Particle(mass=2.0)
+    if immovable:
+        particle.inverse_mass = 0.0
+    registry = ForceRegistry()
+    registry.add(particle, Recorder(0, calls, [particle]))
+    try:
+        registry.update_forces(duration)
+    except (TypeError, ValueError):
+        pass
+    else:
+        calls += [(0, 0, 0.0)] * 100
+    particle.inverse_mass = 1.0
+    registry.update_forces(0.5)
+    return len(calls)
+
+
+def asked_while_it_changes(what: str) -> list[int]:
+    """Let the first of three generators change the registry when it is asked; update twice.
+
+    It removes or adds itself, removes the second, or clears all. Return how many calls each update
+    made.
     """
     counts = [0]
     particle = Particle()
@@ -102,9 +163,15 @@ def asked_while_it_changes(what: str) -> list[int]:
     class Changing(Counter):
         def update_force(self, particle: Particle, duration: float) -> None:
             super().update_force(particle, duration)
-            getattr(registry, what)(particle, self)
+            if what == "clear":
+                registry.clear()
+            elif what == "remove the second":
+                registry.remove(particle, second)
+            else:
+                getattr(registry, what)(particle, self)
 
-    for generator in (Changing(), Counter(), Counter()):
+    second = Counter()
+    for generator in (Changing(), second, Counter()):
         registry.add(particle, generator)
     registry.update_forces(0.5)
     counts.append(0)

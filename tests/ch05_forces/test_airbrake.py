@@ -12,7 +12,7 @@ from ch05_forces.forces import Airbrake
 from ch05_forces.particle import Particle
 from ch05_forces.probes import braked
 from draw import components
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.2; the docstring of Airbrake"
@@ -33,6 +33,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     for on, wanted, cause in (
         (None, ZERO, "a new brake is off, and then it adds nothing"),
         (True, pulled, "where the brake is on it adds -k v"),
+        (None, pulled, "it is on until somebody switches it off"),
         (False, ZERO, "where the brake is off it adds nothing: look at self.on each time"),
         (True, pulled, "where the brake is on it adds -k v"),
     ):
@@ -77,9 +78,43 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
         call += f"brake.update_force(p, {h}); p.integrate({h}); p.velocity"
         p = Particle(velocity=Vector3(*v), mass=mass)
         brake_of(k, on=True).update_force(p, h)
+        got = xyz(p.velocity)
+        expect_unchanged(call, "p.velocity before the step", got, v, read=READ)
         p.integrate(h)
         # What FULL, or rounding, leaves of 10 m/s.
         expect_close(call, xyz(p.velocity), ZERO, cause=cause, read=READ, tolerance=1e-9)
+
+
+@pytest.mark.exercise("5.2")
+def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
+    v, f, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
+    call = f"p = Particle(velocity=Vector3{v}, acceleration=Vector3(1, 2, 3), mass={mass}); "
+    call += f"p.add_force(Vector3{f}); brake = Airbrake(1e6), on; brake.update_force(p, 0.5)"
+    vectors = {"velocity": Vector3(*v), "acceleration": Vector3(1, 2, 3)}
+    p, brake = Particle(**vectors, mass=mass), brake_of(1e6, on=True)
+    for h in (0.5, 0.25):
+        cause = "at its limit the brake adds -v m / h, and leaves the forces that are there"
+        p.clear_forces()
+        p.add_force(Vector3(*f))
+        brake.update_force(p, h)
+        got = xyz(p.force_accumulator)
+        wanted = tuple(f[i] - v[i] * mass / h for i in range(3))
+        # Up to a part in 1e12 of 400 N, as FULL says.
+        expect_close(
+            f"{call}; p.force_accumulator", got, wanted, cause=cause, read=READ, tolerance=1e-9
+        )
+        cause = "the next frame asks anew: brake.on and brake.k are the player's"
+        expect_exactly(
+            f"{call}; (brake.on, brake.k)", (brake.on, brake.k), (True, 1e6), cause=cause, read=READ
+        )
+        call += "; in another frame, brake.update_force(p, 0.25)"
+    call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
+    call += "p.integrate(0.5)"
+    cause = "what is immovable is not stopped by any force, and that is no error"
+    p = Particle(velocity=Vector3(*v), mass=math.inf)
+    brake.update_force(p, 0.5)
+    p.integrate(0.5)
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=READ)
 
 
 @pytest.mark.exercise("5.2")
@@ -103,17 +138,18 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
 @pytest.mark.exercise("5.2", weight=0.5)
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
-    call = f"brake = Airbrake(2.0), on; brake.update_force(p, {duration!r})"
-    cause = "positive of arguments.py raises the errors for you: m / h needs an h that means time"
-    p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=True)
-    expect_error(
-        call,
-        lambda: brake.update_force(p, duration),
-        TypeError if isinstance(duration, str) else ValueError,
-        allowed=lambda: brake.update_force(Particle(), 0.5),
-        cause=cause,
-        read=READ,
-    )
-    got = xyz(p.force_accumulator)
-    cause = "look at the duration before a force is added"
-    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=READ)
+    for on in (True, False):
+        call = f"brake = Airbrake(2.0); brake.on = {on}; brake.update_force(p, {duration!r})"
+        cause = "positive of arguments.py raises the errors for you, whether the brake is on or off"
+        p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=on)
+        expect_error(
+            call,
+            lambda brake=brake, p=p: brake.update_force(p, duration),
+            TypeError if isinstance(duration, str) else ValueError,
+            allowed=lambda brake=brake: brake.update_force(Particle(), 0.5),
+            cause=cause,
+            read=READ,
+        )
+        got = xyz(p.force_accumulator)
+        cause = "look at the duration before a force is added"
+        expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=READ)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from decimal import Decimal
 from random import Random
 
 import pytest
@@ -40,8 +41,14 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
     got = terminal_speed(2 * 9.81, 0.3, 0.05)
     # The last digit that is known of it.
     expect_close(call, got, 17.0349694, cause=cause, read=TERMINAL, tolerance=1e-7)
-    for _ in range(3):
-        weight, k1, k2 = drawn(rng, 5.0, 900.0), drawn(rng), drawn(rng)
+    for weight, k1, k2 in (
+        *((drawn(rng, 5.0, 900.0), drawn(rng), drawn(rng)) for _ in range(3)),
+        (10.0, 0.3, 0.3),
+        (10.0, 1e-3, 1e-6),
+        (1e9, 1e-3, 1e-13),
+        (1e-9, 1e-3, 1e3),
+    ):
+        cause = "v = (-k1 + sqrt(k1^2 + 4 k2 W)) / (2 k2) solves k1 v + k2 v^2 = W"
         call = f"v = terminal_speed({weight}, {k1}, {k2}); k1 v + k2 v^2"
         v = terminal_speed(weight, k1, k2)
         drag = k1 * v + k2 * v * v
@@ -164,6 +171,25 @@ def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B5.7")
+def test_a_fall_of_any_length_keeps_its_digits() -> None:
+    # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
+    cause = (
+        "whichever form of ln cosh x you take, it must hold to the last digits where you take it"
+    )
+    for text in ("0.001", "0.01", "0.05", "0.2", "1", "5", "12", "16", "20", "39", "41"):
+        call = f"quadratic_fall(2.0, 8.0, 0.25, {text})"
+        x = Decimal(text)
+        cosh, sinh = (x.exp() + (-x).exp()) / 2, (x.exp() - (-x).exp()) / 2
+        wanted = (float(8 * sinh / cosh), float(8 * cosh.ln()))
+        speed, way = quadratic_fall(2.0, 8.0, 0.25, float(text))
+        for name, got, exact in (("speed", speed, wanted[0]), ("way", way, wanted[1])):
+            tolerance = ROUNDED * exact
+            expect_close(
+                f"{call}, the {name}", got, exact, cause=cause, read=FALL, tolerance=tolerance
+            )
+
+
+@pytest.mark.exercise("B5.7")
 def test_a_fall_begins_at_rest() -> None:
     cause = "at the time 0 there is no speed and no way; a time of 0 is no error"
     got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
@@ -178,7 +204,7 @@ def test_a_fall_begins_at_rest() -> None:
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
-    cause = "v e^-s / (1 + (k2 v t / m) (1 - e^-s) / s), with s = k1 t / m"
+    cause = "v e^-s / (1 + k2 v (1 - e^-s) / k1), with s = k1 t / m"
     for _ in range(3):
         v, k1, k2 = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
         mass, time = drawn(rng), drawn(rng, 0.2, 2.0)
@@ -218,6 +244,19 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B5.7")
+def test_coasting_with_little_linear_drag_keeps_its_digits(rng: Random) -> None:
+    v, k2 = drawn(rng, 1.0, 90.0), drawn(rng)
+    cause = "1 - e^-s must keep its digits for every s: math.expm1 does"
+    for power in range(1, 14):
+        k1 = 10.0**-power
+        call = f"coasting_speed({v}, {k1}, {k2}, 1.0, 1.0)"
+        # 1 / v + k2 / k1 grows as e^s: e^s / v + (k2 / k1) (e^s - 1) is 1 / v afterwards.
+        wanted = 1.0 / (math.exp(k1) / v + k2 / k1 * math.expm1(k1))
+        got = coasting_speed(v, k1, k2, 1.0, 1.0)
+        expect_close(call, got, wanted, cause=cause, read=COAST, tolerance=ROUNDED * wanted)
+
+
+@pytest.mark.exercise("B5.7")
 def test_coasting_begins_with_its_speed_and_ends_in_rest(rng: Random) -> None:
     v, k1, k2 = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
     for speed, time, wanted, cause in (
@@ -238,6 +277,7 @@ def test_a_fall_needs_numbers_that_mean_something() -> None:
         (2.0, 0.0, 0.05, 3.0),
         (2.0, 9.81, 0.0, 3.0),
         (-2.0, 9.81, -0.05, 3.0),  # the signs cancel below the root
+        (-2.0, -9.81, 0.05, 3.0),
         (2.0, 9.81, 0.05, -3.0),
         *bad_numbers((2.0, 9.81, 0.05, 3.0)),
     ):
@@ -259,6 +299,7 @@ def test_coasting_needs_numbers_that_mean_something() -> None:
         (20.0, -0.3, 0.05, 2.0, 1.5),
         (20.0, 0.3, -0.05, 2.0, 1.5),
         (20.0, 0.3, 0.05, 0.0, 1.5),
+        (20.0, 0.3, 0.05, -2.0, 1.5),
         (20.0, 0.3, 0.05, 2.0, -1.5),
         *bad_numbers((20.0, 0.3, 0.05, 2.0, 1.5)),
     ):
@@ -289,6 +330,9 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
         expect_close(call, got, (1.0 / rate, 2.0 / rate), cause=cause, read=LIMITS)
+    cause = "a little drag has limits too: after a long time, and not never"
+    got = drag_limits(1e-12, 0.0, 1.0, 1.0)
+    expect_close("drag_limits(1e-12, 0.0, 1.0, 1.0)", got, (1e12, 2e12), cause=cause, read=LIMITS)
     call = f"drag_limits({k1}, {k2}, {mass}, 0.0)"
     cause = "slow motion has the limits of k1 alone"
     got = drag_limits(k1, k2, mass, 0.0)

@@ -56,8 +56,13 @@ def test_drag_grows_with_the_speed_and_with_its_square() -> None:
 def test_at_rest_there_is_no_drag(rng: Random) -> None:
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
     cause = "the zero vector has no direction: nothing may be divided by its length"
-    call = f"drag_force(Vector3(), {k1}, {k2})"
-    expect_close(call, xyz(drag_force(Vector3(), k1, k2)), ZERO, cause=cause, read=READ)
+    call = f"v = Vector3(); f = drag_force(v, {k1}, {k2})"
+    v = Vector3()
+    force = drag_force(v, k1, k2)
+    expect_close(call, xyz(force), ZERO, cause=cause, read=READ)
+    force.x = 99.0
+    cause = "what comes back is new, at rest too"
+    expect_unchanged(f"{call}; f.x = 99.0", "v", xyz(v), ZERO, cause=cause, read=READ)
     call = f"drag_force(Vector3(0, 1e-9, 0), {k1}, {k2})"
     cause = "slow motion is motion: the drag is small, and not zero"
     got = xyz(drag_force(Vector3(0, 1e-9, 0), k1, k2))

@@ -29,8 +29,8 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
 def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> None:
     center, way = components(rng), direction(rng)
     mass, mu = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
-    cause = "m mu / r^2 along the unit vector to the center; m mu d / r^3 with d, the way there"
-    for distance in (0.5, 1.0, 20.0, 4000.0):
+    for distance in (0.5, 1.0, 20.0, 4000.0, 1e6):
+        cause = "m mu / r^2 along the unit vector to the center; m mu d / r^3 with d, the way there"
         place = away_from(center, way, distance)
         call = f"p = Particle({distance} m from the center, mass={mass}); "
         call += f"InverseSquareGravity(Vector3{center}, {mu}).update_force(p, 0.5)"
@@ -42,12 +42,14 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         name = f"{call}; p.force_accumulator"
         # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
         expect_close(name, got, wanted, cause=cause, read=READ, tolerance=1e-12 * size)
+        cause = "position and center are only read: -= and normalize work in place"
+        expect_unchanged(call, "p.position", xyz(p.position), xyz(place), cause=cause, read=READ)
 
 
 @pytest.mark.exercise("5.4")
 def test_at_the_center_there_is_no_finite_force() -> None:
-    cause = "mu / 0 is no force: raise ArithmeticError, before anything is added"
     for x, mu, mass in (
+        (0.0, 0.0, 1.0),
         (0.0, 5.0, 1.0),
         (1e-200, 5.0, 1.0),
         (1e-160, 5.0, 2.0),
@@ -55,6 +57,8 @@ def test_at_the_center_there_is_no_finite_force() -> None:
     ):
         call = f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3(1, 2, 3)); "
         call += f"InverseSquareGravity(Vector3(), {mu}).update_force(p, 0.5)"
+        cause = "mu / 0 is no force, and one that is too large for a float is none either: raise "
+        cause += "ArithmeticError, before anything is added"
         p = Particle(Vector3(x, 0, 0), mass=mass)
         p.add_force(Vector3(1, 2, 3))
         expect_error(
@@ -67,19 +71,28 @@ def test_at_the_center_there_is_no_finite_force() -> None:
             cause=cause,
             read=READ,
         )
+        cause = "ask whether the force is finite before it is added"
         got = xyz(p.force_accumulator)
         expect_close(f"{call}; p.force_accumulator", got, (1, 2, 3), cause=cause, read=READ)
-        cause = "m mu / r^2 is too large for a float, or r^2 is 0: ask whether the force is finite"
 
 
 @pytest.mark.exercise("5.4", weight=0.5)
-def test_near_the_center_the_force_is_large_and_right() -> None:
-    cause = "1e-120 squared fits in a float, cubed it is 0: take m mu / r / r, and a unit vector"
-    for y, force in ((1e-120, -3e240), (1e-9, -3e18)):
+def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
+    cause = (
+        "1e-120 squared fits in a float, cubed it is 0; 1e200 squared does not fit, and the force "
+    )
+    cause += "is as good as 0: take (m / r) (mu / r), and a unit vector"
+    for y, mu, force in (
+        (1e-120, 2.0, -3e240),
+        (1e-150, 2e-50, -3e250),
+        (1e-9, 2.0, -3e18),
+        (1.0, 1e300, -1.5e300),
+        (1e200, 2.0, 0.0),
+    ):
         call = f"p = Particle(Vector3(0, {y}, 0), mass=1.5); "
-        call += "InverseSquareGravity(Vector3(), 2.0).update_force(p, 0.5); p.force_accumulator"
+        call += f"InverseSquareGravity(Vector3(), {mu}).update_force(p, 0.5); p.force_accumulator"
         p = Particle(Vector3(0, y, 0), mass=1.5)
-        InverseSquareGravity(Vector3(), 2.0).update_force(p, 0.5)
+        InverseSquareGravity(Vector3(), mu).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         expect_close(call, got, (0.0, force, 0.0), cause=cause, read=READ)
 
@@ -92,6 +105,11 @@ def test_inverse_square_gravity_leaves_an_immovable_particle_alone() -> None:
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=READ)
+    p.position = Vector3()
+    cause = "at the center an immovable particle is left alone as well: ask for the mass first"
+    InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
+    name = call.replace("(0, 2, 0)", "()")
+    expect_close(name, xyz(p.force_accumulator), ZERO, cause=cause, read=READ)
     call = call.replace("math.inf", "4.0")
     cause = "a finite mass has a weight"
     p = Particle(Vector3(0, 2, 0), mass=4.0)

@@ -27,10 +27,10 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
 def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> None:
     center, way = components(rng), direction(rng)
     mass, strength = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
-    cause = "m times the strength, along the unit vector from the particle to the center: the "
-    cause += "distance does not matter, its direction does"
     for distance in (0.1, 1.0, 25.0, 4000.0):
         place = away_from(center, way, distance)
+        cause = "m times the strength, along the unit vector from the particle to the center: the "
+        cause += "distance does not matter, its direction does"
         call = f"p = Particle({distance} m from the center, mass={mass}); "
         call += f"PointGravity(Vector3{center}, {strength}).update_force(p, 0.5)"
         p = Particle(place, Vector3(5, 6, 7), mass=mass)
@@ -39,6 +39,8 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         got = xyz(p.force_accumulator)
         name = f"{call}; p.force_accumulator"
         expect_close(name, got, wanted, cause=cause, read=READ, tolerance=ROUNDED)
+        cause = "position and center are only read: -= and normalize work in place"
+        expect_unchanged(call, "p.position", xyz(p.position), xyz(place), cause=cause, read=READ)
 
 
 @pytest.mark.exercise("5.3")
@@ -52,12 +54,15 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
     PointGravity(Vector3(*center), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=READ)
-    call = "p = Particle(Vector3(0, 1e-9, 0)); PointGravity(Vector3(), 10.0).update_force(p, 0.5)"
-    cause = "near the center the force is as strong as anywhere"
-    p = Particle(Vector3(0, 1e-9, 0))
-    PointGravity(Vector3(), 10.0).update_force(p, 0.5)
-    got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, (0, -10.0, 0), cause=cause, read=READ)
+    for y in (1e-9, 1e-170):
+        call = (
+            f"p = Particle(Vector3(0, {y}, 0)); PointGravity(Vector3(), 10.0).update_force(p, 0.5)"
+        )
+        cause = "near the center the force is as strong as anywhere"
+        p = Particle(Vector3(0, y, 0))
+        PointGravity(Vector3(), 10.0).update_force(p, 0.5)
+        got = xyz(p.force_accumulator)
+        expect_close(f"{call}; p.force_accumulator", got, (0, -10.0, 0), cause=cause, read=READ)
 
 
 @pytest.mark.exercise("5.3")

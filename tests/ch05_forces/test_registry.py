@@ -11,8 +11,15 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry, Gravity
 from ch05_forces.particle import Particle
-from ch05_forces.probes import asked, asked_while_it_changes
-from expect import expect_error, expect_exactly
+from ch05_forces.probes import (
+    asked,
+    asked_after_a_refusal,
+    asked_while_it_changes,
+    failing,
+    gathered,
+)
+from draw import components
+from expect import expect_close, expect_error, expect_exactly
 
 
 def expect_asked(
@@ -26,15 +33,17 @@ def expect_asked(
     """Expect these calls of update_force: which particle, which generator, which duration."""
     told = []
     for name, *numbers in acts:
-        if name in ("add", "remove"):
-            told.append(f"registry.{name}(p[{numbers[0]}], generator[{numbers[1]}])")
+        if name == "add":
+            told.append(f"added p[{numbers[0]}] with generator[{numbers[1]}]")
+        elif name == "remove":
+            told.append(f"registry.remove(p[{numbers[0]}], generator[{numbers[1]}])")
         elif name == "free":
             told.append(f"p[{numbers[0]}].inverse_mass = 1.0")
+        elif name == "clear":
+            told.append("registry.clear()")
         else:
-            told.append(
-                f"registry.{'clear' if name == 'clear' else 'update_forces'}{tuple(numbers)}"
-            )
-    call = "; ".join(told).replace(",)", ")") + ": who was asked, by whom, for how long"
+            told.append(f"registry.update_forces({numbers[0]})")
+    call = "; ".join(told) + "; asked were (particle, generator, duration)"
     if immovable:
         call = f"p{[*immovable]} immovable; {call}"
     got = asked(immovable, acts)
@@ -61,29 +70,28 @@ def test_one_generator_may_serve_many_particles() -> None:
 
 @pytest.mark.exercise("B5.3")
 def test_a_pair_that_is_added_twice_acts_twice() -> None:
-    cause = "each call of add counts: no pair is looked for first"
+    cause = "each call of registry.add() counts: no pair is looked for first, in neither function"
     read = "the docstring of add"
-    acts = [("add", 1, 1), ("add", 1, 1), ("update", 0.5)]
-    expect_asked(acts, [(1, 1, 0.5), (1, 1, 0.5)], cause=cause, read=read)
+    call = (
+        "registry.add(p, generator) twice; registry.update_forces(0.5): how often p was asked for"
+    )
+    got = asked((), [("add", 1, 1), ("add", 1, 1), ("update", 0.5)])
+    expect_exactly(call, len(got), 2, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B5.3")
 def test_remove_takes_back_one_call_of_add() -> None:
     read = "the docstring of remove"
     cause = "one pair goes for each call of remove, and the others stay"
-    thrice = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
-    acts = [*thrice, ("remove", 0, 0), ("update", 0.5)]
-    expect_asked(
-        [*thrice, ("update", 0.5)],
-        [(0, 0, 0.5), (1, 1, 0.5)] + [(0, 0, 0.5)] * 2,
-        cause="each call of add counts",
-        read="the docstring of add",
-    )
-    got = sorted(asked((), acts))
-    call = "(p0, g0), (p1, g1), (p0, g0), (p0, g0) added; registry.remove(p0, g0): who was asked"
+    adds = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
+    everyone = [(0, 0, 0.5), (1, 1, 0.5), (0, 0, 0.5), (0, 0, 0.5)]
+    expect_asked([*adds, ("update", 0.5)], everyone, cause="each call of add counts", read=read)
+    call = "added p[0] with generator[0] three times, and p[1] with generator[1]; "
+    call += "registry.remove(p[0], generator[0]); asked were, sorted"
+    got = sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)]))
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
     expect_exactly(call, [*map(tuple, got)], wanted, cause=cause, read=read)
-    acts = [*thrice, *[("remove", 0, 0)] * 3, ("update", 0.5)]
+    acts = [*adds, *[("remove", 0, 0)] * 3, ("update", 0.5)]
     expect_asked(acts, [(1, 1, 0.5)], cause=cause, read=read)
 
 
@@ -129,14 +137,31 @@ def test_immovable_particles_are_skipped() -> None:
 
 
 @pytest.mark.exercise("B5.3")
+def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
+    by_hand, first, second = components(rng), components(rng), components(rng)
+    call = f"p.add_force(Vector3{by_hand}); generators push with {first} and {second}; "
+    call += "registry.update_forces(0.5); p.force_accumulator"
+    cause = "forces that were added by hand stay: only the step clears them"
+    read = "book 5.2.2"
+    before, after, emptied = gathered(by_hand, [first, second])
+    wanted = tuple(by_hand[i] + first[i] + second[i] for i in range(3))
+    # Two roundings of numbers up to 30.
+    expect_close(call, after, wanted, cause=cause, read=read, tolerance=1e-13)
+    cause = "to fill or to empty a registry is no frame: no force is added, and none is dropped"
+    name = f"p.add_force(Vector3{by_hand}); p in registry.add(); p.force_accumulator"
+    expect_close(name, before, by_hand, cause=cause, read="the docstring of add")
+    name = f"{call}, after registry.clear()"
+    read = "the docstring of clear"
+    expect_close(name, emptied, wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B5.3")
 def test_a_generator_may_change_the_registry_meanwhile() -> None:
     read = "the docstring of update_forces"
     cause = "what a loop goes through must not change under it: go through a copy of the list"
-    for what, second in (("remove", 2), ("add", 4)):
-        call = (
-            f"three pairs, the first of which calls registry.{what} for itself when it is asked; "
-        )
-        call += "registry.update_forces(0.5) twice: calls of update_force in each"
+    for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):
+        call = f"three pairs, the first of which changes the registry ({what}) when it is asked; "
+        call += "registry.update_forces(0.5) twice; how many were asked in each"
         got = asked_while_it_changes(what)
         expect_exactly(call, got, [3, second], cause=cause, read=read)
 
@@ -145,38 +170,58 @@ def test_a_generator_may_change_the_registry_meanwhile() -> None:
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None:
     call = f"registry.update_forces({duration!r})"
-    cause = "positive of arguments.py raises the errors for you"
     read = "the docstring of update_forces"
-    registry = ForceRegistry()
-    p = Particle(mass=2.0)
-    registry.add(p, Gravity(Vector3(0.0, -10.0, 0.0)))
+    cause = "positive of arguments.py raises the errors for you: look at the duration first"
     expect_error(
         call,
-        lambda: registry.update_forces(duration),
+        lambda: ForceRegistry().update_forces(duration),
         TypeError if isinstance(duration, str) else ValueError,
         allowed=lambda: ForceRegistry().update_forces(0.5),
         cause=cause,
         read=read,
+    )
+    for immovable in (False, True):
+        name = f"{call} with a pair in it, then registry.update_forces(0.5): how many were asked"
+        got = asked_after_a_refusal(duration, immovable)
+        cause = "look at the duration before anybody is asked, and whoever is there"
+        expect_exactly(name, got, 1, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.3", weight=0.5)
+def test_what_a_generator_raises_comes_out() -> None:
+    call = "a generator raises ArithmeticError; registry.update_forces(0.5)"
+    cause = "an error of a generator is for whoever lets the frame pass: no try and except here"
+    registry = failing()
+    expect_error(
+        call,
+        lambda: registry.update_forces(0.5),
+        ArithmeticError,
+        allowed=lambda: ForceRegistry().update_forces(0.5),
+        cause=cause,
+        read="the docstring of update_forces",
     )
 
 
 @pytest.mark.exercise("B5.3", weight=0.5)
 @pytest.mark.parametrize("bad", [None, "gravity"])
 def test_only_a_particle_and_a_generator_can_be_added(bad: Any) -> None:
-    cause = "refuse what has no add_force, or no update_force, with TypeError: here it is cheap"
     read = "the docstring of add"
-    registry = ForceRegistry()
+    registry, other = ForceRegistry(), ForceRegistry()
     p, gravity = Particle(), Gravity(Vector3(0.0, -10.0, 0.0))
     for call, attempt in (
         (f"registry.add(p, {bad!r})", lambda: registry.add(p, bad)),
         (f"registry.add({bad!r}, gravity)", lambda: registry.add(bad, gravity)),
         ("registry.add(gravity, p)", lambda: registry.add(gravity, p)),  # type: ignore[arg-type]
     ):
+        cause = "refuse what has no add_force, or no update_force, with TypeError: here it is cheap"
         expect_error(
             call,
             attempt,
             TypeError,
-            allowed=lambda: registry.add(p, gravity),
+            allowed=lambda: other.add(p, gravity),
             cause=cause,
             read=read,
         )
+        cause = "what was refused must not be in the registry: look first, and then append"
+        call += ", which is refused; registry.update_forces(0.5)"
+        registry.update_forces(0.5)

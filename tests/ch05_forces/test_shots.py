@@ -10,10 +10,17 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.sniper import SniperRange, hit_on_the_way, ring_points
-from expect import expect_close, expect_error, expect_exactly, xyz
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 SHOOT = "the docstring of shoot"
 WAY = "the docstring of hit_on_the_way"
+# The targets of sniper.py, by their distance: x, y, distance and factor.
+TARGETS = {
+    50.0: (-1.5, 1.5, 50.0, 1),
+    100.0: (-0.5, 1.5, 100.0, 2),
+    150.0: (2.0, 1.5, 150.0, 3),
+    200.0: (5.0, 1.5, 200.0, 4),
+}
 
 
 def draw_angles(rng: Random) -> tuple[float, float]:
@@ -74,7 +81,7 @@ def test_the_wind_acts_on_the_bullet() -> None:
 @pytest.mark.exercise("P4.2b")
 def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     a, e = draw_angles(rng)
-    call = f"range = SniperRange(1); range.shoot({a}, {e}); range.update(1/60)"
+    call = f"range = SniperRange(1); range.shoot({a}, {e}); a frame of 1/60 s later"
     at = SniperRange(1)
     at.shoot(a, e)
     at.update(1.0 / 60.0)
@@ -89,7 +96,8 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     expect_close(name, xyz(bullet.position), place, cause=cause, read=SHOOT)
     cause = "the bullet has moved on by v h"
     wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
-    expect_close(f"{name}: x and y", place[:2], wanted, cause=cause, read=SHOOT, tolerance=1e-12)
+    name = f"range.shoot({a}, {e}); range.update(1/60); x and y of range.bullet.position"
+    expect_close(name, place[:2], wanted, cause=cause, read=SHOOT, tolerance=1e-12)
 
 
 @pytest.mark.exercise("P4.2b")
@@ -116,11 +124,9 @@ def test_without_shots_left_none_is_fired() -> None:
 @pytest.mark.exercise("P4.2b", weight=0.5)
 @pytest.mark.parametrize("bad", [0.2001, -0.2001, 1.6, math.inf, math.nan])
 def test_the_rifle_turns_only_so_far(bad: float) -> None:
-    cause = (
-        "refuse an angle beyond SWING, 0.2, to either side with ValueError; 0.2 itself is allowed"
-    )
     for angles in ((bad, 0.0), (0.0, bad)):
         call = f"range.shoot{angles}"
+        cause = "refuse an angle beyond SWING, 0.2, to either side with ValueError; 0.2 is allowed"
         at = SniperRange(1)
 
         def allowed() -> None:
@@ -139,6 +145,18 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
         expect_exactly(f"{call}; range.shots_left", at.shots_left, 10, cause=cause, read=SHOOT)
         name = f"{call}; range.bullet is None"
         expect_exactly(name, at.bullet is None, True, cause=cause, read=SHOOT)
+        at.shoot(0.0, 0.0)
+        cause = (
+            "a wrong angle is refused while a bullet is in flight, too: look at the angles first"
+        )
+        expect_error(
+            f"range.shoot(0.0, 0.0); {call}",
+            lambda at=at, angles=angles: at.shoot(*angles),
+            ValueError,
+            allowed=allowed,
+            cause=cause,
+            read=SHOOT,
+        )
 
 
 # ring_points and hit_on_the_way
@@ -153,8 +171,8 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
     turn = rng.uniform(0.1, 1.4)
     for away, points in (
         (0.0, 10),
-        (0.09, 10),
-        (0.11, 5),
+        (0.0999, 10),
+        (0.1001, 5),
         (0.24, 5),
         (0.26, 2),
         (0.49, 2),
@@ -173,10 +191,14 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
 def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -> tuple[str, Any]:
     """Return the words and the hole that a way makes, as (distance, x, y, points), or None."""
     call = f"hit_on_the_way(Vector3{start}, Vector3{end})"
-    hole = hit_on_the_way(Vector3(*start), Vector3(*end))
+    first, last = Vector3(*start), Vector3(*end)
+    hole = hit_on_the_way(first, last)
+    for name, now, before in (("start", first, start), ("end", last, end)):
+        expect_unchanged(call, name, xyz(now), before, read=WAY)
     if hole is None:
         return call, None
-    return call, (hole.target.distance, hole.x, hole.y, hole.points)
+    target = hole.target
+    return call, (target.x, target.y, target.distance, target.factor, hole.x, hole.y, hole.points)
 
 
 def expect_hole(
@@ -187,9 +209,10 @@ def expect_hole(
 ) -> None:
     call, got = way_of(start, end)
     expect_exactly(f"{call} is None", got is None, False, cause=cause, read=WAY)
-    name = f"{call}: distance of the target, x, y, points"
+    name = f"{call}: target (x, y, distance, factor), then x, y and points of the hole"
+    distance, *hole = wanted
     # Positions of 200 m, some roundings each.
-    expect_close(name, got, wanted, cause=cause, read=WAY, tolerance=1e-12)
+    expect_close(name, got, (*TARGETS[distance], *hole), cause=cause, read=WAY, tolerance=1e-12)
 
 
 def expect_no_hole(
@@ -201,12 +224,13 @@ def expect_no_hole(
 
 @pytest.mark.exercise("P4.2b")
 def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> None:
-    x, y = round(rng.uniform(0.02, 0.06), 3), round(rng.uniform(-0.06, -0.02), 3)
-    middles = ((-1.5, 50.0, 10), (-0.5, 100.0, 20), (2.0, 150.0, 30), (5.0, 200.0, 40))
+    away = round(rng.uniform(0.02, 0.06), 3)
     cause = "its middle is taken off, and its rings' points are multiplied by its factor"
-    for middle, distance, points in middles:
-        start, end = (middle + x, 1.5 + y, distance - 1.0), (middle + x, 1.5 + y, distance + 1.0)
-        expect_hole(start, end, (distance, x, y, points), cause)
+    for distance, (middle, height, _, factor) in TARGETS.items():
+        for x, y in ((away, -away), (-away, away)):
+            start = (middle + x, height + y, distance - 1.0)
+            end = (middle + x, height + y, distance + 1.0)
+            expect_hole(start, end, (distance, x, y, 10 * factor), cause)
     cause = "a way that slants: x and y have come as far as z has, here a quarter of the way"
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20), cause)

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from random import Random
 from typing import Any
 
 import pytest
 
-from ch05_forces.probes import play
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import Drag
+from ch05_forces.probes import play, winds
 from ch05_forces.sniper import SniperRange
+from draw import Components
 from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 SHOOT = "the docstring of shoot"
@@ -26,6 +30,16 @@ def fallen(frames: float) -> float:
     return before + (after - before) * (frames - n)
 
 
+def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
+    """Fire a bullet of a range, put it there, let no force act on it, and return it."""
+    at.shoot(0.0, 0.0)
+    at.forces.clear()
+    bullet: Any = at.bullet
+    bullet.position, bullet.velocity = Vector3(*position), Vector3(*velocity)
+    bullet.acceleration = Vector3()
+    return bullet
+
+
 @pytest.mark.exercise("P4.2b")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
     cause = "in each frame: the forces, the step, and then what the way of this frame has hit"
@@ -38,6 +52,10 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
         expect_exactly(f"{call}; how many holes", len(holes), 1, cause=cause, read=UPDATE)
+        frames = math.floor(distance / (level * FRAME))
+        cause = "the target stops the bullet"
+        name = f"{call}; frames in flight before"
+        expect_exactly(name, len(came["positions"]), frames, cause=cause, read=UPDATE)
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
         name = f"{call}; distance, x, y and points of the hole"
         # A hundred roundings of positions up to 150 m.
@@ -70,6 +88,48 @@ def test_the_wind_carries_the_bullet_away() -> None:
 
 
 @pytest.mark.exercise("P4.2b")
+def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
+    h = round(rng.uniform(0.1, 0.3), 3)
+    call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); a Drag(0.5, 0.0) of the "
+    call += f"bullet added to range.forces; range.update({h})"
+    cause = "the duration goes to update_forces and to integrate; all forces of the registry act"
+    at = SniperRange(1)
+    at.wind.k1, at.wind.k2, at.wind.velocity = 0.25, 0.0, Vector3(5, 0, 0)
+    at.shoot(0.0, 0.1)
+    bullet: Any = at.bullet
+    at.forces.add(bullet, Drag(0.5, 0.0))
+    v = (0.0, 120.0 * math.sin(0.1), 120.0 * math.cos(0.1))
+    at.update(h)
+    wanted = tuple((0.0, 1.5, 0.0)[i] + v[i] * h for i in range(3))
+    got = xyz(bullet.position)
+    expect_close(f"{call}; the position", got, wanted, cause=cause, read=UPDATE)
+    gained = (0.25 * 5.0, -2.0, 0.0)
+    wanted = tuple(v[i] + (gained[i] - 0.75 * v[i]) * h for i in range(3))
+    got = xyz(bullet.velocity)
+    expect_close(f"{call}; the velocity", got, wanted, cause=cause, read=UPDATE)
+
+
+@pytest.mark.exercise("P4.2b")
+def test_what_is_exactly_at_the_edge_flies_on() -> None:
+    call = "a bullet without forces from (20, 1, 178) with (0, -2, 64) m/s; range.update(0.5): the "
+    call += "bullet is at (20, 0, 210); range.bullet is None"
+    cause = "landed is below the ground, y < 0, and past END_OF_RANGE, z > 210"
+    at = SniperRange(1)
+    bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
+    at.update(0.5)
+    expect_exactly(call, at.bullet is None, False, cause=cause, read=UPDATE)
+    got = xyz(bullet.position)
+    expect_close(f"{call}; its position", got, (20, 0, 210), cause=cause, read=UPDATE)
+    call = "a bullet without forces from (5, 1.5, 190) with (0, 0, 60) m/s; range.update(0.5): it "
+    call += "passes the target at 200 m and ends at 220 m; how many holes"
+    cause = "what is hit on the way is hit, wherever the frame ends"
+    at = SniperRange(1)
+    thrown(at, (5.0, 1.5, 190.0), (0.0, 0.0, 60.0))
+    at.update(0.5)
+    expect_exactly(call, len(at.holes), 1, cause=cause, read=UPDATE)
+
+
+@pytest.mark.exercise("P4.2b")
 def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
     for (azimuth, elevation), cause in (
         ((0.1, -0.1), "below the ground, y < 0, the shot has landed"),
@@ -95,19 +155,19 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
 def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
     read = UPDATE
     wind = (3.0, 0.0, -4.0)
+    ((_, second),) = winds([1], 1)
+    drawn = tuple(second)
     for aim, what in (((0.1, -0.1), "misses"), ((math.atan2(-1.5, 50.0), 0.0035), "hits")):
         call = f"range.wind.velocity = Vector3{wind}; range.shoot{aim}, which {what}; "
         call += "range.update(1/60)"
         came = play([aim], FRAME, wind=wind)
-        winds = [tuple(blown) for blown in came["winds"]]
+        blown = [tuple(one) for one in came["winds"]]
         cause = "during the flight the wind stays as it is"
-        during = [*dict.fromkeys(winds[:-1])]
+        during = [*dict.fromkeys(blown[:-1])]
         expect_exactly(f"{call}; winds during the flight", during, [wind], cause=cause, read=read)
-        cause = "a shot that has landed, hit or not, changes the wind: change_wind()"
-        same = winds[-1] == wind
-        expect_exactly(
-            f"{call}; is the wind the same afterwards", same, False, cause=cause, read=read
-        )
+        cause = "a shot that has landed, hit or not, changes the wind once: change_wind()"
+        name = f"{call}; the wind afterwards"
+        expect_exactly(name, blown[-1], drawn, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
@@ -132,7 +192,7 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     at.forces.update_forces(0.5)
     expect_close(call, xyz(bullet.force_accumulator), (0, 0, 0), cause=cause, read=UPDATE)
     cause = "a bullet that has landed does not move any more"
-    place = xyz(bullet.position)
+    place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
     expect_unchanged(
         "range.update(1/60)",
@@ -142,13 +202,18 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
         cause=cause,
         read=UPDATE,
     )
+    cause = "without a bullet nothing happens: the wind of the next shot can be looked at"
+    got = xyz(at.wind.velocity)
+    expect_unchanged("range.update(1/60)", "the wind", got, wind, cause=cause, read=UPDATE)
     cause = "once the shot has landed the next one may be fired"
     expect_exactly("range.shoot(0.0, 0.0)", at.shoot(0.0, 0.0), True, cause=cause, read=UPDATE)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_whole_round_is_ten_shots() -> None:
-    aims = [(math.atan2(-1.5, 50.0), 0.0035), (0.1, -0.1)] * 6
+    near, far = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103)
+    miss = (0.1, -0.1)
+    aims = [near, miss, far, miss, far, miss] * 2
     call = (
         "twelve times range.shoot() and range.update(1/60) until it has landed, every other a hit"
     )
@@ -157,31 +222,34 @@ def test_a_whole_round_is_ten_shots() -> None:
     expect_exactly(f"{call}; range.shots_left", came["shots_left"], 0, cause=cause, read=UPDATE)
     points = [hole[3] for hole in came["holes"]]
     cause = "each hit has its hole, in the order of the shots, and the score is their sum"
-    expect_exactly(f"{call}; points of the holes", points, [10] * 5, cause=cause, read=UPDATE)
-    expect_exactly(f"{call}; range.score", came["score"], 50, cause=cause, read=UPDATE)
+    wanted = [10, 30, 30, 10, 30]
+    expect_exactly(f"{call}; points of the holes", points, wanted, cause=cause, read=UPDATE)
+    expect_exactly(f"{call}; range.score", came["score"], 110, cause=cause, read=UPDATE)
 
 
 @pytest.mark.exercise("P4.2b", weight=0.5)
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: float) -> None:
-    call = f"range.shoot(0.0, 0.1); range.update({duration!r})"
     cause = "positive of arguments.py raises the errors for you, before anything has moved"
-    at = SniperRange(1)
-    at.shoot(0.0, 0.1)
-    bullet: Any = at.bullet
+    error = TypeError if isinstance(duration, str) else ValueError
+    flying = SniperRange(1)
+    flying.shoot(0.0, 0.1)
+    bullet: Any = flying.bullet
     before = xyz(bullet.position)
-    expect_error(
-        call,
-        lambda: at.update(duration),
-        TypeError if isinstance(duration, str) else ValueError,
-        allowed=lambda: SniperRange(1).update(0.5),
-        cause=cause,
-        read=UPDATE,
-    )
-    expect_unchanged(
-        call, "range.bullet.position", xyz(bullet.position), before, cause=cause, read=UPDATE
-    )
+    for at, call in (
+        (flying, f"a bullet is in flight; range.update({duration!r})"),
+        (SniperRange(1), f"no bullet is in flight; range.update({duration!r})"),
+    ):
+        expect_error(
+            call,
+            lambda at=at: at.update(duration),
+            error,
+            allowed=lambda: SniperRange(1).update(0.5),
+            cause=cause,
+            read=UPDATE,
+        )
+    call = f"a bullet is in flight; range.update({duration!r})"
+    got = xyz(bullet.position)
+    expect_unchanged(call, "range.bullet.position", got, before, cause=cause, read=UPDATE)
     got = xyz(bullet.force_accumulator)
-    expect_close(
-        f"{call}; range.bullet.force_accumulator", got, (0, 0, 0), cause=cause, read=UPDATE
-    )
+    expect_close(f"{call}; its force_accumulator", got, (0, 0, 0), cause=cause, read=UPDATE)

@@ -18,9 +18,9 @@ READ = "book 5, exercise 5.1; the docstring of Uplift"
 
 def lifted(origin: tuple, radius: float, force: tuple, place: tuple) -> tuple[str, object]:
     """Ask a column for its force on a particle at a place; return the words and the force."""
-    call = f"p = Particle(Vector3{place}, mass=4.0); "
+    call = f"p = Particle(Vector3{place}, Vector3(9, 9, 9), mass=4.0); "
     call += f"Uplift(Vector3{origin}, {radius}, Vector3{force}).update_force(p, 0.5)"
-    p = Particle(Vector3(*place), mass=4.0)
+    p = Particle(Vector3(*place), Vector3(9, 9, 9), mass=4.0)
     Uplift(Vector3(*origin), radius, Vector3(*force)).update_force(p, 0.5)
     return f"{call}; p.force_accumulator", xyz(p.force_accumulator)
 
@@ -59,15 +59,18 @@ def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     for place in ((4.0, 7.0, 6.0), (1.0, 7.0, -3.0), (-4.0, 7.0, 2.0)):  # 3, 4, 5 and along an axis
         call, got = lifted((1.0, 0.0, 2.0), 5.0, force, place)
         expect_close(call, got, force, cause=cause, read=READ)
+    call, got = lifted((1.0, 0.0, 2.0), 0.0, force, (1.0, 7.0, 2.0))
+    cause = "a column with a radius of 0 is its middle alone"
+    expect_close(call, got, force, cause=cause, read=READ)
 
 
 @pytest.mark.exercise("5.1")
 def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     first, force, moved = components(rng), components(rng), components(rng)
-    call = f"p = Particle(); p.add_force(Vector3{first}); "
-    call += f"uplift = Uplift(Vector3(), 3.0, Vector3{force}); uplift.update_force(p, 0.5)"
+    call = f"p = Particle(Vector3(1, 2, 1)); p.add_force(Vector3{first}); "
+    call += f"uplift = Uplift(Vector3(0, 1, 0), 3.0, Vector3{force}); uplift.update_force(p, 0.5)"
     cause = "add_force adds; what is there already stays"
-    p, uplift = Particle(), Uplift(Vector3(), 3.0, Vector3(*force))
+    p, uplift = Particle(Vector3(1, 2, 1)), Uplift(Vector3(0, 1, 0), 3.0, Vector3(*force))
     p.add_force(Vector3(*first))
     uplift.update_force(p, 0.5)
     wanted = tuple(first[i] + force[i] for i in range(3))
@@ -78,8 +81,8 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     )
     cause = "the force, the position and the origin are only read"
     expect_unchanged(call, "uplift.force", xyz(uplift.force), force, cause=cause, read=READ)
-    expect_unchanged(call, "uplift.origin", xyz(uplift.origin), ZERO, cause=cause, read=READ)
-    expect_unchanged(call, "p.position", xyz(p.position), ZERO, cause=cause, read=READ)
+    expect_unchanged(call, "uplift.origin", xyz(uplift.origin), (0, 1, 0), cause=cause, read=READ)
+    expect_unchanged(call, "p.position", xyz(p.position), (1, 2, 1), cause=cause, read=READ)
     call = "uplift.origin = Vector3(9, 0, 9); p.clear_forces(); uplift.update_force(p, 0.5); "
     call += f"then uplift.radius = 20.0, uplift.force = Vector3{moved}, and again"
     cause = "the column has moved away: read self.origin, self.radius and self.force each time"

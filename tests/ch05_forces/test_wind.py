@@ -10,7 +10,7 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch05_forces.probes import winds
-from ch05_forces.sniper import Wind
+from ch05_forces.sniper import SniperRange, Wind
 from draw import components
 from expect import expect_close, expect_exactly, expect_unchanged, xyz
 
@@ -98,9 +98,40 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
             middle, reach = (low + high) / 2.0, (high - low) / 2.0
             words = f"{call}: the {what} {name}"
             expect_close(words, got, middle, cause=cause, read=CHANGE, tolerance=reach)
+    cause = "x and z are drawn each for itself, so the wind is weak at times"
+    # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
+    weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
+    words = f"{call}: how often it is below 5 m/s"
+    expect_close(words, weak, 79, cause=cause, read=CHANGE, tolerance=52)
+    # x z > 0 for half of all: 200 of 401, and beyond these bounds once in 10^11 runs.
+    cause = "x and z are drawn each for itself: the wind comes from every side"
+    words = f"{call}: how often x and z have the same sign"
+    same = sum(x * z > 0.0 for x, _, z in seen)
+    expect_close(words, same, 200, cause=cause, read=CHANGE, tolerance=70)
     cause = "x and z are drawn each for itself, so they are the same as good as never"
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(f"{call}: how often |x| is |z|", same, 0, cause=cause, read=CHANGE)
+
+
+@pytest.mark.exercise("P4.2a")
+def test_the_wind_stays_the_same_generator() -> None:
+    call = "range = SniperRange(1); wind = range.wind; wind.k1 = 0.5; range.change_wind()"
+    cause = "only the velocity changes: the registry knows this very wind"
+    at = SniperRange(1)
+    wind = at.wind
+    before = xyz(wind.velocity)
+    wind.k1 = 0.5
+    at.change_wind()
+    after = xyz(wind.velocity)
+    expect_close(f"{call}; range.wind.k1", at.wind.k1, 0.5, cause=cause, read=CHANGE)
+    now = xyz(at.wind.velocity)
+    name = f"{call}; range.wind.velocity minus wind.velocity"
+    gap = tuple(now[i] - after[i] for i in range(3))
+    expect_close(name, gap, ZERO, cause=cause, read=CHANGE)
+    cause = "a new wind was drawn"
+    expect_exactly(
+        f"{call}; is it the same as before", after == before, False, cause=cause, read=CHANGE
+    )
 
 
 @pytest.mark.exercise("P4.2a")

@@ -9,7 +9,7 @@ import pytest
 from rich.console import Console
 
 from studies import timing
-from studies.benchmarks import particles, sparks, vectors
+from studies.benchmarks import forces, particles, sparks, vectors
 from studies.scenes import PROJECTILE, make_particle
 
 
@@ -46,6 +46,16 @@ def test_what_is_compared_with_the_step_is_the_same_step() -> None:
     assert tuple(by_operators.position) == wanted
     assert tuple(in_place.position) == wanted
     assert particles.arithmetic(frames) == wanted
+
+
+def test_what_forces_are_compared_with_goes_the_same_way() -> None:
+    frames = [0.02, 0.01, 0.02, 0.02] * 250
+    # 1000 roundings of numbers up to 200.
+    wanted = pytest.approx(forces.forced_steps(frames), rel=1e-11)
+    assert forces.forced_arithmetic(frames) == wanted
+    free = forces.make_particle_with_forces()
+    particles.steps(free, frames)
+    assert forces.generator_steps(frames) == pytest.approx(tuple(free.position), rel=1e-11)
 
 
 def test_the_closed_form_of_the_sparks_is_where_the_steps_go(

@@ -19,7 +19,7 @@ from autograder.stubs import make_stubs
 from ch04_particle_engine.ballistics import SHOT_TYPES
 from studies import demo as demos
 
-NAMES = ("ballistics", "fireworks")
+NAMES = ("ballistics", "fireworks", "sniper")
 
 
 def play(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -98,7 +98,7 @@ def test_what_is_not_written_is_said(tmp_path: Path) -> None:
 def test_a_demo_that_is_not_there_is_a_clear_sentence() -> None:
     done = play("trebuchets", "--engine", "solutions")
     assert done.returncode == 2
-    assert "there is no demo 'trebuchets'; there is ballistics, fireworks" in done.stderr
+    assert "there is no demo 'trebuchets'; there is ballistics, fireworks, sniper" in done.stderr
     done = play("fireworks", "--engine", "nowhere")
     assert "--engine must be a folder of chapters, got 'nowhere'" in done.stderr
     done = play("fireworks", "--engine", "solutions", "--seconds", "-1")
@@ -152,6 +152,24 @@ def test_a_click_aims_at_its_point(window: Any) -> None:
     # Before gravity had a frame the slope was 20 / 50; damping keeps the direction.
     assert first.y / first.z == pytest.approx(20.0 / 50.0, abs=0.01)
     assert second.x / second.z == pytest.approx(6.0 / 60.0, abs=0.01)
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_the_rifle_shoots_where_the_scope_is_clicked(window: Any) -> None:
+    demo = window("sniper", (("scope",), 13.0, 10.0))
+    velocity = demo.range.bullet.velocity
+    # A frame of wind and gravity turns it by less than 0.5 mrad.
+    assert 1000.0 * velocity.x / velocity.z == pytest.approx(13.0, abs=0.5)
+    assert 1000.0 * velocity.y / velocity.z == pytest.approx(10.0, abs=0.5)
+    assert demo.range.shots_left == 9
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_keys_move_the_cross_and_shoot(window: Any) -> None:
+    demo = window("sniper", ("left",), ("up",), ("up",), (" ",), (" ",))
+    assert demo.aim == pytest.approx((0.0005, 0.001))
+    assert demo.range.shots_left == 9  # the second one has to wait
+    assert window("sniper", (" ",), ("r",)).range.shots_left == 10
 
 
 @pytest.mark.filterwarnings("ignore:Animation was deleted")

@@ -26,6 +26,10 @@ NAMES = (
     "ch04_particle_engine/shots",
     "ch04_particle_engine/fireworks",
     "ch04_particle_engine/step_error",
+    "ch05_forces/terminal_speeds",
+    "ch05_forces/fall_with_drag",
+    "ch05_forces/orbit",
+    "ch05_forces/cost_of_a_generator",
 )
 
 
@@ -51,7 +55,7 @@ def table(out: Path, name: str, chapter: str = "ch02_vectors") -> list[list[str]
 def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the reference's plots were drawn to."""
     out = tmp_path_factory.mktemp("plots")
-    done = plot("solutions", out, "2-4")
+    done = plot("solutions", out, "2-5")
     assert done.returncode == 0, done.stdout + done.stderr
     assert all(f"{name}.png" in done.stdout and f"{name}.csv" in done.stdout for name in NAMES)
     return out
@@ -132,6 +136,37 @@ def test_the_step_comes_to_the_closed_form_in_the_first_order(reference: Path) -
         ratios = [a / b for a, b in itertools.pairwise(errors)]
         # Frames are halved; the next order bends the ratio by h / t, at most a fifteenth.
         assert ratios == pytest.approx([2.0] * len(ratios), abs=0.01)
+
+
+def test_falls_end_at_the_terminal_speed(reference: Path) -> None:
+    rows = table(reference, "terminal_speeds", "ch05_forces")[1:]
+    ends = [[float(value) for value in row[1:]] for row in rows if row[0] == "end"]
+    assert len(ends) == 3 * 17
+    for k1, k2, mass, _, speed, formula in ends:
+        assert k1 * formula + k2 * formula**2 == pytest.approx(mass * 9.81, rel=1e-12)
+        assert speed == pytest.approx(
+            formula, rel=1e-9
+        )  # 600 frames, each takes a tenth of the rest
+
+
+def test_the_fall_with_drag_comes_to_the_closed_form_in_the_first_order(reference: Path) -> None:
+    rows = [
+        [float(v) for v in row] for row in table(reference, "fall_with_drag", "ch05_forces")[1:]
+    ]
+    for column in (1, 3):
+        off = [abs(row[column] - row[column + 1]) for row in rows]
+        assert off[-2] / off[-1] == pytest.approx(2.0, abs=0.01)  # the next order is h, 0.003 s
+
+
+def test_the_orbit_drifts_as_theory_says(reference: Path) -> None:
+    rows = [[float(v) for v in row] for row in table(reference, "orbit", "ch05_forces")[1:]]
+    for frames in (20_000, 40_000):
+        seen = {row[1]: row[2:] for row in rows if row[0] == frames}
+        assert seen[0.0] == pytest.approx([-0.5, math.sqrt(0.75)], rel=1e-12)
+        # A step adds h^2 L / r^3, over a turn 2 pi h / (1 - e^2); the next order is a few percent.
+        added = (2.0 * math.pi) ** 2 / frames / 0.75
+        assert seen[1.0][1] - seen[0.0][1] == pytest.approx(added, rel=0.03)
+        assert len(seen) == 20 * 40 + 1
 
 
 def test_an_engine_with_the_equation_s_damping_draws_another_picture(

@@ -1,0 +1,43 @@
+"""Forces."""
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion import particle
+from ch03_laws_of_motion.arguments import finite_vector, positive
+
+
+class Particle(particle.Particle):
+    __slots__ = ("_forces",)
+
+    def __init__(self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0):
+        super().__init__(position, velocity, acceleration, mass=mass, damping=damping)
+        self._forces = [None, None]
+
+    @property
+    def force_accumulator(self):
+        if self._forces[0] is None:
+            return Vector3()
+        return Vector3(*self._forces[0])
+
+    def add_force(self, force):
+        total = self.force_accumulator
+        total += finite_vector("force", force)
+        self._forces[0] = (total.x, total.y, total.z)
+
+    def clear_forces(self):
+        self._forces[0] = None
+
+    @property
+    def last_acceleration(self):
+        result = self.acceleration.copy()
+        if self._forces[1] is not None:
+            result.add_scaled(Vector3(*self._forces[1]), self.inverse_mass)
+        return result
+
+    def integrate(self, duration):
+        positive("duration", duration)
+        if not self.has_finite_mass:
+            return
+        self._forces = [None, self._forces[0]]
+        self.position.add_scaled(self.velocity, duration)
+        self.velocity.add_scaled(self.last_acceleration, duration)
+        self.velocity *= self.damping**duration

@@ -1,0 +1,97 @@
+"""What a force costs: the step with forces against chapter 3's and against its own arithmetic."""
+
+from __future__ import annotations
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry, Gravity
+from ch05_forces.particle import Particle
+from studies.benchmarks.particles import FRAME, ROUNDS, STEPS, steps
+from studies.scenes import PROJECTILE, Numbers, make_particle
+from studies.timing import Line, ratio, timer
+
+FORCE = (1.0, 2.0, 3.0)
+FRAMES = [FRAME] * STEPS
+
+
+def lines() -> list[Line]:
+    """Return every line about forces."""
+    chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
+    free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
+    forced = timer(lambda: forced_steps(FRAMES))
+    return [
+        Line(
+            "Particle.integrate of chapter 5 without a force / chapter 3's",
+            *ratio(free, chapter_3, ROUNDS, "no force"),
+            "at most 1.1",
+        ),
+        Line(
+            "add_force and Particle.integrate / their arithmetic in local variables",
+            *ratio(forced, timer(lambda: forced_arithmetic(FRAMES)), ROUNDS, "one force"),
+            "at most 2.1",
+        ),
+        Line(
+            "gravity by a generator and the registry / as constant acceleration",
+            *ratio(timer(lambda: generator_steps(FRAMES)), free, ROUNDS, "a generator"),
+            "",
+        ),
+    ]
+
+
+def make_particle_with_forces() -> Particle:
+    """Return chapter 5's particle at the start of the scene."""
+    start = PROJECTILE.start
+    return Particle(
+        Vector3(*start.position),
+        Vector3(*start.velocity),
+        Vector3(*PROJECTILE.acceleration),
+        damping=PROJECTILE.damping,
+    )
+
+
+def forced_steps(frames: list[float]) -> Numbers:
+    """Step under one force, and return the position at the end."""
+    particle = make_particle_with_forces()
+    force = Vector3(*FORCE)
+    for frame in frames:
+        particle.add_force(force)
+        particle.integrate(frame)
+    return particle.position.x, particle.position.y, particle.position.z
+
+
+def generator_steps(frames: list[float]) -> Numbers:
+    """Step with gravity as a generator, and return the position at the end."""
+    particle = make_particle_with_forces()
+    particle.acceleration = Vector3()
+    registry = ForceRegistry()
+    registry.add(particle, Gravity(Vector3(*PROJECTILE.acceleration)))
+    for frame in frames:
+        registry.update_forces(frame)
+        particle.integrate(frame)
+    return particle.position.x, particle.position.y, particle.position.z
+
+
+def forced_arithmetic(frames: list[float]) -> Numbers:
+    """Step under one force in local variables, and return the position at the end.
+
+    The force is added to a sum, which the step uses and clears.
+    """
+    x, y, z = PROJECTILE.start.position
+    vx, vy, vz = PROJECTILE.start.velocity
+    ax, ay, az = PROJECTILE.acceleration
+    damping = PROJECTILE.damping
+    inverse_mass = 1.0
+    force_x, force_y, force_z = FORCE
+    sum_x = sum_y = sum_z = 0.0
+    for frame in frames:
+        sum_x += force_x
+        sum_y += force_y
+        sum_z += force_z
+        x += vx * frame
+        y += vy * frame
+        z += vz * frame
+        keep = damping**frame
+        vx = (vx + (ax + sum_x * inverse_mass) * frame) * keep
+        vy = (vy + (ay + sum_y * inverse_mass) * frame) * keep
+        vz = (vz + (az + sum_z * inverse_mass) * frame) * keep
+        sum_x = sum_y = sum_z = 0.0
+    return x, y, z

@@ -1,0 +1,86 @@
+"""The closed forms of drag, against fine steps of a method of the fourth order."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.closed_form import coasting_speed, drag_limits, quadratic_fall, terminal_speed
+from ch05_forces.forces import Drag
+from ch05_forces.particle import Particle
+
+coefficient = st.floats(0.01, 5.0)
+
+
+def runge_kutta(change: Callable[[float], float], v: float, time: float) -> tuple[float, float]:
+    """Return speed and way after a time of dv/dt = change(v), in 2,000 steps."""
+    h, way = time / 2000.0, 0.0
+    for _ in range(2000):
+        a = change(v)
+        b = change(v + a * h / 2.0)
+        c = change(v + b * h / 2.0)
+        d = change(v + c * h)
+        way += v * h + (a + b + c) * h * h / 6.0
+        v += (a + 2.0 * b + 2.0 * c + d) * h / 6.0
+    return v, way
+
+
+@given(st.floats(0.1, 50.0), st.floats(0.5, 20.0), coefficient, st.floats(0.01, 3.0))
+def test_a_quadratic_fall_solves_its_equation(m: float, g: float, k2: float, time: float) -> None:
+    wanted = runge_kutta(lambda v: g - k2 * v * v / m, 0.0, time)
+    # Steps that are a hundredth of the time in which the speed changes, or less, to the fourth.
+    assert quadratic_fall(m, g, k2, time) == pytest.approx(wanted, rel=1e-7)
+
+
+@given(st.floats(0.1, 50.0), coefficient, coefficient, st.floats(0.5, 50.0), st.floats(0.01, 3.0))
+def test_coasting_solves_its_equation(
+    v: float, k1: float, k2: float, m: float, time: float
+) -> None:
+    wanted, _ = runge_kutta(lambda u: -(k1 * u + k2 * u * u) / m, v, time)
+    assert coasting_speed(v, k1, k2, m, time) == pytest.approx(wanted, rel=1e-6)
+
+
+@given(st.floats(1e-3, 1e6), st.floats(0.0, 1e6), st.floats(1e-6, 1e6))
+def test_the_terminal_speed_is_where_a_fall_no_longer_changes(
+    w: float, k1: float, k2: float
+) -> None:
+    v = terminal_speed(w, k1, k2)
+    assert k1 * v + k2 * v * v == pytest.approx(w, rel=1e-14)
+    # The step stands still there: what it finds is no approximation.
+    particle = Particle(velocity=Vector3(0.0, -v, 0.0), acceleration=Vector3(0.0, -w, 0.0))
+    frame = drag_limits(k1, k2, 1.0, v)[0] / 4.0
+    for _ in range(3):
+        Drag(k1, k2).update_force(particle, frame)
+        particle.integrate(frame)
+    assert particle.velocity.y == pytest.approx(-v, rel=1e-14)
+
+
+def test_the_known_figures() -> None:
+    assert terminal_speed(2.0 * 9.81, 0.3, 0.05) == pytest.approx(17.0349694, abs=5e-8)
+    # Worked out with 40 digits.
+    wanted = (17.878238350449884, 33.699945475035044)
+    assert quadratic_fall(2.0, 9.81, 0.05, 3.0) == pytest.approx(wanted, rel=1e-15)
+
+
+def test_the_two_forms_of_the_way_meet() -> None:
+    """On either side of x = 40, where the formula changes over, the way goes on."""
+    u = math.sqrt(200.0)
+    ways = [
+        quadratic_fall(1.0, 10.0, 0.05, 40.0 * u / 10.0 * share)[1] for share in (1.0 - 1e-9, 1.0)
+    ]
+    # u a second, for 4e-9 of the time; what is left is a rounding of 790.
+    assert ways[1] - ways[0] == pytest.approx(u * 40.0 * u / 10.0 * 1e-9, abs=1e-12)
+
+
+def test_a_fall_of_any_length_ends_in_numbers() -> None:
+    for time in (0.0, 1e-300, 1e-9, 1e9, 1e300):
+        for k2 in (1e-300, 1e-9, 1.0, 1e9):
+            speed, way = quadratic_fall(2.0, 9.81, k2, time)
+            assert speed >= 0.0
+            assert way >= 0.0
+            assert 0.0 <= coasting_speed(5.0, k2, k2, 2.0, time) <= 5.0

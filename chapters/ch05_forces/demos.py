@@ -38,7 +38,7 @@ class Sniper:
 
     def __init__(self, figure: Figure) -> None:
         self.scope, self.above = figure.subplots(2, 1, height_ratios=(3, 2))
-        self.scope.set(xlim=(40, -40), ylim=(-12, 24), xlabel="azimuth, mrad", aspect="equal")
+        self.scope.set(xlim=(42, -42), ylim=(-12, 24), xlabel="azimuth, mrad", aspect="equal")
         self.scope.set(ylabel="elevation, mrad")
         self.above.set(xlim=(-2, END_OF_RANGE), ylim=(-4, 8), xlabel="z, m", ylabel="x, m")
         for target in TARGETS:
@@ -60,22 +60,29 @@ class Sniper:
             "", (0, 0), (0, 0), arrowprops={"arrowstyle": "-|>", "color": ORANGE, "lw": 2}
         )
         self.title = figure.suptitle("", fontsize=10)
+        self.seed = 2
         self.start()
 
     def start(self) -> None:
-        """Begin a round."""
-        self.range = SniperRange(seed=3)
+        """Begin a round, with other winds than the last."""
+        self.seed += 1
+        self.range = SniperRange(self.seed)
         self.aim = (0.0, 0.0)
         self.way: list[tuple[float, float, float]] = []
         self.waited = 0.0
+        self.result = ""
 
     def update(self, duration: float) -> None:
+        flying, holes = self.range.bullet is not None, len(self.range.holes)
         self.range.update(duration)
         self.waited += duration
         if self.range.bullet is not None:
             p = self.range.bullet.position
             self.way.append((p.x, p.y, p.z))
             self.waited = 0.0
+        elif flying:
+            hits = self.range.holes[holes:]
+            self.result = f", the last hit for {hits[0].points}" if hits else ", the last missed"
 
     def draw(self) -> None:
         self.cross.set_data([1000.0 * self.aim[0]], [1000.0 * self.aim[1]])
@@ -92,13 +99,12 @@ class Sniper:
         scale = 1.5 / STRONGEST_WIND
         self.arrow.xy = (105.0 + 30.0 * scale * wind.z, 6.0 + 1.2 * scale * wind.x)
         self.arrow.set_position((105.0, 6.0))
-        last = self.range.holes[-1].points if self.range.holes else 0
         state = f"{self.range.shots_left} of {SHOTS} shots left, score {self.range.score}"
         if self.range.is_over():
             state = f"the round is over with a score of {self.range.score}; r starts anew"
         self.title.set_text(
             f"wind (the arrow): {_side(wind.x, 'left', 'right')}, "
-            f"{_side(wind.z, 'front', 'back')}\n{state}, last hit {last}"
+            f"{_side(wind.z, 'front', 'back')}\n{state}{self.result}"
         )
 
     def press(self, key: str) -> None:

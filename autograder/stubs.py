@@ -123,24 +123,17 @@ def _helpers_of(
 ) -> dict[str, str]:
     """Return the functions that only the bodies taken out use, with the message of the first.
 
-    One that says what others must have, as in a Protocol, has no body to take out.
+    Where several have one name, as the methods of a Protocol, a use may mean any: they stay.
     """
+    short_names = [name.rpartition(".")[2] for name in defined]
     return {
         name: message
         for name in defined.keys() - messages.keys()
-        if not _is_declaration(defined[name])
+        if short_names.count(name.rpartition(".")[2]) == 1
         for user, message in reversed(messages.items())
         if (short := name.rpartition(".")[2]) in gone
         and short in _used_names(ast.unparse(defined[user]))
     }
-
-
-def _is_declaration(function: ast.FunctionDef) -> bool:
-    """Say whether a function is a docstring, or an ellipsis, and no more."""
-    return all(
-        isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
-        for statement in function.body
-    )
 
 
 def _used_names(source: str) -> set[str]:

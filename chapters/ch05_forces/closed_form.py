@@ -1,6 +1,7 @@
 """What drag does to a particle, without steps; and the frames that are too long for the steps.
 
-Everything here moves along one line, and its numbers are in SI units. k1 and k2 are Eq. 5.1's.
+Everything here moves along one line, and its numbers are in SI units. k1 and k2 are Eq. 5.1's, in
+N s/m and N s^2/m^2. What is no number is a TypeError everywhere.
 """
 
 from __future__ import annotations
@@ -18,9 +19,10 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 
 
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
-    """Return the speed in m/s and the way in m after a fall from rest with quadratic drag alone.
+    """Return the speed in m/s and the distance in m of a fall from rest, with quadratic drag alone.
 
-    With u = terminal speed and t = time: u tanh(g t / u), and (u^2 / g) ln cosh(g t / u).
+    With the terminal speed u and the time t in s they are u tanh(g t / u) and (u^2 / g) ln cosh(g t
+    / u).
 
     Raises ValueError where mass, gravity or k2 is not positive, the time is negative, or one of
     them is not finite.

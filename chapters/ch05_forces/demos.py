@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 
 from ch05_forces.sniper import (
+    BULLET_MASS,
     END_OF_RANGE,
     GRAVITY,
     K1,
@@ -29,7 +30,7 @@ RING_COLORS = ("white", "#cfe3f1", BLUE)  # from the outermost
 class Sniper:
     """Ten shots at discs at four distances, in a wind that changes after each (project 4.2)."""
 
-    seconds = 20.0
+    seconds = 22.0
     keys = (
         "A click in the scope shoots there. The arrow keys move the cross by half a mrad, the "
         "space bar shoots where it is, r starts anew."
@@ -103,8 +104,8 @@ class Sniper:
         if self.range.is_over():
             state = f"the round is over with a score of {self.range.score}; r starts anew"
         self.title.set_text(
-            f"wind (the arrow): {_side(wind.x, 'left', 'right')}, "
-            f"{_side(wind.z, 'front', 'back')}\n{state}{self.result}"
+            f"wind (the arrow): {abs(wind.x):.1f} m/s to the {'left' if wind.x > 0.0 else 'right'}, "
+            f"{abs(wind.z):.1f} m/s {'tail' if wind.z > 0.0 else 'head'}wind\n{state}{self.result}"
         )
 
     def press(self, key: str) -> None:
@@ -134,10 +135,10 @@ class Sniper:
         The player looks at the wind for a second first.
         """
         del time
-        if self.waited < 0.9 or self.range.is_over():
+        if self.waited < 1.0 or self.range.is_over():
             return
         target = TARGETS[(SHOTS - self.range.shots_left) % len(TARGETS)]
-        slows = K1 + K2 * MUZZLE_SPEED  # per kg
+        slows = (K1 + K2 * MUZZLE_SPEED) / BULLET_MASS
         flight = -math.log(1.0 - slows * target.distance / MUZZLE_SPEED) / slows
         drop = -GRAVITY[1] * flight * flight / 2.0
         # The wind carries the bullet as far as it goes in the time that the drag costs.
@@ -160,7 +161,3 @@ def _seen(place: tuple[float, float, float]) -> tuple[float, float]:
 
 def _limited(angle: float) -> float:
     return max(-SWING, min(SWING, angle))
-
-
-def _side(speed: float, positive: str, negative: str) -> str:
-    return f"{abs(speed):.1f} m/s to the {positive if speed > 0.0 else negative}"

@@ -1,6 +1,6 @@
 """A particle on which forces act: chapter 3's, with a force accumulator (book 5.1).
 
-Units are SI: forces are in N.
+Units are SI: forces are in N. What is no number, or no Vector3, is a TypeError everywhere.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Particle(particle.Particle):
         self._forces = [None, None]
 
     def __copy__(self) -> Particle:
-        """Return a copy with the same forces, to which neither particle adds those of the other."""
+        """Return a copy with the same forces, which no longer change with the original's."""
         other = Particle(self.position, self.velocity, self.acceleration, damping=self.damping)
         other.inverse_mass = self.inverse_mass
         other._forces = [*self._forces]
@@ -47,22 +47,24 @@ class Particle(particle.Particle):
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     def add_force(self, force: Vector3) -> None:
-        """Add a force in N to the sum, for the next step alone (5.1.1). The force is only read.
+        """Add a force in N to the sum, for the next step alone (5.1). The force is only read.
 
-        Raises ValueError where a component of it, or of the sum, is not finite, and TypeError for
-        what is no Vector3; the sum is then as it was.
+        Raises ValueError where a component of it, or of the sum, is not finite; the sum is then as
+        it was.
         """
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     def clear_forces(self) -> None:
-        """Drop the forces that were added since the last step (5.1.1)."""
+        """Drop the forces that were added since the last step (5.1)."""
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     @property
     def last_acceleration(self) -> Vector3:
         """All of the acceleration of the last step, as new: the constant one, and f / m (Eq. 3.2).
 
-        Before the first step that is the constant one.
+        It is worked out when it is asked for: from the forces that the last step used, and from
+        the mass and the constant acceleration of now. Before the first step, and for an immovable
+        particle, it is the constant acceleration.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")
 

@@ -81,7 +81,7 @@ def terminal_speeds() -> Picture:
         exact = [terminal_speed(mass * G, k1, k2) for mass in masses]
         label = f"k1 = {k1:g}, k2 = {k2:g}"
         right.loglog([m * G for m in masses], exact, color=color, lw=1)
-        # As many frames, of a length in which the drag takes the same share at the end.
+        # 600 frames, each a tenth of m / (k1 + k2 v) at the terminal speed v.
         found = [
             _fall(mass, k1, k2, 0.1 * mass / (k1 + k2 * end), 600)[-1][1]
             for mass, end in zip(masses, exact, strict=True)
@@ -96,7 +96,7 @@ def terminal_speeds() -> Picture:
     right.grid(alpha=0.3, which="both")
     right.legend(fontsize=8)
     right.set_title(
-        f"It goes as the weight to the power {slopes[0]:.2f} with k1 alone,\n"
+        f"The terminal speed goes as the weight to the power {slopes[0]:.2f} with k1 alone,\n"
         f"{slopes[1]:.2f} with k2 alone (lines: the formula)"
     )
     columns = ("part", "k1", "k2", "mass, kg", "time, s", "speed, m/s", "terminal speed, m/s")
@@ -112,7 +112,7 @@ def fall_with_drag() -> Picture:
     times = [i * frame for i in range(count + 1)]
     fine = [i * seconds / 200.0 for i in range(201)]
     exact = [quadratic_fall(MASS, G, k2, time) for time in fine]
-    for part, color, label in ((1, BLUE, "speed, m/s"), (0, ORANGE, "way, m")):
+    for part, color, label in ((1, BLUE, "speed, m/s"), (0, ORANGE, "distance, m")):
         left.plot(fine, [pair[1 - part] for pair in exact], color=color, label=label)
         words = f"{label}, in steps of {frame} s"
         left.plot(times, [pair[part] for pair in stepped], "o", color=color, ms=4, label=words)
@@ -123,12 +123,14 @@ def fall_with_drag() -> Picture:
     rows, lengths = [], []
     errors: tuple[list[float], list[float]] = ([], [])
     for frames in (10, 20, 40, 80, 160, 320, 640, 1280):
-        way, speed = _fall(MASS, 0.0, k2, seconds / frames, frames)[-1]
+        distance, speed = _fall(MASS, 0.0, k2, seconds / frames, frames)[-1]
         lengths.append(seconds / frames)
         errors[0].append(abs(speed - ends[0]))
-        errors[1].append(abs(way - ends[1]))
-        rows.append((seconds / frames, speed, ends[0], way, ends[1]))
-    for found, color, label in zip(errors, (BLUE, ORANGE), ("speed, m/s", "way, m"), strict=True):
+        errors[1].append(abs(distance - ends[1]))
+        rows.append((seconds / frames, speed, ends[0], distance, ends[1]))
+    for found, color, label in zip(
+        errors, (BLUE, ORANGE), ("speed, m/s", "distance, m"), strict=True
+    ):
         right.loglog(lengths, found, "o-", color=color, ms=5, label=f"error of the {label}")
     right.loglog(lengths, lengths, color=GREY, lw=5, alpha=0.4, label="first order: as h")
     right.set(xlabel="length of a frame h, s", ylabel=f"error after {seconds:g} s")
@@ -139,8 +141,8 @@ def fall_with_drag() -> Picture:
     most = max(
         abs(a[0] - quadratic_fall(MASS, G, k2, t)[1]) for a, t in zip(stepped, times, strict=True)
     )
-    left.set_title(f"In steps of {frame} s the way is off by up to {most:.2f} m")
-    columns = ("h, s", "speed, m/s", "exact speed, m/s", "way, m", "exact way, m")
+    left.set_title(f"In steps of {frame} s the distance is off by up to {most:.2f} m")
+    columns = ("h, s", "speed, m/s", "exact speed, m/s", "distance, m", "exact distance, m")
     return Picture(figure, columns, rows)
 
 
@@ -169,7 +171,7 @@ def orbit() -> Picture:
         rows += [(frames, *row) for row in zip(turns, energy, momentum, strict=True)]
     path.plot([0], [0], "o", color=BLACK, ms=6)
     path.set(xlabel="x, m", ylabel="y, m", aspect="equal")
-    path.set_title(f"{TURNS} turns about the center of gravity")
+    path.set_title(f"{TURNS} turns about the center that attracts")
     (found, drifts), (half, _) = words
     energies.set(xlabel="turns", ylabel="energy, J/kg")
     energies.set_title(
@@ -202,7 +204,7 @@ def cost_of_a_generator() -> Picture:
         ("Uplift, inside", Uplift(Vector3(), 1e9, Vector3(0.0, 20.0, 0.0))),
         ("Airbrake, on", brake),
         ("PointGravity", PointGravity(Vector3(), G)),
-        ("InverseSquareGravity", InverseSquareGravity(Vector3(), 4e14)),
+        ("InverseSquareGravity", InverseSquareGravity(Vector3(), 80.0)),
     ]
     built_in = chapter_3.Particle(place, motion, Vector3(*DOWN))
     base = timer(lambda: _frames(built_in.integrate))
@@ -244,7 +246,7 @@ PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 def _fall(
     mass: float, k1: float, k2: float, frame: float, frames: int
 ) -> list[tuple[float, float]]:
-    """Let a particle fall from rest, with drag; return its way and speed after each frame."""
+    """Let a particle fall from rest, with drag; return its distance and speed after each frame."""
     particle = Particle(acceleration=Vector3(*DOWN), mass=mass)
     drag = Drag(k1, k2)
     seen = [(0.0, 0.0)]
@@ -256,7 +258,7 @@ def _fall(
 
 
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
-    """Move a particle about mu = 1 from its farthest point; return every so-manieth state."""
+    """Move a particle about mu = 1 from its farthest point; return every n-th state."""
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
     particle = Particle(Vector3(-farthest, 0.0, 0.0), Vector3(0.0, -slowest, 0.0))
@@ -273,17 +275,16 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 def _momentum_drift(h: float) -> float:
     """Return what the book's step adds to the angular momentum in a turn of the exact orbit.
 
-    A step changes r x v by h^2 v x a, since r x a is 0; v x a = L / r^3, and the mean of 1 / r^3
-    over a turn is (1 - e^2)^(-3/2).
+    A step changes r x v by h^2 v x a, since r x a is 0; v x a = L / r^3 with L = (1 - e^2)^(1/2),
+    and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
     """
-    momentum = math.sqrt(1.0 - ECCENTRICITY**2)
-    return h * PERIOD * momentum / (1.0 - ECCENTRICITY**2) ** 1.5
+    return h * PERIOD / (1.0 - ECCENTRICITY**2)
 
 
 def _energy_drift(h: float) -> float:
     """Return what the book's step adds to the energy in a turn of the exact orbit.
 
-    A step adds h^2 / 2 times a^2 + v . (dU / dr dr) v = 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which is
+    A step adds h^2 / 2 times a^2 + v . H v, H the Hessian of -1 / r, = 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which is
     added up over the turn by the angle.
     """
     p = 1.0 - ECCENTRICITY**2

@@ -1,7 +1,8 @@
 """A sniper range (project 4.2): targets of one size, and a wind that changes between the shots.
 
 The rules need no screen. Z points down the range, Y up and X to the left of one who looks along Z.
-A shot is aimed by two angles in radians: azimuth from Z towards X, elevation above the level.
+A shot is aimed by two angles in radians: azimuth from Z towards X, elevation above the level. What
+is no number is a TypeError everywhere.
 """
 
 from __future__ import annotations
@@ -55,7 +56,10 @@ class Hole:
 
 
 class Wind:
-    """A force generator: the drag of Eq. 5.1 in air that moves with ``velocity``, in m/s."""
+    """A force generator: the drag of Eq. 5.1 in air that moves with ``velocity``, in m/s.
+
+    k1 is in N s/m, k2 in N s^2/m^2. Raises ValueError where one is negative or not finite.
+    """
 
     def __init__(self, k1: float, k2: float) -> None:
         self.k1 = not_negative("k1", k1)
@@ -97,9 +101,9 @@ class SniperRange:
     def shoot(self, azimuth: float, elevation: float) -> bool:
         """Project 4.2: fire a bullet, and say whether one was fired.
 
-        None is while one is in flight, or when no shots are left. The bullet starts at MUZZLE with
-        MUZZLE_SPEED; gravity is its acceleration, and the wind acts on it by self.forces. A shot is
-        taken off shots_left.
+        None is fired while one is in flight, or when no shots are left. The bullet starts at MUZZLE
+        with MUZZLE_SPEED; gravity is its acceleration, and the wind acts on it by self.forces. A
+        shot is taken off shots_left.
 
         Raises ValueError where an angle is beyond SWING to either side, or not finite; nothing is
         fired then.
@@ -112,7 +116,7 @@ class SniperRange:
         The forces are added up, the bullet moves, and a target that it has passed through on its
         way is hit: hit_on_the_way tells. That adds the hole to holes and its points to the score.
         The shot has landed when it has hit, when the bullet is below the ground (y < 0) or past
-        END_OF_RANGE in z. Then nothing acts on the bullet any more, there is none, and the wind
+        END_OF_RANGE in z. Then no force is registered any more, bullet is None, and the wind
         changes.
 
         Raises ValueError where the duration is not positive and finite; nothing has moved then.

@@ -1,6 +1,7 @@
 """What drag does to a particle, without steps; and the frames that are too long for the steps.
 
-Everything here moves along one line, and its numbers are in SI units. k1 and k2 are Eq. 5.1's.
+Everything here moves along one line, and its numbers are in SI units. k1 and k2 are Eq. 5.1's, in
+N s/m and N s^2/m^2. What is no number is a TypeError everywhere.
 """
 
 from __future__ import annotations
@@ -24,14 +25,15 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
     if k1 == 0.0 and k2 == 0.0:
         raise ValueError("k1 and k2 are both 0: without drag there is no terminal speed")
     # The formula with (-k1 + root) / (2 k2) loses its digits where k2 is small, and divides by 0.
-    root = math.hypot(k1, 2.0 * math.sqrt(k2) * math.sqrt(weight))  # of k1^2 + 4 k2 weight
+    root = math.hypot(k1, 2.0 * math.sqrt(k2) * math.sqrt(weight))  # the root of k1^2 + 4 k2 weight
     return 2.0 * (weight / (k1 + root))
 
 
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
-    """Return the speed in m/s and the way in m after a fall from rest with quadratic drag alone.
+    """Return the speed in m/s and the distance in m of a fall from rest, with quadratic drag alone.
 
-    With u = terminal speed and t = time: u tanh(g t / u), and (u^2 / g) ln cosh(g t / u).
+    With the terminal speed u and the time t in s they are u tanh(g t / u) and (u^2 / g) ln cosh(g t
+    / u).
 
     Raises ValueError where mass, gravity or k2 is not positive, the time is negative, or one of
     them is not finite.
@@ -57,7 +59,8 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
     not_negative("time", time)
     s = not_negative("k1", k1) * time / positive("mass", mass)
     gone = -math.expm1(-s) / k1 if s else time / mass
-    return speed * math.exp(-s) / (1.0 + not_negative("k2", k2) * speed * gone)
+    rate = not_negative("k2", k2) * speed
+    return speed * math.exp(-s) / (1.0 + rate * gone if rate else 1.0)
 
 
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:

@@ -1,8 +1,9 @@
-"""Force generators, and the registry that asks them for their forces once a frame (book 5.2-5.4).
+"""Force generators, and the registry that asks them for their forces once a frame (book 5.2, 5.3).
 
 A generator adds a force to a particle, and knows nothing of the other forces that act on it. What
-one is made with is looked at and, where it is a vector, copied. Its attributes may be changed
-later, and are then yours to keep finite.
+one is made with is looked at and, where it is a vector, copied: ValueError names what is not
+finite. Its attributes may be changed later, and are then yours to keep finite. What is no number,
+or no Vector3, is a TypeError everywhere.
 """
 
 from __future__ import annotations
@@ -57,7 +58,8 @@ class ForceRegistry:
         """Ask every generator for its force on its particle, for a frame of a duration in s.
 
         Immovable particles are skipped. A generator may add and remove pairs meanwhile: that counts
-        from the next call on.
+        from the next call on. What a generator raises comes out, and the pairs after it are not
+        asked.
 
         Raises ValueError where the duration is not positive and finite; nothing is asked then.
         """
@@ -70,14 +72,14 @@ class ForceRegistry:
 class Gravity:
     """The weight of a particle, m g (Eq. 3.4), for an acceleration g in m/s^2: a vector.
 
-    Particle.acceleration does the same for less, wherever g is the same at all times (5.3.1).
+    Particle.acceleration does the same for less, where g is the same at all places and times (5.3).
     """
 
     def __init__(self, acceleration: Vector3) -> None:
         self.acceleration = finite_vector("acceleration", acceleration)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add m g. An immovable particle is left alone: its weight would be infinite (5.3.1)."""
+        """Add m g. An immovable particle is left alone: its weight would be infinite (5.2.3)."""
         if particle.has_finite_mass:
             particle.add_force(self.acceleration * particle.mass)
 
@@ -98,9 +100,10 @@ class Drag:
 
 
 def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
-    """Return the drag in N at a velocity, as new: -v^ (k1 |v| + k2 |v|^2) (Eq. 5.1).
+    """Return the drag in N at a velocity in m/s, as new: -v^ (k1 |v| + k2 |v|^2) (Eq. 5.1).
 
-    v^ is the direction of the velocity; where there is none, there is no drag.
+    v^ is the direction of the velocity; where there is none, there is no drag. k1 is in N s/m, and
+    k2 in N s^2/m^2.
     """
     return velocity * -(k1 + k2 * velocity.magnitude())
 
@@ -145,7 +148,8 @@ class Airbrake:
         """Exercise 5.2: where the brake is on, add -k v, but nothing that turns the motion round.
 
         A force f changes the velocity of a frame by f h / m. So the brake alone never takes more
-        than FULL of the velocity, however large k is, and however long the frame.
+        than FULL of the velocity, however large k is, and however long the frame. What is immovable
+        is not stopped by it, and that is no error.
 
         Raises ValueError where the duration is not positive and finite.
         """

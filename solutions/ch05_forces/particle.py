@@ -1,6 +1,6 @@
 """A particle on which forces act: chapter 3's, with a force accumulator (book 5.1).
 
-Units are SI: forces are in N.
+Units are SI: forces are in N. What is no number, or no Vector3, is a TypeError everywhere.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Particle(particle.Particle):
         self._forces = [None, None]
 
     def __copy__(self) -> Particle:
-        """Return a copy with the same forces, to which neither particle adds those of the other."""
+        """Return a copy with the same forces, which no longer change with the original's."""
         other = Particle(self.position, self.velocity, self.acceleration, damping=self.damping)
         other.inverse_mass = self.inverse_mass
         other._forces = [*self._forces]
@@ -50,10 +50,10 @@ class Particle(particle.Particle):
         return Vector3(*(self._forces[0] or ()))
 
     def add_force(self, force: Vector3) -> None:
-        """Add a force in N to the sum, for the next step alone (5.1.1). The force is only read.
+        """Add a force in N to the sum, for the next step alone (5.1). The force is only read.
 
-        Raises ValueError where a component of it, or of the sum, is not finite, and TypeError for
-        what is no Vector3; the sum is then as it was.
+        Raises ValueError where a component of it, or of the sum, is not finite; the sum is then as
+        it was.
         """
         if not isinstance(force, Vector3):
             finite_vector("force", force)
@@ -68,14 +68,16 @@ class Particle(particle.Particle):
         forces[0] = (x, y, z)
 
     def clear_forces(self) -> None:
-        """Drop the forces that were added since the last step (5.1.1)."""
+        """Drop the forces that were added since the last step (5.1)."""
         self._forces[0] = None
 
     @property
     def last_acceleration(self) -> Vector3:
         """All of the acceleration of the last step, as new: the constant one, and f / m (Eq. 3.2).
 
-        Before the first step that is the constant one.
+        It is worked out when it is asked for: from the forces that the last step used, and from
+        the mass and the constant acceleration of now. Before the first step, and for an immovable
+        particle, it is the constant acceleration.
         """
         force = Vector3(*(self._forces[1] or ()))
         return self.acceleration + force * self._inverse_mass
@@ -98,8 +100,7 @@ class Particle(particle.Particle):
             keep = self._damping**duration
             frame[0], frame[1] = duration, keep
         force, last_force = self._forces
-        inverse_mass = self._inverse_mass
-        if not inverse_mass:
+        if not self._inverse_mass:
             self._forces = [None, force]
             return
         position = self.position
@@ -111,7 +112,7 @@ class Particle(particle.Particle):
         position.x += vx * duration
         position.y += vy * duration
         position.z += vz * duration
-        if force is last_force:  # both None: without a force the step costs what chapter 3's does
+        if force is last_force:  # both None: no force acts, and none has to be forgotten
             velocity.x = (vx + acceleration.x * duration) * keep
             velocity.y = (vy + acceleration.y * duration) * keep
             velocity.z = (vz + acceleration.z * duration) * keep
@@ -119,6 +120,7 @@ class Particle(particle.Particle):
             forces = self._forces
             forces[0], forces[1] = None, force
             fx, fy, fz = force or (0.0, 0.0, 0.0)
+            inverse_mass = self._inverse_mass
             velocity.x = (vx + (acceleration.x + fx * inverse_mass) * duration) * keep
             velocity.y = (vy + (acceleration.y + fy * inverse_mass) * duration) * keep
             velocity.z = (vz + (acceleration.z + fz * inverse_mass) * duration) * keep

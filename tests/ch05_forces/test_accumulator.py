@@ -35,7 +35,7 @@ def expect_unmoved(call: str, p: Particle, cause: str) -> None:
 def test_forces_add_up(rng: Random) -> None:
     forces = [components(rng) for _ in range(4)]
     call = "p = Particle(mass=4.0)"
-    read = "book 5.1.1"
+    read = "book 5.1"
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9), mass=4.0)
     total = [0.0, 0.0, 0.0]
     for force in forces:

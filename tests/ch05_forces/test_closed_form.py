@@ -113,7 +113,9 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_with_quadratic_drag(rng: Random) -> None:
-    cause = "the speed is u tanh(g t / u), the way u^2 / g ln cosh(g t / u), u the terminal speed"
+    cause = (
+        "the speed is u tanh(g t / u), the distance u^2 / g ln cosh(g t / u), u the terminal speed"
+    )
     call = "quadratic_fall(2.0, 9.81, 0.05, 3.0)"
     got = quadratic_fall(2.0, 9.81, 0.05, 3.0)
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
@@ -121,7 +123,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     for time in (0.5, 1.0, 30.0):
         mass, g, k2 = drawn(rng, 0.5), drawn(rng, 1.0, 20.0), drawn(rng, 0.01, 0.5)
         call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
-        speed, way = quadratic_fall(mass, g, k2, time)
+        speed, distance = quadratic_fall(mass, g, k2, time)
         u = math.sqrt(mass * g / k2)
         e = math.exp(-2.0 * g * time / u)
         wanted_speed = u * (1.0 - e) / (1.0 + e)
@@ -130,12 +132,12 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         expect_close(name, speed, wanted_speed, cause=cause, read=FALL, tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
         name = f"{call} = (v, x); v^2 + u^2 e^(-2 k2 x / m)"
-        total = speed * speed + u * u * math.exp(-2.0 * k2 * way / mass)
-        cause = "of what it falls, the drag takes its part: speed and way belong together"
+        total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
+        cause = "of what it falls, the drag takes its part: speed and distance belong together"
         expect_close(name, total, u * u, cause=cause, read=FALL, tolerance=ROUNDED * u * u)
-        name = f"{call}, the way minus that of the exact one, by parts"
-        left = way - u * u / g * (math.log1p(e) + g * time / u - math.log(2.0))
-        expect_close(name, left, 0.0, cause=cause, read=FALL, tolerance=ROUNDED * (way + u))
+        name = f"{call}, the distance minus the exact one, by parts"
+        left = distance - u * u / g * (math.log1p(e) + g * time / u - math.log(2.0))
+        expect_close(name, left, 0.0, cause=cause, read=FALL, tolerance=ROUNDED * (distance + u))
 
 
 @pytest.mark.exercise("B5.7")
@@ -150,9 +152,11 @@ def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
         square = g * time * time * k2 / 2.0  # x^2, with x = g t / u
         # The series of tanh and of ln cosh; the next terms are below 1e-13.
         speed = g * time * (1.0 - square / 3.0 + 2.0 * square**2 / 15.0)
-        way = g * time * time / 2.0 * (1.0 - square / 6.0 + 2.0 * square**2 / 45.0)
+        distance = g * time * time / 2.0 * (1.0 - square / 6.0 + 2.0 * square**2 / 45.0)
         expect_close(f"{call}, the speed", got[0], speed, cause=cause, read=FALL, tolerance=1e-11)
-        expect_close(f"{call}, the way", got[1], way, cause=cause, read=FALL, tolerance=1e-11)
+        expect_close(
+            f"{call}, the distance", got[1], distance, cause=cause, read=FALL, tolerance=1e-11
+        )
 
 
 @pytest.mark.exercise("B5.7")
@@ -162,12 +166,14 @@ def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
     u = math.sqrt(mass * g / k2)
     for time in (600.0, 1e6):
         call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
-        speed, way = quadratic_fall(mass, g, k2, time)
+        speed, distance = quadratic_fall(mass, g, k2, time)
         tolerance = ROUNDED * u
         expect_close(f"{call}, the speed", speed, u, cause=cause, read=FALL, tolerance=tolerance)
         wanted = u * time - u * u / g * math.log(2.0)
         tolerance = ROUNDED * wanted
-        expect_close(f"{call}, the way", way, wanted, cause=cause, read=FALL, tolerance=tolerance)
+        expect_close(
+            f"{call}, the distance", distance, wanted, cause=cause, read=FALL, tolerance=tolerance
+        )
 
 
 @pytest.mark.exercise("B5.7")
@@ -181,8 +187,8 @@ def test_a_fall_of_any_length_keeps_its_digits() -> None:
         x = Decimal(text)
         cosh, sinh = (x.exp() + (-x).exp()) / 2, (x.exp() - (-x).exp()) / 2
         wanted = (float(8 * sinh / cosh), float(8 * cosh.ln()))
-        speed, way = quadratic_fall(2.0, 8.0, 0.25, float(text))
-        for name, got, exact in (("speed", speed, wanted[0]), ("way", way, wanted[1])):
+        speed, distance = quadratic_fall(2.0, 8.0, 0.25, float(text))
+        for name, got, exact in (("speed", speed, wanted[0]), ("distance", distance, wanted[1])):
             tolerance = ROUNDED * exact
             expect_close(
                 f"{call}, the {name}", got, exact, cause=cause, read=FALL, tolerance=tolerance
@@ -191,7 +197,7 @@ def test_a_fall_of_any_length_keeps_its_digits() -> None:
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_begins_at_rest() -> None:
-    cause = "at the time 0 there is no speed and no way; a time of 0 is no error"
+    cause = "at the time 0 there is no speed and no distance; a time of 0 is no error"
     got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
     expect_close("quadratic_fall(2.0, 9.81, 0.05, 0.0)", got, (0.0, 0.0), cause=cause, read=FALL)
     cause = "after a short time t they are g t and g t^2 / 2"
@@ -199,7 +205,7 @@ def test_a_fall_begins_at_rest() -> None:
     call = "quadratic_fall(2.0, 10.0, 0.05, 1e-6)"
     # What drag takes is a part in 1e12 of it.
     expect_close(f"{call}, the speed", got[0], 1e-5, cause=cause, read=FALL, tolerance=1e-16)
-    expect_close(f"{call}, the way", got[1], 5e-12, cause=cause, read=FALL, tolerance=1e-22)
+    expect_close(f"{call}, the distance", got[1], 5e-12, cause=cause, read=FALL, tolerance=1e-22)
 
 
 @pytest.mark.exercise("B5.7")

@@ -15,7 +15,7 @@ from draw import components
 from expect import expect_close, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
-READ = "book 5.3.2, Eq. 5.1"
+READ = "book 5.2.4, Eq. 5.1"
 
 
 def draw_coefficient(rng: Random) -> float:
@@ -138,13 +138,13 @@ def expect_first_order(
 @pytest.mark.exercise("B5.5")
 def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_frames() -> None:
     call = "Drag(0, 0.05), 2 kg, g = 9.81, a fall of 3 s by drag.update_force(), p.integrate()"
-    cause = "exact are v_t tanh(g t / v_t), and v_t^2 / g ln cosh(g t / v_t) of way"
+    cause = "exact are v_t tanh(g t / v_t), and v_t^2 / g ln cosh(g t / v_t) of distance"
     states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
-    speed, way = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
+    speed, distance = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
     speeds = [-velocity[1] - speed for _, velocity in states]
-    ways = [-position[1] - way for position, _ in states]
+    distances = [-position[1] - distance for position, _ in states]
     expect_first_order(call, (speeds[0], speeds[1]), 0.02, cause=cause, what="the speed")
-    expect_first_order(call, (ways[0], ways[1]), 0.06, cause=cause, what="the way")
+    expect_first_order(call, (distances[0], distances[1]), 0.06, cause=cause, what="the distance")
 
 
 @pytest.mark.exercise("B5.5")
@@ -165,7 +165,7 @@ def test_linear_drag_in_frames_just_inside_and_just_outside_its_limits() -> None
     k1, mass, frames = 8.0, 2.0, 40
     cause = "each step multiplies the velocity by 1 - k1 h / m: below 0 it turns round, below -1 it"
     cause += " grows. That is the method's own failing, which Drag does not mend (an Airbrake does)"
-    # The rounding of each step, which the factor below never enlarges more than 1.04^40 = 5 times.
+    # The rounding of each step, which the factor below enlarges at most 1.02^40 = 2.2 times.
     for share in (0.98, 1.02, 1.98, 2.02):
         h = share * mass / k1
         call = f"p at 3 m/s, 2 kg, Drag(8, 0), h = {share} m / k1 = {h}; p.velocity.x"

@@ -74,7 +74,7 @@ def test_a_new_gravity_counts_from_the_next_frame_on(rng: Random) -> None:
 @pytest.mark.exercise("B5.4")
 def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
     g = components(rng)
-    read = "book 5.3.1"
+    read = "book 5.2.3"
     cause = "ask has_finite_mass: infinity times g is no force, and infinity times 0 is NaN"
     for gravity in (g, (0.0, -10.0, 0.0)):
         call = f"p = Particle(mass=math.inf); Gravity(Vector3{gravity}).update_force(p, 0.5)"
@@ -96,7 +96,7 @@ def test_the_generator_does_what_the_constant_acceleration_does(rng: Random) -> 
     h, frames = 1.0 / 64.0, 192
     call = f"a fall of 3 s with g = {g}, mass {mass}, damping {damping}, by gravity.update_force()"
     cause = "m g / m is g: the same steps as with Particle.acceleration, but for rounding"
-    read = "book 5.3.1"
+    read = "book 5.3"
     (by_force, velocity), (built_in, built_in_velocity) = fall(g, mass, damping, h, frames)
     # The sum of the geometric series of v' = (v + g h) D, D = d^h.
     kept = damping**h

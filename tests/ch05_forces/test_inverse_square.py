@@ -16,7 +16,7 @@ from expect import expect_close, expect_error, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.4; the docstring of InverseSquareGravity"
-# An orbit of the excentricity 0.6 and the semi-major axis 1 about mu = 1, from its nearest point.
+# An orbit of the eccentricity 0.6 and the semi-major axis 1 about mu = 1, from its nearest point.
 ELLIPSE = ((0.4, 0.0, 0.0), (0.0, 2.0, 0.0))
 PERIOD = 2.0 * math.pi
 

@@ -60,10 +60,17 @@ def throw() -> str:
 
 
 class Solid(Protocol):
-    """What the answer alone asks for."""
+    """What the answer alone asks for, as a name of two."""
 
     def weight(self) -> float:
         """Return the weight."""
+
+
+class Cube:
+    """A cube, which is given."""
+
+    def weight(self) -> float:
+        return 1.0
 
 
 def _cube(x: float) -> float:
@@ -138,10 +145,17 @@ def throw() -> str:
 
 
 class Solid(Protocol):
-    """What the answer alone asks for."""
+    """What the answer alone asks for, as a name of two."""
 
     def weight(self) -> float:
         """Return the weight."""
+
+
+class Cube:
+    """A cube, which is given."""
+
+    def weight(self) -> float:
+        return 1.0
 
 
 def _cube(x: float) -> float:

@@ -137,7 +137,7 @@ def test_point_gravity_as_a_velocity_function_is_asked_after_the_move(
 
 
 def test_the_order_decides_whether_an_orbit_drifts() -> None:
-    """Ten turns of an ellipse: ours gains a known energy, pymunk's velocity function hardly any."""
+    """Ten turns of an ellipse: ours gains energy, pymunk's velocity function hardly any."""
 
     def energy(state: State) -> float:
         x, y, vx, vy = state

@@ -146,7 +146,7 @@ def test_falls_end_at_the_terminal_speed(reference: Path) -> None:
         assert k1 * formula + k2 * formula**2 == pytest.approx(mass * 9.81, rel=1e-12)
         assert speed == pytest.approx(
             formula, rel=1e-9
-        )  # 600 frames, each takes a tenth of the rest
+        )  # 600 frames, each takes at least a tenth of the rest
 
 
 def test_the_fall_with_drag_comes_to_the_closed_form_in_the_first_order(reference: Path) -> None:

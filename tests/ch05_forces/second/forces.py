@@ -1,4 +1,4 @@
-"""Force generators, and the registry that asks them for their forces once a frame (book 5.2-5.4).
+"""Force generators, and the registry that asks them for their forces once a frame (book 5.2, 5.3).
 
 A generator adds a force to a particle, and knows nothing of the other forces that act on it. What
 one is made with is looked at and, where it is a vector, copied. Its attributes may be changed
@@ -69,14 +69,14 @@ class ForceRegistry:
 class Gravity:
     """The weight of a particle, m g (Eq. 3.4), for an acceleration g in m/s^2: a vector.
 
-    Particle.acceleration does the same for less, wherever g is the same at all times (5.3.1).
+    Particle.acceleration does the same for less, wherever g is the same at all times (5.2.3).
     """
 
     def __init__(self, acceleration: Vector3) -> None:
         self.acceleration = finite_vector("acceleration", acceleration)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add m g. An immovable particle is left alone: its weight would be infinite (5.3.1)."""
+        """Add m g. An immovable particle is left alone: its weight would be infinite (5.2.3)."""
         if particle.has_finite_mass:
             particle.add_force(particle.mass * self.acceleration)
 

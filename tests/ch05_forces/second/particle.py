@@ -41,7 +41,7 @@ class Particle(particle.Particle):
         return _total(self._forces[0])
 
     def add_force(self, force: Vector3) -> None:
-        """Add a force in N to the sum, for the next step alone (5.1.1). The force is only read.
+        """Add a force in N to the sum, for the next step alone (5.1). The force is only read.
 
         Raises ValueError where a component of it, or of the sum, is not finite, and TypeError for
         what is no Vector3; the sum is then as it was.
@@ -50,7 +50,7 @@ class Particle(particle.Particle):
         self._forces[0] = _numbers(finite_vector("sum of the forces", total))
 
     def clear_forces(self) -> None:
-        """Drop the forces that were added since the last step (5.1.1)."""
+        """Drop the forces that were added since the last step (5.1)."""
         self._forces[0] = None
 
     @property

@@ -26,7 +26,7 @@ SLIPS = (
     ("has no setter", "a property without a setter is read, and never assigned"),
     ("for ^", "a power is written **"),
     ("'tuple'", "a function with several results gives a tuple: take it apart first"),
-    ("NoneType", "something gave nothing back where a value was wanted: is a return missing?"),
+    ("NoneType", "None came where a value was wanted: is a return missing, or nothing there yet?"),
     (
         "maximum recursion",
         "something calls itself: an operator, a method, or a setter that assigns its own name",

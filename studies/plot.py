@@ -73,17 +73,18 @@ def draw(plot: Callable[[], Picture], folder: Path) -> bool:
     for older in (png, table):
         older.unlink(missing_ok=True)
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)
+    print(f"{name}: ", end="", flush=True)  # so that a plot that does not end is named
     try:
         picture = plot()
     except (Exception, SystemExit) as error:
-        print(f"{name}: not drawn, {reason(error)}")
+        print(f"not drawn, {reason(error)}")
         return False
     finally:
         faulthandler.cancel_dump_traceback_later()
     picture.figure.savefig(png, dpi=110)
     with table.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([picture.columns, *picture.rows])
-    print(f"{name}: {shown(png)} and {shown(table)}")
+    print(f"{shown(png)} and {shown(table)}")
     return True
 
 

@@ -155,7 +155,7 @@ def _are_numbers(values: tuple[Any, ...], count: int) -> bool:
 
 def _shown(value: Any) -> str:
     if type(value) in (tuple, list):
-        return "(" + ", ".join(_shown(item) for item in value) + ")"
+        return "(" + ", ".join(_shown(item) for item in value) + (",)" if len(value) == 1 else ")")
     if isinstance(value, float) and type(value) is not float:
         return f"{value!r}, a {type(value).__name__} and not a plain float"
     if type(value) is float:

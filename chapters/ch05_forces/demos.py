@@ -39,7 +39,7 @@ class Sniper:
 
     def __init__(self, figure: Figure) -> None:
         self.scope, self.above = figure.subplots(2, 1, height_ratios=(3, 2))
-        self.scope.set(xlim=(42, -42), ylim=(-12, 24), xlabel="azimuth, mrad", aspect="equal")
+        self.scope.set(xlim=(42, -42), ylim=(-15, 24), xlabel="azimuth, mrad", aspect="equal")
         self.scope.set(ylabel="elevation, mrad")
         self.above.set(xlim=(-2, END_OF_RANGE), ylim=(-4, 8), xlabel="z, m", ylabel="x, m")
         for target in TARGETS:
@@ -48,13 +48,13 @@ class Sniper:
                 size = 1000.0 * radius / target.distance
                 self.scope.add_patch(Circle(middle, size, facecolor=color, edgecolor=GREY, lw=0.5))
             label = f"{target.distance:g} m, x {target.factor}"
-            below = (middle[0], middle[1] - 11.5)
+            below = (middle[0], middle[1] - 14.0)
             self.scope.annotate(label, below, ha="center", va="bottom", fontsize=7)
             reach = RINGS[-1][0]
             across = [target.x - reach, target.x + reach]
             self.above.plot([target.distance] * 2, across, color=BLUE, lw=3)
         self.cross = self.scope.plot([], [], "+", color=RED, ms=14, mew=1)[0]
-        self.holes = self.scope.plot([], [], ".", color=ORANGE, ms=4)[0]
+        self.holes = self.scope.plot([], [], "o", color=RED, mec="white", ms=5)[0]
         self.bullet = self.scope.plot([], [], "o", color=BLACK, ms=3)[0]
         self.path = self.above.plot([], [], color=BLACK, lw=1)[0]
         self.arrow = self.above.annotate(
@@ -103,9 +103,10 @@ class Sniper:
         state = f"{self.range.shots_left} of {SHOTS} shots left, score {self.range.score}"
         if self.range.is_over():
             state = f"the round is over with a score of {self.range.score}; r starts anew"
+        side, along = "left" if wind.x > 0.0 else "right", "tail" if wind.z > 0.0 else "head"
         self.title.set_text(
-            f"wind (the arrow): {abs(wind.x):.1f} m/s to the {'left' if wind.x > 0.0 else 'right'}, "
-            f"{abs(wind.z):.1f} m/s {'tail' if wind.z > 0.0 else 'head'}wind\n{state}{self.result}"
+            f"wind (the arrow): {abs(wind.x):.1f} m/s to the {side}, {abs(wind.z):.1f} m/s "
+            f"{along}wind\n{state}{self.result}"
         )
 
     def press(self, key: str) -> None:

@@ -55,7 +55,7 @@ class Particle(particle.Particle):
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     def clear_forces(self) -> None:
-        """Drop the forces that were added since the last step (5.1)."""
+        """Drop the forces that were added since the last step; what that step used stays (5.1)."""
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     @property

@@ -68,7 +68,7 @@ class Particle(particle.Particle):
         forces[0] = (x, y, z)
 
     def clear_forces(self) -> None:
-        """Drop the forces that were added since the last step (5.1)."""
+        """Drop the forces that were added since the last step; what that step used stays (5.1)."""
         self._forces[0] = None
 
     @property

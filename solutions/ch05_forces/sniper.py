@@ -159,7 +159,7 @@ def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
     """Project 4.2: return the first hole that the straight way from start to end makes, or None.
 
     The way passes a target's plane where start.z < distance <= end.z. There it makes a hole in the
-    target if that brings any points.
+    target if that brings any points: those of the ring, times the target's factor.
     """
     for target in TARGETS:  # the nearest comes first
         if start.z < target.distance <= end.z:

@@ -32,7 +32,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k)
     for on, wanted, cause in (
         (None, ZERO, "a new brake is off, and then it adds nothing"),
-        (True, pulled, "where the brake is on it adds -k v"),
+        (True, pulled, "where the brake is on it adds -k v: a full stop, m / h = 4, would be more"),
         (None, pulled, "it is on until somebody switches it off"),
         (False, ZERO, "where the brake is off it adds nothing: look at self.on each time"),
         (True, pulled, "where the brake is on it adds -k v"),
@@ -124,7 +124,7 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
 
     shares = braked(rng.randrange(10**6), tries)
     call = f"brake.update_force(p, h) in {tries} frames with k above m / h, each with another k, "
-    call += "mass, h and speed: the smallest share that is left of the velocity"
+    call += "mass, h and speed: the smallest share that is left of the velocity, from 0 to 1e-9"
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
     # A share from 0 to 1e-9: between 0 and twice the half of that.

@@ -24,10 +24,11 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
     for mass in (round(rng.uniform(2.0, 90.0), 3), 0.125):
         call = f"p = Particle(velocity=Vector3(5, 6, 7), acceleration=Vector3(1, 2, 3), {mass=}); "
         call += f"Gravity(Vector3{g}).update_force(p, 0.5); p.force_accumulator"
-        cause = "f = m g with all three components of g, however the particle moves"
+        cause = "f = m g with all three components of g, and added by particle.add_force"
         vectors = {"velocity": Vector3(5, 6, 7), "acceleration": Vector3(1, 2, 3)}
         p = Particle(**vectors, mass=mass)
-        Gravity(Vector3(*g)).update_force(p, 0.5)
+        gravity = Gravity(Vector3(*g))
+        gravity.update_force(p, 0.5)
         wanted = tuple(mass * g[i] for i in range(3))
         expect_close(call, xyz(p.force_accumulator), wanted, cause=cause, read=read)
         cause = "a generator adds a force and changes nothing else"
@@ -35,6 +36,9 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
         expect_unchanged(call, "p.acceleration", got, (1, 2, 3), cause=cause, read=read)
         got = xyz(p.velocity)
         expect_unchanged(call, "p.velocity", got, (5, 6, 7), cause=cause, read=read)
+        got = xyz(gravity.acceleration)
+        cause = "g is only read: *= works in place"
+        expect_unchanged(call, "gravity.acceleration", got, g, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B5.4")

@@ -188,13 +188,17 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
         expect_exactly(call, ring_points(x, y), points, cause=cause, read=read)
 
 
-def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -> tuple[str, Any]:
-    """Return the words and the hole that a way makes, as (distance, x, y, points), or None."""
+def way_of(
+    start: tuple[float, float, float], end: tuple[float, float, float], cause: str
+) -> tuple[str, Any]:
+    """Return the words and the hole that a way makes, as numbers, or None."""
     call = f"hit_on_the_way(Vector3{start}, Vector3{end})"
+    read = WAY
     first, last = Vector3(*start), Vector3(*end)
     hole = hit_on_the_way(first, last)
     for name, now, before in (("start", first, start), ("end", last, end)):
-        expect_unchanged(call, name, xyz(now), before, read=WAY)
+        expect_unchanged(call, name, xyz(now), before, read=read)
+    del cause  # what is said where hit_on_the_way raises
     if hole is None:
         return call, None
     target = hole.target
@@ -207,7 +211,7 @@ def expect_hole(
     wanted: tuple[float, float, float, int],
     cause: str,
 ) -> None:
-    call, got = way_of(start, end)
+    call, got = way_of(start, end, cause)
     expect_exactly(f"{call} is None", got is None, False, cause=cause, read=WAY)
     name = f"{call}: target (x, y, distance, factor), then x, y and points of the hole"
     distance, *hole = wanted
@@ -218,7 +222,7 @@ def expect_hole(
 def expect_no_hole(
     start: tuple[float, float, float], end: tuple[float, float, float], cause: str
 ) -> None:
-    call, got = way_of(start, end)
+    call, got = way_of(start, end, cause)
     expect_exactly(f"{call} is None", got is None, True, cause=cause, read=WAY)
 
 

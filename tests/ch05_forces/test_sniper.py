@@ -42,7 +42,10 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
 
 @pytest.mark.exercise("P4.2b")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
-    cause = "in each frame: the forces, the step, and then what the way of this frame has hit"
+    cause = (
+        "in each frame: a copy of the position, the forces, the step, and then what the way from "
+    )
+    cause += "that copy to the new position has hit"
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
         azimuth, elevation = math.atan2(x, distance), distance * 0.00007
         level = 120.0 * math.cos(elevation) * math.cos(azimuth)
@@ -61,7 +64,7 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         # A hundred roundings of positions up to 150 m.
         wanted = (distance, 0.0, y, points)
         expect_close(name, holes[0], wanted, cause=cause, read=UPDATE, tolerance=1e-10)
-        cause = "its points are added to the score"
+        cause = "its points are added to the score; they hold the target's factor already"
         expect_exactly(f"{call}; range.score", came["score"], points, cause=cause, read=UPDATE)
 
 

@@ -42,7 +42,8 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     v, f, mass, h = components(rng), components(rng), draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, ZERO, mass)
     call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
-    cause = "v' = v + (f / m) h: the force times the inverse mass is an acceleration (Eq. 3.2)"
+    cause = "v' = v + (f / m) h: the force times the inverse mass is an acceleration (Eq. 3.2). If "
+    cause += "last_acceleration takes part in the step, it has to know the force that the step uses"
     read = "book 5.1"
     p.add_force(Vector3(*f))
     p.integrate(h)
@@ -188,11 +189,12 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     name = f"{call}; p.last_acceleration"
     got = xyz(p.last_acceleration)
     expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "forces that wait for the next step are not of the last one, nor is clear_forces"
+    cause = "forces that wait for the next step are not of the last one"
     p.add_force(Vector3(*g))
     name = f"{call}; p.add_force(Vector3{g}); p.last_acceleration"
     got = xyz(p.last_acceleration)
     expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    cause = "clear_forces drops what waits for the next step, and nothing of the last one"
     p.clear_forces()
     name = f"{call}; p.clear_forces(); p.last_acceleration"
     got = xyz(p.last_acceleration)

@@ -87,7 +87,7 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     highest = max(abs(y) for _, y, _ in seen)
     expect_close(f"{call}: the largest |y|", highest, 0.0, cause=cause, read=CHANGE)
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
-        cause = f"{name} is uniform from -STRONGEST_WIND to STRONGEST_WIND, which are 10 m/s"
+        cause = f"{name} is uniform from -STRONGEST_WIND to STRONGEST_WIND, 10 m/s, anew each time"
         # Of 401 uniform numbers in 20 none lies in the last of either side once in 10^8 runs, and
         # their mean is beyond 2 more seldom: 7 times its deviation.
         for what, got, low, high in (

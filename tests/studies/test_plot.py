@@ -160,12 +160,12 @@ def test_the_fall_with_drag_comes_to_the_closed_form_in_the_first_order(referenc
 
 def test_the_orbit_drifts_as_theory_says(reference: Path) -> None:
     rows = [[float(v) for v in row] for row in table(reference, "orbit", "ch05_forces")[1:]]
-    for frames in (20_000, 40_000):
+    for frames in (5_000, 10_000):
         seen = {row[1]: row[2:] for row in rows if row[0] == frames}
         assert seen[0.0] == pytest.approx([-0.5, math.sqrt(0.75)], rel=1e-12)
-        # A step adds h^2 L / r^3, over a turn 2 pi h / (1 - e^2); the next order is a few percent.
+        # A step adds h^2 L / r^3, over a turn 2 pi h / (1 - e^2); the next order is a tenth of it.
         added = (2.0 * math.pi) ** 2 / frames / 0.75
-        assert seen[1.0][1] - seen[0.0][1] == pytest.approx(added, rel=0.03)
+        assert seen[1.0][1] - seen[0.0][1] == pytest.approx(added, rel=0.1)
         assert len(seen) == 20 * 40 + 1
 
 

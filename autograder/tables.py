@@ -16,7 +16,7 @@ def exercise_table(chapter: Chapter) -> str:
     rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
     rows.append("|---|---|---|---|---|---|---|")
     for exercise in chapter.exercises:
-        places = "; ".join(_places(exercise)) or "`answers.md`"
+        places = "; ".join(_places(exercise, chapter)) or "`answers.md`"
         stars, needs = "\\*" * exercise.stars, ", ".join(exercise.needs)
         rows.append(
             f"| {exercise.id} | {exercise.title} | {exercise.kind} | {stars} | {exercise.points} "
@@ -25,11 +25,18 @@ def exercise_table(chapter: Chapter) -> str:
     return "\n".join(rows)
 
 
-def _places(exercise: Exercise) -> list[str]:
-    """Return each file with the names whose bodies are written in it."""
+def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
+    """Return each file with the names whose bodies are written in it.
+
+    A method's class is named where several classes of the file have a method of that name.
+    """
     files: dict[str, list[str]] = {}
+    edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
     for name in exercise.edit:
-        files.setdefault(name.partition(".")[0], []).append(f"`{own_name(name)}`")
+        module, _, inside = name.partition(".")
+        own = own_name(name)
+        alike = [n for other, _, n in edited if other == module and n.rpartition(".")[2] == own]
+        files.setdefault(module, []).append(f"`{inside if len(alike) > 1 else own}`")
     return [f"`{module}.py`: {', '.join(names)}" for module, names in files.items()]
 
 

@@ -21,8 +21,8 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
     """Return the speed in m/s and the distance in m of a fall from rest, with quadratic drag alone.
 
-    With the terminal speed u and the time t in s they are u tanh(g t / u) and (u^2 / g) ln cosh(g t
-    / u).
+    They are u tanh x and u^2 / g times ln cosh x, where x is g t / u, with the terminal speed u and
+    the time t in s.
 
     Raises ValueError where mass, gravity or k2 is not positive, the time is negative, or one of
     them is not finite.

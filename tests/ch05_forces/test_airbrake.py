@@ -26,6 +26,7 @@ def brake_of(k: float, *, on: bool) -> Airbrake:
 
 @pytest.mark.exercise("5.2")
 def test_a_brake_works_when_it_is_on(rng: Random) -> None:
+    read = READ
     v, k = components(rng), round(rng.uniform(0.1, 0.9), 3)
     pulled = tuple(-k * v[i] for i in range(3))
     call = f"p = Particle(velocity=Vector3{v}, mass=2.0); brake = Airbrake({k})"
@@ -43,14 +44,15 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         call += "; brake.update_force(p, 0.5)"
         brake.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=READ)
+        expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=read)
         p.clear_forces()
         call += "; p.clear_forces()"
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, read=READ)
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, read=read)
 
 
 @pytest.mark.exercise("5.2")
 def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
+    read = READ
     v, f = components(rng), components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
     cause = "while k h / m is below 1 the force is -k v, and nothing is cut off"
@@ -64,11 +66,12 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
         wanted = tuple(f[i] - k * v[i] for i in range(3))
         got = xyz(p.force_accumulator)
         # A few roundings of numbers up to 900.
-        expect_close(call, got, wanted, cause=cause, read=READ, tolerance=1e-11)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
 
 
 @pytest.mark.exercise("5.2")
 def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -> None:
+    read = READ
     v = components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
     cause = "in a frame a force f changes the velocity by f h / m: never add more than -v m / h"
@@ -79,14 +82,15 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
         p = Particle(velocity=Vector3(*v), mass=mass)
         brake_of(k, on=True).update_force(p, h)
         got = xyz(p.velocity)
-        expect_unchanged(call, "p.velocity before the step", got, v, read=READ)
+        expect_unchanged(call, "p.velocity before the step", got, v, read=read)
         p.integrate(h)
         # What FULL, or rounding, leaves of 10 m/s.
-        expect_close(call, xyz(p.velocity), ZERO, cause=cause, read=READ, tolerance=1e-9)
+        expect_close(call, xyz(p.velocity), ZERO, cause=cause, read=read, tolerance=1e-9)
 
 
 @pytest.mark.exercise("5.2")
 def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
+    read = READ
     v, f, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     call = f"p = Particle(velocity=Vector3{v}, acceleration=Vector3(1, 2, 3), mass={mass}); "
     call += f"p.add_force(Vector3{f}); brake = Airbrake(1e6), on; brake.update_force(p, 0.5)"
@@ -101,11 +105,11 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
         wanted = tuple(f[i] - v[i] * mass / h for i in range(3))
         # Up to a part in 1e12 of 400 N, as FULL says.
         expect_close(
-            f"{call}; p.force_accumulator", got, wanted, cause=cause, read=READ, tolerance=1e-9
+            f"{call}; p.force_accumulator", got, wanted, cause=cause, read=read, tolerance=1e-9
         )
         cause = "the next frame asks anew: brake.on and brake.k are the player's"
         expect_exactly(
-            f"{call}; (brake.on, brake.k)", (brake.on, brake.k), (True, 1e6), cause=cause, read=READ
+            f"{call}; (brake.on, brake.k)", (brake.on, brake.k), (True, 1e6), cause=cause, read=read
         )
         call += "; in another frame, brake.update_force(p, 0.25)"
     call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
@@ -114,30 +118,32 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=READ)
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
 
 
 @pytest.mark.exercise("5.2")
 def test_no_brake_turns_any_motion_round(rng: Random) -> None:
+    read = READ
     cause = "-v m / h can be a rounding too much: stay a little below it, as FULL says"
     tries = 400
 
-    shares = braked(rng.randrange(10**6), tries)
     call = f"brake.update_force(p, h) in {tries} frames with k above m / h, each with another k, "
     call += "mass, h and speed: the smallest share that is left of the velocity, from 0 to 1e-9"
+    shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
     # A share from 0 to 1e-9: between 0 and twice the half of that.
-    expect_close(call, least, 5e-10, cause=cause, read=READ, tolerance=5e-10)
+    expect_close(call, least, 5e-10, cause=cause, read=read, tolerance=5e-10)
     cause = "a brake of this strength leaves nothing but a rounding"
     name = call.replace("smallest", "largest")
-    expect_close(name, most, 5e-10, cause=cause, read=READ, tolerance=5e-10)
-    expect_close("how many frames", len(shares), tries, cause="one for each try", read=READ)
+    expect_close(name, most, 5e-10, cause=cause, read=read, tolerance=5e-10)
+    expect_close("how many frames", len(shares), tries, cause="one for each try", read=read)
 
 
 @pytest.mark.exercise("5.2", weight=0.5)
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
+    read = READ
     for on in (True, False):
         call = f"brake = Airbrake(2.0); brake.on = {on}; brake.update_force(p, {duration!r})"
         cause = "positive of arguments.py raises the errors for you, whether the brake is on or off"
@@ -148,8 +154,8 @@ def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
             TypeError if isinstance(duration, str) else ValueError,
             allowed=lambda brake=brake: brake.update_force(Particle(), 0.5),
             cause=cause,
-            read=READ,
+            read=read,
         )
         got = xyz(p.force_accumulator)
         cause = "look at the duration before a force is added"
-        expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=READ)
+        expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)

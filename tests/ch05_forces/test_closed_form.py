@@ -36,11 +36,12 @@ def bad_numbers(good: tuple[float, ...]) -> list[tuple[float, ...]]:
 
 @pytest.mark.exercise("B5.6")
 def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
+    read = TERMINAL
     cause = "v = (-k1 + sqrt(k1^2 + 4 k2 W)) / (2 k2) solves k1 v + k2 v^2 = W"
     call = "terminal_speed(2 * 9.81, 0.3, 0.05)"
     got = terminal_speed(2 * 9.81, 0.3, 0.05)
     # The last digit that is known of it.
-    expect_close(call, got, 17.0349694, cause=cause, read=TERMINAL, tolerance=1e-7)
+    expect_close(call, got, 17.0349694, cause=cause, read=read, tolerance=1e-7)
     for weight, k1, k2 in (
         *((drawn(rng, 5.0, 900.0), drawn(rng), drawn(rng)) for _ in range(3)),
         (10.0, 0.3, 0.3),
@@ -53,28 +54,30 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
         v = terminal_speed(weight, k1, k2)
         drag = k1 * v + k2 * v * v
         tolerance = ROUNDED * weight
-        expect_close(call, drag, weight, cause=cause, read=TERMINAL, tolerance=tolerance)
+        expect_close(call, drag, weight, cause=cause, read=read, tolerance=tolerance)
         call = f"terminal_speed({weight}, {k1}, {k2}) > 0"
         cause = "a speed is positive: of the two roots, the positive one"
-        expect_exactly(call, v > 0.0, True, cause=cause, read=TERMINAL)
+        expect_exactly(call, v > 0.0, True, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B5.6")
 def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
+    read = TERMINAL
     weight, k = drawn(rng, 5.0, 900.0), drawn(rng)
     cause = "with k2 = 0 it is W / k1: the formula divides by 2 k2, another form of it does not"
     call = f"terminal_speed({weight}, {k}, 0.0)"
     got = terminal_speed(weight, k, 0.0)
-    expect_close(call, got, weight / k, cause=cause, read=TERMINAL, tolerance=ROUNDED * got)
+    expect_close(call, got, weight / k, cause=cause, read=read, tolerance=ROUNDED * got)
     cause = "with k1 = 0 it is sqrt(W / k2)"
     call = f"terminal_speed({weight}, 0.0, {k})"
     got = terminal_speed(weight, 0.0, k)
     wanted = math.sqrt(weight / k)
-    expect_close(call, got, wanted, cause=cause, read=TERMINAL, tolerance=ROUNDED * wanted)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * wanted)
 
 
 @pytest.mark.exercise("B5.6")
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
+    read = TERMINAL
     weight, k1 = drawn(rng, 5.0, 90.0), drawn(rng, 2.0)
     cause = "-k1 + root is the difference of two nearly equal numbers: 2 W / (k1 + root) is as much"
     for k2 in (1e-6, 1e-10, 1e-14):
@@ -84,11 +87,12 @@ def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random
         # The series in e = k2 W / k1^2: u (1 - e + 2 e^2 - 5 e^3); the next term is below 1e-16.
         e = k2 * u / k1
         wanted = u * (1.0 - e + 2.0 * e * e - 5.0 * e**3)
-        expect_close(call, got, wanted, cause=cause, read=TERMINAL, tolerance=ROUNDED * u)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * u)
 
 
 @pytest.mark.exercise("B5.6")
 def test_a_terminal_speed_needs_weight_and_drag() -> None:
+    read = TERMINAL
     for bad in (
         (0.0, 0.3, 0.05),
         (-9.81, 0.3, 0.05),
@@ -104,7 +108,7 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
             ValueError,
             allowed=lambda: terminal_speed(9.81, 0.3, 0.05),
             cause=cause,
-            read=TERMINAL,
+            read=read,
         )
 
 
@@ -113,13 +117,14 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_with_quadratic_drag(rng: Random) -> None:
+    read = FALL
     cause = (
         "the speed is u tanh(g t / u), the distance u^2 / g ln cosh(g t / u), u the terminal speed"
     )
     call = "quadratic_fall(2.0, 9.81, 0.05, 3.0)"
     got = quadratic_fall(2.0, 9.81, 0.05, 3.0)
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
-    expect_close(call, got, wanted, cause=cause, read=FALL)
+    expect_close(call, got, wanted, cause=cause, read=read)
     for time in (0.5, 1.0, 30.0):
         mass, g, k2 = drawn(rng, 0.5), drawn(rng, 1.0, 20.0), drawn(rng, 0.01, 0.5)
         call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
@@ -129,19 +134,20 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         wanted_speed = u * (1.0 - e) / (1.0 + e)
         name = f"{call}, the speed"
         tolerance = ROUNDED * u
-        expect_close(name, speed, wanted_speed, cause=cause, read=FALL, tolerance=tolerance)
+        expect_close(name, speed, wanted_speed, cause=cause, read=read, tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
         name = f"{call} = (v, x); v^2 + u^2 e^(-2 k2 x / m)"
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
         cause = "of what it falls, the drag takes its part: speed and distance belong together"
-        expect_close(name, total, u * u, cause=cause, read=FALL, tolerance=ROUNDED * u * u)
+        expect_close(name, total, u * u, cause=cause, read=read, tolerance=ROUNDED * u * u)
         name = f"{call}, the distance minus the exact one, by parts"
         left = distance - u * u / g * (math.log1p(e) + g * time / u - math.log(2.0))
-        expect_close(name, left, 0.0, cause=cause, read=FALL, tolerance=ROUNDED * (distance + u))
+        expect_close(name, left, 0.0, cause=cause, read=read, tolerance=ROUNDED * (distance + u))
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
+    read = FALL
     g, time = drawn(rng, 1.0, 20.0), drawn(rng, 0.5, 3.0)
     cause = (
         "for a small x the logarithm of cosh x loses its digits: ln(1 + 2 sinh(x / 2)^2) does not"
@@ -153,14 +159,15 @@ def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
         # The series of tanh and of ln cosh; the next terms are below 1e-13.
         speed = g * time * (1.0 - square / 3.0 + 2.0 * square**2 / 15.0)
         distance = g * time * time / 2.0 * (1.0 - square / 6.0 + 2.0 * square**2 / 45.0)
-        expect_close(f"{call}, the speed", got[0], speed, cause=cause, read=FALL, tolerance=1e-11)
+        expect_close(f"{call}, the speed", got[0], speed, cause=cause, read=read, tolerance=1e-11)
         expect_close(
-            f"{call}, the distance", got[1], distance, cause=cause, read=FALL, tolerance=1e-11
+            f"{call}, the distance", got[1], distance, cause=cause, read=read, tolerance=1e-11
         )
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
+    read = FALL
     mass, g, k2 = drawn(rng, 0.5), drawn(rng, 1.0, 20.0), drawn(rng, 0.01, 0.5)
     cause = "cosh of a large number does not fit in a float, but its logarithm, x - ln 2, does"
     u = math.sqrt(mass * g / k2)
@@ -168,17 +175,18 @@ def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
         call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
         speed, distance = quadratic_fall(mass, g, k2, time)
         tolerance = ROUNDED * u
-        expect_close(f"{call}, the speed", speed, u, cause=cause, read=FALL, tolerance=tolerance)
+        expect_close(f"{call}, the speed", speed, u, cause=cause, read=read, tolerance=tolerance)
         wanted = u * time - u * u / g * math.log(2.0)
         tolerance = ROUNDED * wanted
         expect_close(
-            f"{call}, the distance", distance, wanted, cause=cause, read=FALL, tolerance=tolerance
+            f"{call}, the distance", distance, wanted, cause=cause, read=read, tolerance=tolerance
         )
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_of_any_length_keeps_its_digits() -> None:
     # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
+    read = FALL
     cause = (
         "whichever form of ln cosh x you take, it must hold to the last digits where you take it"
     )
@@ -191,25 +199,28 @@ def test_a_fall_of_any_length_keeps_its_digits() -> None:
         for name, got, exact in (("speed", speed, wanted[0]), ("distance", distance, wanted[1])):
             tolerance = ROUNDED * exact
             expect_close(
-                f"{call}, the {name}", got, exact, cause=cause, read=FALL, tolerance=tolerance
+                f"{call}, the {name}", got, exact, cause=cause, read=read, tolerance=tolerance
             )
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_begins_at_rest() -> None:
+    read = FALL
     cause = "at the time 0 there is no speed and no distance; a time of 0 is no error"
+    call = "quadratic_fall(2.0, 9.81, 0.05, 0.0)"
     got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
-    expect_close("quadratic_fall(2.0, 9.81, 0.05, 0.0)", got, (0.0, 0.0), cause=cause, read=FALL)
+    expect_close(call, got, (0.0, 0.0), cause=cause, read=read)
     cause = "after a short time t they are g t and g t^2 / 2"
-    got = quadratic_fall(2.0, 10.0, 0.05, 1e-6)
     call = "quadratic_fall(2.0, 10.0, 0.05, 1e-6)"
+    got = quadratic_fall(2.0, 10.0, 0.05, 1e-6)
     # What drag takes is a part in 1e12 of it.
-    expect_close(f"{call}, the speed", got[0], 1e-5, cause=cause, read=FALL, tolerance=1e-16)
-    expect_close(f"{call}, the distance", got[1], 5e-12, cause=cause, read=FALL, tolerance=1e-22)
+    expect_close(f"{call}, the speed", got[0], 1e-5, cause=cause, read=read, tolerance=1e-16)
+    expect_close(f"{call}, the distance", got[1], 5e-12, cause=cause, read=read, tolerance=1e-22)
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
+    read = COAST
     cause = "v e^-s / (1 + k2 v (1 - e^-s) / k1), with s = k1 t / m"
     for _ in range(3):
         v, k1, k2 = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
@@ -220,16 +231,17 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
         wanted = 1.0 / ((1.0 / v + ratio) * math.exp(k1 * time / mass) - ratio)
         got = coasting_speed(v, k1, k2, mass, time)
         # The difference below the line loses a digit or two.
-        expect_close(call, got, wanted, cause=cause, read=COAST, tolerance=1e-10 * v)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10 * v)
     half = coasting_speed(v, k1, k2, mass, time / 2.0)
     name = f"the same in two halves of {time} s, the second from coasting_speed() of the first"
     got = coasting_speed(half, k1, k2, mass, time / 2.0)
     cause = "how it came to its speed does not matter to what follows"
-    expect_close(name, got, wanted, cause=cause, read=COAST, tolerance=1e-10 * v)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-10 * v)
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
+    read = COAST
     v, k, mass = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
     time = drawn(rng, 0.2, 2.0)
     tolerance = ROUNDED * v
@@ -246,11 +258,12 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
     ):
         call = f"coasting_speed({v}, {k1}, {k2}, {mass}, {time})"
         got = coasting_speed(v, k1, k2, mass, time)
-        expect_close(call, got, wanted, cause=cause, read=COAST, tolerance=tolerance)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=tolerance)
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_little_linear_drag_keeps_its_digits(rng: Random) -> None:
+    read = COAST
     v, k2 = drawn(rng, 1.0, 90.0), drawn(rng)
     cause = "1 - e^-s must keep its digits for every s: math.expm1 does"
     for power in range(1, 14):
@@ -259,11 +272,12 @@ def test_coasting_with_little_linear_drag_keeps_its_digits(rng: Random) -> None:
         # 1 / v + k2 / k1 grows as e^s: e^s / v + (k2 / k1) (e^s - 1) is 1 / v afterwards.
         wanted = 1.0 / (math.exp(k1) / v + k2 / k1 * math.expm1(k1))
         got = coasting_speed(v, k1, k2, 1.0, 1.0)
-        expect_close(call, got, wanted, cause=cause, read=COAST, tolerance=ROUNDED * wanted)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * wanted)
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_begins_with_its_speed_and_ends_in_rest(rng: Random) -> None:
+    read = COAST
     v, k1, k2 = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
     for speed, time, wanted, cause in (
         (v, 0.0, v, "at the time 0 it is the speed itself"),
@@ -272,11 +286,12 @@ def test_coasting_begins_with_its_speed_and_ends_in_rest(rng: Random) -> None:
     ):
         call = f"coasting_speed({speed}, {k1}, {k2}, 2.0, {time})"
         got = coasting_speed(speed, k1, k2, 2.0, time)
-        expect_close(call, got, wanted, cause=cause, read=COAST, tolerance=ROUNDED * speed)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * speed)
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_needs_numbers_that_mean_something() -> None:
+    read = FALL
     cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
     for bad in (
         (0.0, 9.81, 0.05, 3.0),
@@ -293,12 +308,13 @@ def test_a_fall_needs_numbers_that_mean_something() -> None:
             ValueError,
             allowed=lambda: quadratic_fall(2.0, 9.81, 0.05, 3.0),
             cause=cause,
-            read=FALL,
+            read=read,
         )
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_needs_numbers_that_mean_something() -> None:
+    read = COAST
     cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
     for bad in (
         (-20.0, 0.3, 0.05, 2.0, 1.5),
@@ -315,7 +331,7 @@ def test_coasting_needs_numbers_that_mean_something() -> None:
             ValueError,
             allowed=lambda: coasting_speed(20.0, 0.3, 0.05, 2.0, 1.5),
             cause=cause,
-            read=COAST,
+            read=read,
         )
 
 
@@ -324,6 +340,7 @@ def test_coasting_needs_numbers_that_mean_something() -> None:
 
 @pytest.mark.exercise("B5.8")
 def test_the_limits_by_their_formula(rng: Random) -> None:
+    read = LIMITS
     k1, k2, mass, speed = drawn(rng), drawn(rng), drawn(rng), drawn(rng, 1.0, 90.0)
     cause = (
         "v' = v (1 - (k1 + k2 |v|) h / m): the bracket is 0 at the first limit, -1 at the second"
@@ -335,32 +352,35 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     ):
         call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
-        expect_close(call, got, (1.0 / rate, 2.0 / rate), cause=cause, read=LIMITS)
+        expect_close(call, got, (1.0 / rate, 2.0 / rate), cause=cause, read=read)
     cause = "a little drag has limits too: after a long time, and not never"
     got = drag_limits(1e-12, 0.0, 1.0, 1.0)
-    expect_close("drag_limits(1e-12, 0.0, 1.0, 1.0)", got, (1e12, 2e12), cause=cause, read=LIMITS)
+    expect_close("drag_limits(1e-12, 0.0, 1.0, 1.0)", got, (1e12, 2e12), cause=cause, read=read)
     call = f"drag_limits({k1}, {k2}, {mass}, 0.0)"
     cause = "slow motion has the limits of k1 alone"
     got = drag_limits(k1, k2, mass, 0.0)
-    expect_close(call, got, (mass / k1, 2.0 * mass / k1), cause=cause, read=LIMITS)
+    expect_close(call, got, (mass / k1, 2.0 * mass / k1), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B5.8")
 def test_without_drag_no_frame_is_too_long() -> None:
+    read = LIMITS
     cause = "where nothing drags there is no limit: math.inf for both, and nothing to divide by"
     for arguments in ((0.0, 0.0, 2.0, 5.0), (0.0, 0.5, 2.0, 0.0)):
         call = f"[*drag_limits{arguments}]"
         got = [*drag_limits(*arguments)]
-        expect_exactly(call, got, [math.inf, math.inf], cause=cause, read=LIMITS)
+        expect_exactly(call, got, [math.inf, math.inf], cause=cause, read=read)
     cause = "(k1 + k2 v) / m is 1 here"
     got = drag_limits(1.0, 0.5, 2.0, 2.0)
-    expect_close("drag_limits(1.0, 0.5, 2.0, 2.0)", got, (1.0, 2.0), cause=cause, read=LIMITS)
+    expect_close("drag_limits(1.0, 0.5, 2.0, 2.0)", got, (1.0, 2.0), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B5.8")
 def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> None:
+    read = LIMITS
     k1, k2, mass, speed = drawn(rng), drawn(rng), drawn(rng), drawn(rng, 1.0, 90.0)
     call = f"drag_limits({k1}, {k2}, {mass}, {speed})"
+    cause = "the limits are where 1 - (k1 + k2 |v|) h / m is 0, and where it is -1"
     first, second = drag_limits(k1, k2, mass, speed)
     for limit, share, wanted, cause in (
         (first, 0.98, 1, "in a frame a little below the first limit the drag only slows down"),
@@ -374,11 +394,12 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
         _, velocity = with_drag((speed, 0.0, 0.0), k1, k2, mass, h, 1)
         v = velocity[0] / speed
         kind = 1 if 0.0 <= v < 1.0 else -1 if -1.0 <= v < 0.0 else -2 if v < -1.0 else 0
-        expect_exactly(name, kind, wanted, cause=cause, read=LIMITS)
+        expect_exactly(name, kind, wanted, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B5.8")
 def test_limits_need_numbers_that_mean_something() -> None:
+    read = LIMITS
     cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
     for bad in (
         (-0.3, 0.05, 2.0, 5.0),
@@ -394,5 +415,5 @@ def test_limits_need_numbers_that_mean_something() -> None:
             ValueError,
             allowed=lambda: drag_limits(0.3, 0.05, 2.0, 5.0),
             cause=cause,
-            read=LIMITS,
+            read=read,
         )

@@ -25,6 +25,7 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
 
 @pytest.mark.exercise("5.3")
 def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> None:
+    read = READ
     center, way = components(rng), direction(rng)
     mass, strength = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.1, 1.0, 25.0, 4000.0):
@@ -38,13 +39,14 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         wanted = tuple(-mass * strength * way[i] for i in range(3))
         got = xyz(p.force_accumulator)
         name = f"{call}; p.force_accumulator"
-        expect_close(name, got, wanted, cause=cause, read=READ, tolerance=ROUNDED)
+        expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
         cause = "position and center are only read: -= and normalize work in place"
-        expect_unchanged(call, "p.position", xyz(p.position), xyz(place), cause=cause, read=READ)
+        expect_unchanged(call, "p.position", xyz(p.position), xyz(place), cause=cause, read=read)
 
 
 @pytest.mark.exercise("5.3")
 def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
+    read = READ
     center = components(rng)
     call = (
         f"p = Particle(Vector3{center}); PointGravity(Vector3{center}, 10.0).update_force(p, 0.5)"
@@ -53,7 +55,7 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
     p = Particle(Vector3(*center))
     PointGravity(Vector3(*center), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=READ)
+    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
     for y in (1e-9, 1e-170):
         call = (
             f"p = Particle(Vector3(0, {y}, 0)); PointGravity(Vector3(), 10.0).update_force(p, 0.5)"
@@ -62,26 +64,28 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
         p = Particle(Vector3(0, y, 0))
         PointGravity(Vector3(), 10.0).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        expect_close(f"{call}; p.force_accumulator", got, (0, -10.0, 0), cause=cause, read=READ)
+        expect_close(f"{call}; p.force_accumulator", got, (0, -10.0, 0), cause=cause, read=read)
 
 
 @pytest.mark.exercise("5.3")
 def test_point_gravity_leaves_an_immovable_particle_alone() -> None:
+    read = READ
     call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
     call += "PointGravity(Vector3(), 10.0).update_force(p, 0.5); p.force_accumulator"
     cause = "ask has_finite_mass: infinity times 0 is NaN"
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=READ)
+    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
     call = call.replace("math.inf", "4.0")
     cause = "a finite mass has a weight"
     p = Particle(Vector3(0, 2, 0), mass=4.0)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(call, xyz(p.force_accumulator), (0, -40.0, 0), cause=cause, read=READ)
+    expect_close(call, xyz(p.force_accumulator), (0, -40.0, 0), cause=cause, read=read)
 
 
 @pytest.mark.exercise("5.3")
 def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
+    read = READ
     force, center = components(rng), (7.0, 0.0, 0.0)
     call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); "
     call += "gravity = PointGravity(Vector3(), -5.0); gravity.update_force(p, 0.5)"
@@ -91,10 +95,10 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 10.0, force[1], force[2])
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=READ)
+    expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=read)
     cause = "the center and the position are only read"
-    expect_unchanged(call, "gravity.center", xyz(gravity.center), ZERO, cause=cause, read=READ)
-    expect_unchanged(call, "p.position", xyz(p.position), (3, 0, 0), cause=cause, read=READ)
+    expect_unchanged(call, "gravity.center", xyz(gravity.center), ZERO, cause=cause, read=read)
+    expect_unchanged(call, "p.position", xyz(p.position), (3, 0, 0), cause=cause, read=read)
     call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
     call += "gravity.update_force(p, 0.5)"
     cause = "read self.center and self.strength each time"
@@ -102,4 +106,4 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     p.clear_forces()
     gravity.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, (3.0, 0, 0), cause=cause, read=READ)
+    expect_close(f"{call}; p.force_accumulator", got, (3.0, 0, 0), cause=cause, read=read)

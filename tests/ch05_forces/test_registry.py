@@ -191,6 +191,7 @@ def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None
 def test_what_a_generator_raises_comes_out() -> None:
     call = "a generator raises ArithmeticError; registry.update_forces(0.5)"
     cause = "an error of a generator is for whoever lets the frame pass: no try and except here"
+    read = "the docstring of update_forces"
     registry = failing()
     expect_error(
         call,
@@ -198,7 +199,7 @@ def test_what_a_generator_raises_comes_out() -> None:
         ArithmeticError,
         allowed=lambda: ForceRegistry().update_forces(0.5),
         cause=cause,
-        read="the docstring of update_forces",
+        read=read,
     )
 
 

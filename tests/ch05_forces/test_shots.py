@@ -29,15 +29,16 @@ def draw_angles(rng: Random) -> tuple[float, float]:
 
 @pytest.mark.exercise("P4.2b")
 def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
+    read = SHOOT
     a, e = draw_angles(rng)
     for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
         call = f"range = SniperRange(1); range.shoot({azimuth}, {elevation})"
         at = SniperRange(1)
-        fired = at.shoot(azimuth, elevation)
         cause = "a bullet was fired: True"
-        expect_exactly(call, fired, True, cause=cause, read=SHOOT)
+        fired = at.shoot(azimuth, elevation)
+        expect_exactly(call, fired, True, cause=cause, read=read)
         expect_exactly(
-            f"{call}; range.bullet is None", at.bullet is None, False, cause=cause, read=SHOOT
+            f"{call}; range.bullet is None", at.bullet is None, False, cause=cause, read=read
         )
         bullet: Any = at.bullet
         cause = "elevation: sin for y, and cos is left along the ground; azimuth turns from Z to X"
@@ -47,21 +48,22 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
             120.0 * math.cos(elevation) * math.cos(azimuth),
         )
         got = xyz(bullet.velocity)
-        expect_close(f"{call}; range.bullet.velocity", got, wanted, cause=cause, read=SHOOT)
+        expect_close(f"{call}; range.bullet.velocity", got, wanted, cause=cause, read=read)
         cause = "MUZZLE, GRAVITY and BULLET_MASS stand at the head of the file; damping is 1"
         got = xyz(bullet.position)
-        expect_close(f"{call}; range.bullet.position", got, (0, 1.5, 0), cause=cause, read=SHOOT)
+        expect_close(f"{call}; range.bullet.position", got, (0, 1.5, 0), cause=cause, read=read)
         got = xyz(bullet.acceleration)
-        expect_close(f"{call}; range.bullet.acceleration", got, (0, -2, 0), cause=cause, read=SHOOT)
+        expect_close(f"{call}; range.bullet.acceleration", got, (0, -2, 0), cause=cause, read=read)
         numbers = (bullet.mass, bullet.damping)
         name = f"{call}; mass and damping of range.bullet"
-        expect_close(name, numbers, (1.0, 1.0), cause=cause, read=SHOOT)
+        expect_close(name, numbers, (1.0, 1.0), cause=cause, read=read)
         cause = "each shot is taken off"
-        expect_exactly(f"{call}; range.shots_left", at.shots_left, 9, cause=cause, read=SHOOT)
+        expect_exactly(f"{call}; range.shots_left", at.shots_left, 9, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_the_wind_acts_on_the_bullet() -> None:
+    read = SHOOT
     call = (
         "range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); range.shoot(0.0, 0.0); "
     )
@@ -75,33 +77,35 @@ def test_the_wind_acts_on_the_bullet() -> None:
     # K1 and K2 are 0.02 and 0.0003; relative to the air the bullet has (-4, 0, 100).
     drag = 0.02 + 0.0003 * math.hypot(4.0, 100.0)
     wanted = (4.0 * drag, 0.0, -100.0 * drag)
-    expect_close(call, xyz(bullet.force_accumulator), wanted, cause=cause, read=SHOOT)
+    expect_close(call, xyz(bullet.force_accumulator), wanted, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_one_bullet_flies_at_a_time(rng: Random) -> None:
+    read = SHOOT
     a, e = draw_angles(rng)
     call = f"range = SniperRange(1); range.shoot({a}, {e}); a frame of 1/60 s later"
     at = SniperRange(1)
+    cause = "the bullet has moved on by v h"
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
     place = xyz(bullet.position)
-    call += "; range.shoot(0.0, 0.0)"
-    cause = "while a bullet is in flight none is fired, and the shot is not taken off"
-    expect_exactly(call, at.shoot(0.0, 0.0), False, cause=cause, read=SHOOT)
-    expect_exactly(f"{call}; range.shots_left", at.shots_left, 9, cause=cause, read=SHOOT)
-    bullet = at.bullet
-    name = f"{call}; range.bullet.position"
-    expect_close(name, xyz(bullet.position), place, cause=cause, read=SHOOT)
-    cause = "the bullet has moved on by v h"
     wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
     name = f"range.shoot({a}, {e}); range.update(1/60); x and y of range.bullet.position"
-    expect_close(name, place[:2], wanted, cause=cause, read=SHOOT, tolerance=1e-12)
+    expect_close(name, place[:2], wanted, cause=cause, read=read, tolerance=1e-12)
+    call += "; range.shoot(0.0, 0.0)"
+    cause = "while a bullet is in flight none is fired, and the shot is not taken off"
+    expect_exactly(call, at.shoot(0.0, 0.0), False, cause=cause, read=read)
+    expect_exactly(f"{call}; range.shots_left", at.shots_left, 9, cause=cause, read=read)
+    bullet = at.bullet
+    name = f"{call}; range.bullet.position"
+    expect_close(name, xyz(bullet.position), place, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_without_shots_left_none_is_fired() -> None:
+    read = SHOOT
     call = (
         "range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); range.bullet = None; "
     )
@@ -111,19 +115,18 @@ def test_without_shots_left_none_is_fired() -> None:
     at.shots_left = 1
     fired = at.shoot(0.0, 0.0)
     expect_exactly(
-        "range.shots_left = 1; range.shoot(0.0, 0.0)", fired, True, cause="one is left", read=SHOOT
+        "range.shots_left = 1; range.shoot(0.0, 0.0)", fired, True, cause="one is left", read=read
     )
     at.bullet = None
-    expect_exactly(call, at.shoot(0.0, 0.0), False, cause=cause, read=SHOOT)
-    expect_exactly(f"{call}; range.shots_left", at.shots_left, 0, cause=cause, read=SHOOT)
-    expect_exactly(
-        f"{call}; range.bullet is None", at.bullet is None, True, cause=cause, read=SHOOT
-    )
+    expect_exactly(call, at.shoot(0.0, 0.0), False, cause=cause, read=read)
+    expect_exactly(f"{call}; range.shots_left", at.shots_left, 0, cause=cause, read=read)
+    expect_exactly(f"{call}; range.bullet is None", at.bullet is None, True, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b", weight=0.5)
 @pytest.mark.parametrize("bad", [0.2001, -0.2001, 1.6, math.inf, math.nan])
 def test_the_rifle_turns_only_so_far(bad: float) -> None:
+    read = SHOOT
     for angles in ((bad, 0.0), (0.0, bad)):
         call = f"range.shoot{angles}"
         cause = "refuse an angle beyond SWING, 0.2, to either side with ValueError; 0.2 is allowed"
@@ -139,12 +142,12 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
             ValueError,
             allowed=allowed,
             cause=cause,
-            read=SHOOT,
+            read=read,
         )
         cause = "look at both angles before a shot is taken off"
-        expect_exactly(f"{call}; range.shots_left", at.shots_left, 10, cause=cause, read=SHOOT)
+        expect_exactly(f"{call}; range.shots_left", at.shots_left, 10, cause=cause, read=read)
         name = f"{call}; range.bullet is None"
-        expect_exactly(name, at.bullet is None, True, cause=cause, read=SHOOT)
+        expect_exactly(name, at.bullet is None, True, cause=cause, read=read)
         at.shoot(0.0, 0.0)
         cause = (
             "a wrong angle is refused while a bullet is in flight, too: look at the angles first"
@@ -155,7 +158,7 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
             ValueError,
             allowed=allowed,
             cause=cause,
-            read=SHOOT,
+            read=read,
         )
 
 
@@ -211,19 +214,21 @@ def expect_hole(
     wanted: tuple[float, float, float, int],
     cause: str,
 ) -> None:
+    read = WAY
     call, got = way_of(start, end, cause)
-    expect_exactly(f"{call} is None", got is None, False, cause=cause, read=WAY)
+    expect_exactly(f"{call} is None", got is None, False, cause=cause, read=read)
     name = f"{call}: target (x, y, distance, factor), then x, y and points of the hole"
     distance, *hole = wanted
     # Positions of 200 m, some roundings each.
-    expect_close(name, got, (*TARGETS[distance], *hole), cause=cause, read=WAY, tolerance=1e-12)
+    expect_close(name, got, (*TARGETS[distance], *hole), cause=cause, read=read, tolerance=1e-12)
 
 
 def expect_no_hole(
     start: tuple[float, float, float], end: tuple[float, float, float], cause: str
 ) -> None:
+    read = WAY
     call, got = way_of(start, end, cause)
-    expect_exactly(f"{call} is None", got is None, True, cause=cause, read=WAY)
+    expect_exactly(f"{call} is None", got is None, True, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")

@@ -42,6 +42,7 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
 
 @pytest.mark.exercise("P4.2b")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
+    read = UPDATE
     cause = (
         "in each frame: a copy of the position, the forces, the step, and then what the way from "
     )
@@ -54,18 +55,18 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         call += "until it has landed"
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
-        expect_exactly(f"{call}; how many holes", len(holes), 1, cause=cause, read=UPDATE)
+        expect_exactly(f"{call}; how many holes", len(holes), 1, cause=cause, read=read)
         frames = math.floor(distance / (level * FRAME))
         cause = "the target stops the bullet"
         name = f"{call}; frames in flight before"
-        expect_exactly(name, len(came["positions"]), frames, cause=cause, read=UPDATE)
+        expect_exactly(name, len(came["positions"]), frames, cause=cause, read=read)
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
         name = f"{call}; distance, x, y and points of the hole"
         # A hundred roundings of positions up to 150 m.
         wanted = (distance, 0.0, y, points)
-        expect_close(name, holes[0], wanted, cause=cause, read=UPDATE, tolerance=1e-10)
+        expect_close(name, holes[0], wanted, cause=cause, read=read, tolerance=1e-10)
         cause = "its points are added to the score; they hold the target's factor already"
-        expect_exactly(f"{call}; range.score", came["score"], points, cause=cause, read=UPDATE)
+        expect_exactly(f"{call}; range.score", came["score"], points, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
@@ -92,6 +93,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
 
 @pytest.mark.exercise("P4.2b")
 def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
+    read = UPDATE
     h = round(rng.uniform(0.1, 0.3), 3)
     call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); a Drag(0.5, 0.0) of the "
     call += f"bullet added to range.forces; range.update({h})"
@@ -105,35 +107,37 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
     at.update(h)
     wanted = tuple((0.0, 1.5, 0.0)[i] + v[i] * h for i in range(3))
     got = xyz(bullet.position)
-    expect_close(f"{call}; the position", got, wanted, cause=cause, read=UPDATE)
+    expect_close(f"{call}; the position", got, wanted, cause=cause, read=read)
     gained = (0.25 * 5.0, -2.0, 0.0)
     wanted = tuple(v[i] + (gained[i] - 0.75 * v[i]) * h for i in range(3))
     got = xyz(bullet.velocity)
-    expect_close(f"{call}; the velocity", got, wanted, cause=cause, read=UPDATE)
+    expect_close(f"{call}; the velocity", got, wanted, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_what_is_exactly_at_the_edge_flies_on() -> None:
+    read = UPDATE
     call = "a bullet without forces from (20, 1, 178) with (0, -2, 64) m/s; range.update(0.5): the "
     call += "bullet is at (20, 0, 210); range.bullet is None"
     cause = "landed is below the ground, y < 0, and past END_OF_RANGE, z > 210"
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
-    expect_exactly(call, at.bullet is None, False, cause=cause, read=UPDATE)
+    expect_exactly(call, at.bullet is None, False, cause=cause, read=read)
     got = xyz(bullet.position)
-    expect_close(f"{call}; its position", got, (20, 0, 210), cause=cause, read=UPDATE)
+    expect_close(f"{call}; its position", got, (20, 0, 210), cause=cause, read=read)
     call = "a bullet without forces from (5, 1.5, 190) with (0, 0, 60) m/s; range.update(0.5): it "
     call += "passes the target at 200 m and ends at 220 m; how many holes"
     cause = "what is hit on the way is hit, wherever the frame ends"
     at = SniperRange(1)
     thrown(at, (5.0, 1.5, 190.0), (0.0, 0.0, 60.0))
     at.update(0.5)
-    expect_exactly(call, len(at.holes), 1, cause=cause, read=UPDATE)
+    expect_exactly(call, len(at.holes), 1, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
+    read = UPDATE
     for (azimuth, elevation), cause in (
         ((0.1, -0.1), "below the ground, y < 0, the shot has landed"),
         ((0.15, 0.19), "past END_OF_RANGE, 210 m, the shot has landed"),
@@ -147,11 +151,11 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
             n += 1
         came = play([(azimuth, elevation)], FRAME)
         name = f"{call}; frames in flight"
-        expect_exactly(name, len(came["positions"]), n, cause=cause, read=UPDATE)
+        expect_exactly(name, len(came["positions"]), n, cause=cause, read=read)
         name = f"{call}; holes, score and shots left"
         got = (len(came["holes"]), came["score"], came["shots_left"])
         cause = "a miss makes no hole and scores nothing"
-        expect_exactly(name, got, (0, 0, 9), cause=cause, read=UPDATE)
+        expect_exactly(name, got, (0, 0, 9), cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
@@ -163,9 +167,9 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
     for aim, what in (((0.1, -0.1), "misses"), ((math.atan2(-1.5, 50.0), 0.0035), "hits")):
         call = f"range.wind.velocity = Vector3{wind}; range.shoot{aim}, which {what}; "
         call += "range.update(1/60)"
+        cause = "during the flight the wind stays as it is"
         came = play([aim], FRAME, wind=wind)
         blown = [tuple(one) for one in came["winds"]]
-        cause = "during the flight the wind stays as it is"
         during = [*dict.fromkeys(blown[:-1])]
         expect_exactly(f"{call}; winds during the flight", during, [wind], cause=cause, read=read)
         cause = "a shot that has landed, hit or not, changes the wind once: change_wind()"
@@ -175,6 +179,7 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
 
 @pytest.mark.exercise("P4.2b")
 def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
+    read = UPDATE
     call = (
         "range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; range.update(1/60) "
     )
@@ -190,10 +195,10 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
         at.bullet is None,
         True,
         cause="y was below 0 after 8 frames",
-        read=UPDATE,
+        read=read,
     )
     at.forces.update_forces(0.5)
-    expect_close(call, xyz(bullet.force_accumulator), (0, 0, 0), cause=cause, read=UPDATE)
+    expect_close(call, xyz(bullet.force_accumulator), (0, 0, 0), cause=cause, read=read)
     cause = "a bullet that has landed does not move any more"
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
@@ -203,38 +208,41 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
         xyz(bullet.position),
         place,
         cause=cause,
-        read=UPDATE,
+        read=read,
     )
     cause = "without a bullet nothing happens: the wind of the next shot can be looked at"
     got = xyz(at.wind.velocity)
-    expect_unchanged("range.update(1/60)", "the wind", got, wind, cause=cause, read=UPDATE)
+    expect_unchanged("range.update(1/60)", "the wind", got, wind, cause=cause, read=read)
     cause = "once the shot has landed the next one may be fired"
-    expect_exactly("range.shoot(0.0, 0.0)", at.shoot(0.0, 0.0), True, cause=cause, read=UPDATE)
+    expect_exactly("range.shoot(0.0, 0.0)", at.shoot(0.0, 0.0), True, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_whole_round_is_ten_shots() -> None:
+    read = UPDATE
     near, far = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103)
     miss = (0.1, -0.1)
     aims = [near, miss, far, miss, far, miss] * 2
     call = (
         "twelve times range.shoot() and range.update(1/60) until it has landed, every other a hit"
     )
-    came = play(aims, FRAME)
     cause = "ten are fired, the other two are refused"
-    expect_exactly(f"{call}; range.shots_left", came["shots_left"], 0, cause=cause, read=UPDATE)
+    came = play(aims, FRAME)
+    expect_exactly(f"{call}; range.shots_left", came["shots_left"], 0, cause=cause, read=read)
     points = [hole[3] for hole in came["holes"]]
     cause = "each hit has its hole, in the order of the shots, and the score is their sum"
     wanted = [10, 30, 30, 10, 30]
-    expect_exactly(f"{call}; points of the holes", points, wanted, cause=cause, read=UPDATE)
-    expect_exactly(f"{call}; range.score", came["score"], 110, cause=cause, read=UPDATE)
+    expect_exactly(f"{call}; points of the holes", points, wanted, cause=cause, read=read)
+    expect_exactly(f"{call}; range.score", came["score"], 110, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b", weight=0.5)
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: float) -> None:
+    read = UPDATE
     cause = "positive of arguments.py raises the errors for you, before anything has moved"
     error = TypeError if isinstance(duration, str) else ValueError
+    call = f"range.shoot(0.0, 0.1); range.update({duration!r})"
     flying = SniperRange(1)
     flying.shoot(0.0, 0.1)
     bullet: Any = flying.bullet
@@ -249,10 +257,10 @@ def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: flo
             error,
             allowed=lambda: SniperRange(1).update(0.5),
             cause=cause,
-            read=UPDATE,
+            read=read,
         )
     call = f"a bullet is in flight; range.update({duration!r})"
     got = xyz(bullet.position)
-    expect_unchanged(call, "range.bullet.position", got, before, cause=cause, read=UPDATE)
+    expect_unchanged(call, "range.bullet.position", got, before, cause=cause, read=read)
     got = xyz(bullet.force_accumulator)
-    expect_close(f"{call}; its force_accumulator", got, (0, 0, 0), cause=cause, read=UPDATE)
+    expect_close(f"{call}; its force_accumulator", got, (0, 0, 0), cause=cause, read=read)

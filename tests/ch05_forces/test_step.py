@@ -235,11 +235,12 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
     call += f"p.add_force(Vector3{f}); p.integrate({h})"
     read = "the docstring of integrate"
+    cause = "ask for the inverse mass before anything moves"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf)
     p.add_force(Vector3(*f))
     p.integrate(h)
-    expect_unchanged(call, "p.position", xyz(p.position), x, cause="it stays", read=read)
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause="it stays", read=read)
+    expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
     cause = "its forces are cleared all the same, or they would add up until it is set free"
     got = xyz(p.force_accumulator)
     expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)

@@ -1,4 +1,4 @@
-"""Drag without steps: terminal speed (B5.6), falling and coasting (B5.7), long frames (B5.8)."""
+"""Drag without steps: terminal speed (B5.6), falling and coasting (B5.7)."""
 
 from __future__ import annotations
 
@@ -8,14 +8,12 @@ from random import Random
 
 import pytest
 
-from ch05_forces.closed_form import coasting_speed, drag_limits, quadratic_fall, terminal_speed
-from ch05_forces.probes import with_drag
+from ch05_forces.closed_form import coasting_speed, quadratic_fall, terminal_speed
 from expect import expect_close, expect_error, expect_exactly
 
 TERMINAL = "the docstring of terminal_speed"
 FALL = "the docstring of quadratic_fall"
 COAST = "the docstring of coasting_speed"
-LIMITS = "the docstring of drag_limits"
 # Formulas of a few operations each, of which none loses digits: relative.
 ROUNDED = 1e-12
 
@@ -330,90 +328,6 @@ def test_coasting_needs_numbers_that_mean_something() -> None:
             lambda bad=bad: coasting_speed(*bad),
             ValueError,
             allowed=lambda: coasting_speed(20.0, 0.3, 0.05, 2.0, 1.5),
-            cause=cause,
-            read=read,
-        )
-
-
-# B5.8 Frames that are too long for drag
-
-
-@pytest.mark.exercise("B5.8")
-def test_the_limits_by_their_formula(rng: Random) -> None:
-    read = LIMITS
-    k1, k2, mass, speed = drawn(rng), drawn(rng), drawn(rng), drawn(rng, 1.0, 90.0)
-    cause = (
-        "v' = v (1 - (k1 + k2 |v|) h / m): the bracket is 0 at the first limit, -1 at the second"
-    )
-    for one, two, rate in (
-        (k1, 0.0, k1 / mass),
-        (0.0, k2, k2 * speed / mass),
-        (k1, k2, (k1 + k2 * speed) / mass),
-    ):
-        call = f"drag_limits({one}, {two}, {mass}, {speed})"
-        got = drag_limits(one, two, mass, speed)
-        expect_close(call, got, (1.0 / rate, 2.0 / rate), cause=cause, read=read)
-    cause = "a little drag has limits too: after a long time, and not never"
-    got = drag_limits(1e-12, 0.0, 1.0, 1.0)
-    expect_close("drag_limits(1e-12, 0.0, 1.0, 1.0)", got, (1e12, 2e12), cause=cause, read=read)
-    call = f"drag_limits({k1}, {k2}, {mass}, 0.0)"
-    cause = "slow motion has the limits of k1 alone"
-    got = drag_limits(k1, k2, mass, 0.0)
-    expect_close(call, got, (mass / k1, 2.0 * mass / k1), cause=cause, read=read)
-
-
-@pytest.mark.exercise("B5.8")
-def test_without_drag_no_frame_is_too_long() -> None:
-    read = LIMITS
-    cause = "where nothing drags there is no limit: math.inf for both, and nothing to divide by"
-    for arguments in ((0.0, 0.0, 2.0, 5.0), (0.0, 0.5, 2.0, 0.0)):
-        call = f"[*drag_limits{arguments}]"
-        got = [*drag_limits(*arguments)]
-        expect_exactly(call, got, [math.inf, math.inf], cause=cause, read=read)
-    cause = "(k1 + k2 v) / m is 1 here"
-    got = drag_limits(1.0, 0.5, 2.0, 2.0)
-    expect_close("drag_limits(1.0, 0.5, 2.0, 2.0)", got, (1.0, 2.0), cause=cause, read=read)
-
-
-@pytest.mark.exercise("B5.8")
-def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> None:
-    read = LIMITS
-    k1, k2, mass, speed = drawn(rng), drawn(rng), drawn(rng), drawn(rng, 1.0, 90.0)
-    call = f"drag_limits({k1}, {k2}, {mass}, {speed})"
-    cause = "the limits are where 1 - (k1 + k2 |v|) h / m is 0, and where it is -1"
-    first, second = drag_limits(k1, k2, mass, speed)
-    for limit, share, wanted, cause in (
-        (first, 0.98, 1, "in a frame a little below the first limit the drag only slows down"),
-        (first, 1.02, -1, "in a frame a little above the first limit the drag turns round"),
-        (second, 0.98, -1, "below the second limit it is turned round, and slower than it was"),
-        (second, 1.02, -2, "above the second limit it is turned round, and faster than it was"),
-    ):
-        h = limit * share
-        name = f"{call} = (a, b); a frame of {h!r} s with Drag({k1}, {k2}) at {speed} m/s"
-        name += ": 1 slower, -1 turned round and slower, -2 turned round and faster"
-        _, velocity = with_drag((speed, 0.0, 0.0), k1, k2, mass, h, 1)
-        v = velocity[0] / speed
-        kind = 1 if 0.0 <= v < 1.0 else -1 if -1.0 <= v < 0.0 else -2 if v < -1.0 else 0
-        expect_exactly(name, kind, wanted, cause=cause, read=read)
-
-
-@pytest.mark.exercise("B5.8")
-def test_limits_need_numbers_that_mean_something() -> None:
-    read = LIMITS
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
-    for bad in (
-        (-0.3, 0.05, 2.0, 5.0),
-        (0.3, -0.05, 2.0, 5.0),
-        (0.3, 0.05, 0.0, 5.0),
-        (0.3, 0.05, -2.0, 5.0),
-        (0.3, 0.05, 2.0, -5.0),
-        *bad_numbers((0.3, 0.05, 2.0, 5.0)),
-    ):
-        expect_error(
-            f"drag_limits{bad}",
-            lambda bad=bad: drag_limits(*bad),
-            ValueError,
-            allowed=lambda: drag_limits(0.3, 0.05, 2.0, 5.0),
             cause=cause,
             read=read,
         )

@@ -92,12 +92,12 @@ def terminal_speeds() -> Picture:
             ("end", k1, k2, mass, 0.0, *pair)
             for mass, pair in zip(masses, zip(found, exact, strict=True), strict=True)
         ]
-    right.set(xlabel="weight, N", ylabel="speed in the end, m/s")
+    right.set(xlabel="weight, N", ylabel="speed in the end, m/s (lines: the formula)")
     right.grid(alpha=0.3, which="both")
     right.legend(fontsize=8)
     right.set_title(
-        f"The terminal speed goes as the weight to the power {slopes[0]:.2f} with k1 alone,\n"
-        f"{slopes[1]:.2f} with k2 alone (lines: the formula)"
+        "The terminal speed goes as the weight to the power\n"
+        f"{slopes[0]:.2f} with k1 alone, {slopes[1]:.2f} with k2 alone"
     )
     columns = ("part", "k1", "k2", "mass, kg", "time, s", "speed, m/s", "terminal speed, m/s")
     return Picture(figure, columns, rows)

@@ -284,6 +284,8 @@ def play(
             if at.bullet is None:
                 break
             positions.append(xyz(at.bullet.position))
+        else:
+            break  # it never lands, and then no other shot can be fired
     holes = [(hole.target.distance, hole.x, hole.y, hole.points) for hole in at.holes]
     return {
         "positions": positions,

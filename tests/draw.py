@@ -16,6 +16,11 @@ def number(rng: Random, low: float = 0.5, high: float = 9.5) -> float:
     return rng.choice((-1.0, 1.0)) * round(rng.uniform(low, high), 3)
 
 
+def positive_number(rng: Random, low: float = 0.2, high: float = 9.0) -> float:
+    """Draw a number between low and high, with three decimals."""
+    return round(rng.uniform(low, high), 3)
+
+
 def components(rng: Random) -> Components:
     """Draw three components, none of them near zero, so that no mistake can hide in one."""
     return number(rng), number(rng), number(rng)

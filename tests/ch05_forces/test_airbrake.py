@@ -126,7 +126,6 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     read = READ
     cause = "-v m / h can be a rounding too much: stay a little below it, as FULL says"
     tries = 400
-
     call = f"brake.update_force(p, h) in {tries} frames with k above m / h, each with another k, "
     call += "mass, h and speed: the smallest share that is left of the velocity, from 0 to 1e-9"
     shares = braked(rng.randrange(10**6), tries)

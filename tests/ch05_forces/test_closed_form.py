@@ -9,6 +9,7 @@ from random import Random
 import pytest
 
 from ch05_forces.closed_form import coasting_speed, quadratic_fall, terminal_speed
+from draw import positive_number
 from expect import expect_close, expect_error, expect_exactly
 
 TERMINAL = "the docstring of terminal_speed"
@@ -16,10 +17,6 @@ FALL = "the docstring of quadratic_fall"
 COAST = "the docstring of coasting_speed"
 # Formulas of a few operations each, of which none loses digits: relative.
 ROUNDED = 1e-12
-
-
-def drawn(rng: Random, low: float = 0.2, high: float = 9.0) -> float:
-    return round(rng.uniform(low, high), 3)
 
 
 def bad_numbers(good: tuple[float, ...]) -> list[tuple[float, ...]]:
@@ -41,7 +38,10 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
     # The last digit that is known of it.
     expect_close(call, got, 17.0349694, cause=cause, read=read, tolerance=1e-7)
     for weight, k1, k2 in (
-        *((drawn(rng, 5.0, 900.0), drawn(rng), drawn(rng)) for _ in range(3)),
+        *(
+            (positive_number(rng, 5.0, 900.0), positive_number(rng), positive_number(rng))
+            for _ in range(3)
+        ),
         (10.0, 0.3, 0.3),
         (10.0, 1e-3, 1e-6),
         (1e9, 1e-3, 1e-13),
@@ -61,7 +61,7 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
 @pytest.mark.exercise("B5.6")
 def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     read = TERMINAL
-    weight, k = drawn(rng, 5.0, 900.0), drawn(rng)
+    weight, k = positive_number(rng, 5.0, 900.0), positive_number(rng)
     cause = "with k2 = 0 it is W / k1: the formula divides by 2 k2, another form of it does not"
     call = f"terminal_speed({weight}, {k}, 0.0)"
     got = terminal_speed(weight, k, 0.0)
@@ -76,7 +76,7 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
 @pytest.mark.exercise("B5.6")
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
     read = TERMINAL
-    weight, k1 = drawn(rng, 5.0, 90.0), drawn(rng, 2.0)
+    weight, k1 = positive_number(rng, 5.0, 90.0), positive_number(rng, 2.0)
     cause = "-k1 + root is the difference of two nearly equal numbers: 2 W / (k1 + root) is as much"
     for k2 in (1e-6, 1e-10, 1e-14):
         call = f"terminal_speed({weight}, {k1}, {k2})"
@@ -124,7 +124,11 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
     expect_close(call, got, wanted, cause=cause, read=read)
     for time in (0.5, 1.0, 30.0):
-        mass, g, k2 = drawn(rng, 0.5), drawn(rng, 1.0, 20.0), drawn(rng, 0.01, 0.5)
+        mass, g, k2 = (
+            positive_number(rng, 0.5),
+            positive_number(rng, 1.0, 20.0),
+            positive_number(rng, 0.01, 0.5),
+        )
         call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
         speed, distance = quadratic_fall(mass, g, k2, time)
         u = math.sqrt(mass * g / k2)
@@ -146,7 +150,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
     read = FALL
-    g, time = drawn(rng, 1.0, 20.0), drawn(rng, 0.5, 3.0)
+    g, time = positive_number(rng, 1.0, 20.0), positive_number(rng, 0.5, 3.0)
     cause = (
         "for a small x the logarithm of cosh x loses its digits: ln(1 + 2 sinh(x / 2)^2) does not"
     )
@@ -166,7 +170,11 @@ def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
     read = FALL
-    mass, g, k2 = drawn(rng, 0.5), drawn(rng, 1.0, 20.0), drawn(rng, 0.01, 0.5)
+    mass, g, k2 = (
+        positive_number(rng, 0.5),
+        positive_number(rng, 1.0, 20.0),
+        positive_number(rng, 0.01, 0.5),
+    )
     cause = "cosh of a large number does not fit in a float, but its logarithm, x - ln 2, does"
     u = math.sqrt(mass * g / k2)
     for time in (600.0, 1e6):
@@ -221,8 +229,8 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
     read = COAST
     cause = "v e^-s / (1 + k2 v (1 - e^-s) / k1), with s = k1 t / m"
     for _ in range(3):
-        v, k1, k2 = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
-        mass, time = drawn(rng), drawn(rng, 0.2, 2.0)
+        v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
+        mass, time = positive_number(rng), positive_number(rng, 0.2, 2.0)
         call = f"coasting_speed({v}, {k1}, {k2}, {mass}, {time})"
         ratio = k2 / k1
         # From 1 / v + k2 / k1, which grows as e^(k1 t / m).
@@ -240,8 +248,8 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
     read = COAST
-    v, k, mass = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
-    time = drawn(rng, 0.2, 2.0)
+    v, k, mass = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
+    time = positive_number(rng, 0.2, 2.0)
     tolerance = ROUNDED * v
     for k1, k2, wanted, cause in (
         (k, 0.0, v * math.exp(-k * time / mass), "with k1 alone it is v e^(-k1 t / m)"),
@@ -262,7 +270,7 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_little_linear_drag_keeps_its_digits(rng: Random) -> None:
     read = COAST
-    v, k2 = drawn(rng, 1.0, 90.0), drawn(rng)
+    v, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng)
     cause = "1 - e^-s must keep its digits for every s: math.expm1 does"
     for power in range(1, 14):
         k1 = 10.0**-power
@@ -276,7 +284,7 @@ def test_coasting_with_little_linear_drag_keeps_its_digits(rng: Random) -> None:
 @pytest.mark.exercise("B5.7")
 def test_coasting_begins_with_its_speed_and_ends_in_rest(rng: Random) -> None:
     read = COAST
-    v, k1, k2 = drawn(rng, 1.0, 90.0), drawn(rng), drawn(rng)
+    v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
     for speed, time, wanted, cause in (
         (v, 0.0, v, "at the time 0 it is the speed itself"),
         (0.0, 2.0, 0.0, "what is at rest stays so"),

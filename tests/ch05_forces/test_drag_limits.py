@@ -9,19 +9,21 @@ import pytest
 
 from ch05_forces.closed_form import drag_limits
 from ch05_forces.probes import with_drag
+from draw import positive_number
 from expect import expect_close, expect_error, expect_exactly
 
 LIMITS = "the docstring of drag_limits"
 
 
-def drawn(rng: Random, low: float = 0.2, high: float = 9.0) -> float:
-    return round(rng.uniform(low, high), 3)
-
-
 @pytest.mark.exercise("B5.8")
 def test_the_limits_by_their_formula(rng: Random) -> None:
     read = LIMITS
-    k1, k2, mass, speed = drawn(rng), drawn(rng), drawn(rng), drawn(rng, 1.0, 90.0)
+    k1, k2, mass, speed = (
+        positive_number(rng),
+        positive_number(rng),
+        positive_number(rng),
+        positive_number(rng, 1.0, 90.0),
+    )
     cause = (
         "v' = v (1 - (k1 + k2 |v|) h / m): the bracket is 0 at the first limit, -1 at the second"
     )
@@ -58,7 +60,12 @@ def test_without_drag_no_frame_is_too_long() -> None:
 @pytest.mark.exercise("B5.8")
 def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> None:
     read = LIMITS
-    k1, k2, mass, speed = drawn(rng), drawn(rng), drawn(rng), drawn(rng, 1.0, 90.0)
+    k1, k2, mass, speed = (
+        positive_number(rng),
+        positive_number(rng),
+        positive_number(rng),
+        positive_number(rng, 1.0, 90.0),
+    )
     call = f"drag_limits({k1}, {k2}, {mass}, {speed})"
     cause = "the limits are where 1 - (k1 + k2 |v|) h / m is 0, and where it is -1"
     first, second = drag_limits(k1, k2, mass, speed)

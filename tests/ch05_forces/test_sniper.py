@@ -15,7 +15,6 @@ from ch05_forces.sniper import SniperRange
 from draw import Components
 from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
-SHOOT = "the docstring of shoot"
 UPDATE = "the docstring of update"
 FRAME = 1.0 / 60.0
 

@@ -18,7 +18,9 @@ STUDENT_TOOLS = {
         "faults.py given.py in_process.py make_venv.py manifest.py missing.py places.py "
         "runner.py scores.py screen.py verdicts.py"
     ),
-    "studies": "__init__.py __main__.py demo.py drawing.py plot.py scenes.py timing.py",
+    "studies": (
+        "__init__.py __main__.py demo.py drawing.py plot.py scenes.py stability.py timing.py"
+    ),
     "tests": "conftest.py draw.py expect.py",
 }
 

@@ -37,7 +37,8 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
         if not called or (told[1] == chapter.name and body not in others):
             return f"{_file(engine, told[1], told[2])}:{told[3]}"
     bodies = [name for name in exercise.edit if called and _calls(called[1], name)]
-    return find_definition(engine, chapter, (bodies or exercise.edit)[0])
+    named = [name for name in bodies if called and _names_class(called[1], name)]
+    return find_definition(engine, chapter, (named or bodies or exercise.edit)[0])
 
 
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
@@ -83,6 +84,12 @@ def _calls(expression: str, name: str) -> bool:
         attribute = short.removesuffix(".setter")
         pattern = rf"\.{attribute} = |\b{attribute}="
     return re.search(pattern, expression) is not None
+
+
+def _names_class(called: str, name: str) -> bool:
+    """Say whether a call makes an object of a method's class; functions belong to none."""
+    owner = name.split(".")[-2]
+    return name.count(".") < 2 or re.search(rf"\b{owner}\(", called) is not None
 
 
 def _file(engine: list[Path], chapter: str, name: str) -> Path:

@@ -16,6 +16,13 @@ from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.ballistics import SHOT_TYPES, BallisticRange
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow
 from ch04_particle_engine.scaling import muzzle_energy, slowed_gravity, slowed_mass
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle as ForcedParticle
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.integrators import explicit_euler, semi_implicit_euler
+from ch06_springs.springs import AnchoredBungee, AnchoredSpring, Buoyancy, FakeStiffSpring
+
+FRAME = 1.0 / 60.0
 
 
 def test_e14_the_printed_invert_sets_x_twice() -> None:
@@ -144,3 +151,97 @@ def test_e34_the_text_and_the_listing_end_two_ranges() -> None:
         if laser.position.z <= 100.0:
             frames_past_100 = frames + 1
     assert (frames_past_100, frames) == (61, 122)  # 1.0 s and 2.0 s, and damping adds 1 %
+
+
+def test_e3_the_printed_spring_pulls_what_is_compressed() -> None:
+    k, rest, length = 10.0, 2.0, 1.0
+    printed = -(abs(length - rest) * k)  # along the offset: towards the other end
+    particle = ForcedParticle(Vector3(length))
+    AnchoredSpring(Vector3(), k, rest).update_force(particle, FRAME)
+    assert printed == -10.0
+    assert particle.force_accumulator.x == 10.0
+
+
+def test_e4_the_printed_bungee_pushes_what_it_should_pull() -> None:
+    k, rest, length = 5.0, 1.0, 1.5
+    printed = -(k * (rest - length))
+    particle = ForcedParticle(Vector3(length))
+    AnchoredBungee(Vector3(), k, rest).update_force(particle, FRAME)
+    assert printed == 2.5
+    assert particle.force_accumulator.x == -2.5
+
+
+def test_e5_the_printed_lift_pulls_a_float_under() -> None:
+    density, volume, s, water, y = 1000.0, 0.001, 0.1, 0.0, 0.0  # half under
+    share = (y - water - s) / (2.0 * s)  # the formula
+    listing = density * volume * (y - s - water) / 2.0 * s  # no brackets, and no g
+    particle = ForcedParticle(Vector3(0.0, y, 0.0))
+    Buoyancy(s, volume, water, density, 10.0).update_force(particle, FRAME)
+    assert share == -0.5
+    assert listing == pytest.approx(-0.005, rel=1e-15)  # one rounding
+    assert particle.force_accumulator.y == pytest.approx(5.0, rel=1e-15)
+
+
+def test_e6_the_printed_force_of_a_faked_spring_lands_nowhere() -> None:
+    k, h = 400.0, FRAME
+    target = math.cos(20.0 * h)  # from 1 m, at rest, with 1 kg: chi is 20
+    listing = (target - 1.0) * (1.0 / h * h) - 0.0 * h
+    particle = ForcedParticle(Vector3(1.0))
+    registry = ForceRegistry()
+    registry.add(particle, FakeStiffSpring(Vector3(), k, 0.0))
+    registry.update_forces(h)
+    assert listing == pytest.approx(-0.055, abs=5e-4)
+    assert particle.force_accumulator.x == pytest.approx(-198.155, abs=5e-4)
+    particle.clear_forces()
+    semi_implicit_euler([particle], registry.update_forces, h)
+    assert particle.position.x == pytest.approx(target, abs=1e-15)  # a rounding or two of 1 m
+    # The second frame has a velocity, of which Eq. 6.5 takes v and not v / h: it overshoots.
+    speed = particle.velocity.x
+    target, _ = damped_spring_state(target, speed, k, 0.0, 1.0, h)
+    equation = (target - particle.position.x) / h**2 - speed
+    missed = particle.position.x + (speed + equation * h) * h - target
+    semi_implicit_euler([particle], registry.update_forces, h)
+    assert particle.position.x == pytest.approx(target, abs=1e-15)
+    assert missed == pytest.approx(speed * h * (1.0 - h), abs=1e-15)
+    assert abs(missed) > 0.05
+
+
+def test_e22_a_faked_spring_gains_speed_with_explicit_integration() -> None:
+    reach = []
+    for step in (explicit_euler, semi_implicit_euler):
+        particle = ForcedParticle(Vector3(1.0))
+        registry = ForceRegistry()
+        registry.add(particle, FakeStiffSpring(Vector3(), 400.0, 0.0))
+        farthest = 0.0
+        for _ in range(300):  # 5 s
+            step([particle], registry.update_forces, FRAME)
+            farthest = max(farthest, abs(particle.position.x))
+        reach.append(farthest)
+    assert reach[0] == pytest.approx(212.0, abs=0.5)  # three digits are known
+    assert reach[1] <= 1.0
+
+
+def test_e23_the_printed_form_has_the_under_damped_spring_alone() -> None:
+    with pytest.raises(ValueError, match=r"math domain|nonnegative"):
+        0.5 * math.sqrt(4.0 * 1.0 - 10.0**2)  # k 1, d 10
+    assert 0.5 * math.sqrt(4.0 * 1.0 - 2.0**2) == 0.0  # k 1, d 2: the listing adds no force
+    over, _ = damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 2.0)
+    critical, _ = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 2.0)
+    creep, fast = 5.0 - math.sqrt(24.0), 5.0 + math.sqrt(24.0)
+    wanted = (fast * math.exp(-2.0 * creep) - creep * math.exp(-2.0 * fast)) / (fast - creep)
+    assert over == pytest.approx(wanted, rel=1e-13)  # the difference of the rates loses two digits
+    assert critical == pytest.approx(3.0 * math.exp(-2.0), rel=1e-15)
+    particle = ForcedParticle(Vector3(1.0))
+    FakeStiffSpring(Vector3(), 1.0, 2.0).update_force(particle, FRAME)
+    # About half of -k x: the push lasts all of the frame. The difference loses four digits.
+    wanted = ((1.0 + FRAME) * math.exp(-FRAME) - 1.0) / FRAME**2
+    assert particle.force_accumulator.x == pytest.approx(wanted, rel=1e-11)
+
+
+def test_e21_a_litre_is_lifted_by_newtons_not_kilonewtons() -> None:
+    lifts = []
+    for y in (-1.0, 0.0):  # all of it under water, and half
+        particle = ForcedParticle(Vector3(0.0, y, 0.0))
+        Buoyancy(0.1, 0.001, 0.0, gravity=10.0).update_force(particle, FRAME)
+        lifts.append(particle.force_accumulator.y)
+    assert lifts == [10.0, 5.0]  # printed: 10 kN and 5 kN

@@ -9,7 +9,7 @@ import pytest
 from rich.console import Console
 
 from studies import timing
-from studies.benchmarks import forces, particles, sparks, vectors
+from studies.benchmarks import forces, particles, sparks, springs, vectors
 from studies.scenes import PROJECTILE, make_particle
 
 
@@ -75,3 +75,10 @@ def test_the_closed_form_of_the_sparks_is_where_the_steps_go(
     assert errors[0] / errors[1] == pytest.approx(2.0, abs=0.02)
     # At most g t h / 2 of the acceleration and k v t h / 2 of the drag, for 5 m/s and h = 0.002 s.
     assert errors[1] < 0.0196 + 0.0070
+
+
+def test_what_a_cloth_is_compared_with_falls_in_the_same_way() -> None:
+    # The order of the sums differs: some 1e-16 of the heights a frame.
+    wanted = pytest.approx(springs.connected_steps(), rel=1e-11)
+    assert springs.cloth_arithmetic() == wanted
+    assert springs.steps_with_a_spring_an_end() == wanted

@@ -19,7 +19,7 @@ from autograder.stubs import make_stubs
 from ch04_particle_engine.ballistics import SHOT_TYPES
 from studies import demo as demos
 
-NAMES = ("ballistics", "fireworks", "sniper")
+NAMES = ("ballistics", "fireworks", "sniper", "springbridge", "cloth")
 
 
 def play(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -70,7 +70,7 @@ def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
     for module in (*missing, "display"):
         path = f"ch04_particle_engine/{module}.py"
         (tmp_path / "engine" / path).write_text(stubs[f"chapters/{path}"], encoding="utf-8")
-    for name in NAMES:
+    for name in ("ballistics", "fireworks", "sniper"):
         engine, out = str(tmp_path / "engine"), str(tmp_path / "out")
         done = play(name, "--engine", engine, "--seconds", "4", "--out", out)
         assert done.returncode == 0, done.stdout
@@ -98,7 +98,8 @@ def test_what_is_not_written_is_said(tmp_path: Path) -> None:
 def test_a_demo_that_is_not_there_is_a_clear_sentence() -> None:
     done = play("trebuchets", "--engine", "solutions")
     assert done.returncode == 2
-    assert "there is no demo 'trebuchets'; there is ballistics, fireworks, sniper" in done.stderr
+    there = ", ".join(NAMES)
+    assert f"there is no demo 'trebuchets'; there is {there}" in " ".join(done.stderr.split())
     done = play("fireworks", "--engine", "nowhere")
     assert "--engine must be a folder of chapters, got 'nowhere'" in done.stderr
     done = play("fireworks", "--engine", "solutions", "--seconds", "-1")
@@ -170,6 +171,34 @@ def test_keys_move_the_cross_and_shoot(window: Any) -> None:
     assert demo.aim == pytest.approx((0.0005, 0.001))
     assert demo.range.shots_left == 9  # the second one has to wait
     assert window("sniper", (" ",), ("r",)).range.shots_left == 10
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_the_walker_walks_and_springs_get_stiffer(window: Any) -> None:
+    demo = window("springbridge", ("right",), ("right",), ("left",), ("s",))
+    assert demo.x == pytest.approx(0.5 + demo.PACE)
+    assert demo.stiffness == 4000.0
+    assert min(plank.position.y for plank in demo.planks) == demo.planks[1].position.y < -0.001
+    assert demo.message == ""
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_a_bridge_and_a_cloth_that_explode_stop_say_so_and_start_anew(window: Any) -> None:
+    for name, keys in (("springbridge", "sssse"), ("cloth", "e")):
+        demo = window(name, *[(key,) for key in keys])
+        for _ in range(300):
+            demo.update(demos.FRAME)
+        assert demo.message.startswith("SimulationDiverged: particle")
+        demo.draw()
+        assert "over the limit of 100 m/s" in demo.title.get_text().replace("\n", " ")
+        demo.press("r")
+        assert demo.message == ""
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_keys_set_the_frame_rate_of_the_cloth(window: Any) -> None:
+    assert window("cloth", ("down",), ("down",), ("up",)).rate == 120
+    assert window("cloth", *[("down",)] * 20).rate == 30
 
 
 @pytest.mark.filterwarnings("ignore:Animation was deleted")

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import ROOT
+from autograder.stubs import make_stubs
 
 NAMES = (
     "ch02_vectors/addition",
@@ -30,6 +31,13 @@ NAMES = (
     "ch05_forces/fall_with_drag",
     "ch05_forces/orbit",
     "ch05_forces/cost_of_a_generator",
+    "ch06_springs/force_against_length",
+    "ch06_springs/three_regimes",
+    "ch06_springs/stability_map",
+    "ch06_springs/fake_spring",
+    "ch06_springs/energy_over_time",
+    "ch06_springs/error_against_work",
+    "ch06_springs/cloth_frame_rates",
 )
 
 
@@ -55,7 +63,7 @@ def table(out: Path, name: str, chapter: str = "ch02_vectors") -> list[list[str]
 def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the reference's plots were drawn to."""
     out = tmp_path_factory.mktemp("plots")
-    done = plot("solutions", out, "2-5")
+    done = plot("solutions", out, "2-6")
     assert done.returncode == 0, done.stdout + done.stderr
     assert all(f"{name}.png" in done.stdout and f"{name}.csv" in done.stdout for name in NAMES)
     return out
@@ -167,6 +175,112 @@ def test_the_orbit_drifts_as_theory_says(reference: Path) -> None:
         added = (2.0 * math.pi) ** 2 / frames / 0.75
         assert seen[1.0][1] - seen[0.0][1] == pytest.approx(added, rel=0.1)
         assert len(seen) == 20 * 40 + 1
+
+
+def test_springs_push_where_the_page_pulls_and_ropes_are_slack(reference: Path) -> None:
+    rows = table(reference, "force_against_length", "ch06_springs")[1:]
+    forces = {(name, float(place)): float(force) for name, place, force in rows}
+    assert forces["Spring", 1.0] == pytest.approx(10.0, rel=1e-12)  # k 10, rest 2
+    assert forces["Bungee", 1.0] == 0.0
+    assert forces["Bungee", 3.0] == pytest.approx(-10.0, rel=1e-12)
+    assert forces["ElasticLimitSpring", 4.0] == pytest.approx(-13.0, rel=1e-12)  # 10, and 0.3 of 10
+    assert forces["Buoyancy", 0.0] == pytest.approx(4.905, rel=1e-12)
+    assert forces["LighterThanAir", 2.0] == pytest.approx(8.0 / math.e, rel=1e-12)
+
+
+def test_the_three_regimes_are_those_of_the_formula(reference: Path) -> None:
+    rows = [
+        [float(v) for v in row] for row in table(reference, "three_regimes", "ch06_springs")[1:]
+    ]
+    exact = {(c, round(time, 6)): place for c, time, place, _ in rows}
+    for c, place in ((2.0, 0.09855067), (20.0, 0.04042768), (40.0, 0.28217117)):
+        assert exact[c, 0.5] == pytest.approx(place, abs=1e-8)
+    assert max(abs(row[3] - row[2]) for row in rows) < 0.1
+
+
+def test_each_step_explodes_where_theory_says(reference: Path) -> None:
+    rows = table(reference, "stability_map", "ch06_springs")[1:]
+    limits = {(row[0], float(row[1])): float(row[2]) for row in rows if row[0].endswith("limit")}
+    assert len(limits) == 4 * 7 - 1
+    for (name, kept), limit in limits.items():
+        known = {
+            "explicit Euler, limit": 1.0 / kept - 1.0,
+            "semi-implicit Euler, limit": 2.0 * (1.0 + kept) / kept,
+            "velocity Verlet, limit": 4.0,
+        }
+        if name in known:
+            assert limit == pytest.approx(known[name], rel=1e-9)
+    assert limits["Runge-Kutta 4, limit", 1.0] == pytest.approx(8.0, rel=1e-9)
+    for name in ("backward Euler", "trapezoidal rule"):
+        assert all(float(row[3]) < 1.0 + 1e-12 for row in rows if row[0] == name)
+
+
+def test_the_faked_spring_grows_in_windows_alone(reference: Path) -> None:
+    rows = table(reference, "fake_spring", "ch06_springs")[1:]
+    grown = [[float(v) for v in row[2:5]] for row in rows if row[0] == "growth"]
+    assert max(value for share, _, value in grown if share == 0.0) == pytest.approx(1.13, abs=0.005)
+    assert all(value < 1.0 for share, _, value in grown if share > 0.0)
+    assert all(value < 1.0 + 1e-12 for share, angle, value in grown if angle < math.pi)
+
+
+def test_the_energy_is_what_each_step_makes_of_it(reference: Path) -> None:
+    rows = table(reference, "energy_over_time", "ch06_springs")[1:]
+    energies = {name: [float(row[2]) for row in rows if row[0] == name] for name, *_ in rows}
+    kappa = 100.0 / 60.0**2
+    assert len(energies["explicit Euler"]) < 601  # stopped at 10,000 m/s
+    for name, rate in (("explicit Euler", 1.0 + kappa), ("backward Euler", 1.0 / (1.0 + kappa))):
+        steps = len(energies[name]) - 1
+        assert energies[name][-1] == pytest.approx(rate**steps, rel=1e-9)
+    assert energies["trapezoidal rule"][-1] == pytest.approx(1.0, rel=1e-12)
+    assert energies["semi-implicit Euler"][-1] == pytest.approx(1.06, abs=0.005)  # E-17
+
+
+def test_errors_shrink_by_the_order_of_the_step(reference: Path) -> None:
+    rows = table(reference, "error_against_work", "ch06_springs")[1:]
+    orders = {"explicit Euler": 1, "semi-implicit Euler": 1, "velocity Verlet": 2}
+    orders |= {"Runge-Kutta 4": 4, "backward Euler": 1, "trapezoidal rule": 2}
+    for name, order in orders.items():
+        errors = {int(row[3]): float(row[4]) for row in rows if row[:2] == ["100.0", name]}
+        assert errors[1024] / errors[2048] == pytest.approx(2.0**order, rel=0.02)
+    assert all(float(row[4]) < 1e-14 for row in rows if row[1] == "closed form")
+
+
+def test_a_cloth_lasts_at_a_tenth_of_the_frames_with_the_velocity_first(reference: Path) -> None:
+    rows = table(reference, "cloth_frame_rates", "ch06_springs")[1:]
+    lasts = {(name, float(c), int(rate)): float(time) for name, c, rate, time in rows}
+    for c in (0.0, 0.2):
+        assert lasts["semi-implicit Euler", c, 90] == 2.0
+        assert lasts["semi-implicit Euler", c, 75] < 1.0
+        assert lasts["explicit Euler", c, 960] < 2.0
+
+
+def test_springs_that_are_not_written_are_said(tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    for module in ("springs", "integrators", "closed_form"):
+        path = f"ch06_springs/{module}.py"
+        text = make_stubs()[f"chapters/{path}"]
+        (tmp_path / "engine" / path).write_text(text, encoding="utf-8")
+    done = plot(tmp_path / "engine", tmp_path, "6")
+    assert done.returncode == 1
+    assert done.stdout.count("not drawn, not written yet: Exercise B6.") == 7
+    assert not [*tmp_path.glob("ch06_springs/*")]
+
+
+@pytest.mark.parametrize("result", ["None", "(math.nan, math.inf)"])
+def test_steps_that_do_nothing_or_return_nonsense_give_pictures(
+    result: str, tmp_path: Path
+) -> None:
+    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    folder = tmp_path / "engine/ch06_springs"
+    with (folder / "integrators.py").open("a", encoding="utf-8") as file:
+        file.write(f"\n\nexplicit_euler = velocity_verlet = lambda *_: {result}\n")
+        file.write(f"semi_implicit_euler = runge_kutta_4 = watched = lambda *_: {result}\n")
+        file.write(f"backward_euler = trapezoidal = lambda *_: {result}\n")
+    with (folder / "closed_form.py").open("a", encoding="utf-8") as file:
+        file.write(f"\n\ndamped_spring_state = lambda *_: {result}\n")
+    done = plot(tmp_path / "engine", tmp_path, "6")
+    assert done.returncode == 0, done.stdout
+    assert "Traceback" not in done.stderr
 
 
 def test_an_engine_with_the_equation_s_damping_draws_another_picture(

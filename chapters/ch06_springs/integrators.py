@@ -1,0 +1,171 @@
+"""Steps: ways to move particles on by a frame, and what each is good for.
+
+The first four take ``(particles, apply_forces, duration)``. ``apply_forces(duration)`` adds the
+forces of the moment to the accumulators, as ForceRegistry.update_forces does, and may only act on
+these particles. A step asks it once or several times, each time with no other forces in the
+accumulators than those that were added by hand before the step. At its end they are empty, and
+Particle.last_acceleration knows the mean acceleration of the step.
+
+A particle's own damping d multiplies the velocity by d^h, once, at the end of the step: the orders
+below are those at d = 1, and with any other d the order is 1. Immovable particles stay where they
+are. The stability limits are for a spring without damping, in frames of h s, at d = 1: k h^2 / m is
+how stiff it is for that frame.
+
+Each raises ValueError where the duration is not positive and finite, and TypeError where it is no
+number; all is then as it was. What apply_forces raises comes out of the step, and the particles are
+then somewhere on their way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+
+ApplyForces = Callable[[float], None]
+Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
+
+
+def explicit_euler(
+    particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
+) -> None:
+    """Step as the book does: p' = p + v h, and then v' = (v + a h) d^h, by Particle.integrate.
+
+    Order 1; not symplectic; one evaluation of the forces. Stable for no stiffness, at d = 1; below
+    max_stable_stiffness where d < 1. Source: book 3.3.2, with its name put right (E-17).
+    """
+    raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
+
+
+def semi_implicit_euler(
+    particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
+) -> None:
+    """Step the velocity first, v' = (v + a h) d^h, and then p' = p + v' h.
+
+    Order 1; symplectic at d = 1, so that energy does not drift; one evaluation of the forces.
+    Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2 (1 + d^h) / d^h. Source: Hairer,
+    Lubich and Wanner, Geometric Numerical Integration, I.1.2.
+    """
+    raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
+
+
+def velocity_verlet(
+    particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
+) -> None:
+    """Step by the accelerations a of now and b of the place that a leads to.
+
+    p' = p + v h + a h^2 / 2, and v' = (v + (a + b) h / 2) d^h. Forces that depend on the velocity
+    are asked for b with v + a h.
+
+    Order 2; symplectic at d = 1 where no force depends on the velocity; two evaluations of the
+    forces. Stable for k h^2 / m < 4. Source: Swope and others, Journal of Chemical Physics 76
+    (1982), 637.
+    """
+    raise NotImplementedError("Exercise B6.7: Velocity Verlet")
+
+
+def runge_kutta_4(
+    particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
+) -> None:
+    """Step by the mean of four rates: at the start, twice in the middle, and at the end.
+
+    The second and the third count double. Each is found where the one before it leads to from the
+    start, in no time, in half of the frame twice, and in all of it.
+
+    Order 4; not symplectic, but nearly free of drift while its steps are small; four evaluations of
+    the forces. Stable for k h^2 / m < 8. Source: Kutta, Zeitschrift für Mathematik und Physik 46
+    (1901), 435.
+    """
+    raise NotImplementedError("Exercise B6.8: Runge-Kutta of order 4")
+
+
+def backward_euler(
+    x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
+) -> tuple[float, float]:
+    """Return position in m and velocity in m/s of one linear spring a frame later.
+
+    x' = x + v' h and v' = v + a' h, both with what is new: m a' = -k x' - c v', which is solved for
+    v'. The spring rests at 0; k is in N/m, c in N s/m, the mass in kg and the duration in s.
+
+    Order 1; not symplectic; nothing to evaluate; stable for every stiffness, and it loses energy
+    all the more the stiffer the spring. Source: Hairer and Wanner, Solving Ordinary Differential
+    Equations II, IV.3.
+
+    Raises ValueError where mass or duration is not positive, stiffness or damping is negative, or
+    an argument is not finite. What is no number is a TypeError.
+    """
+    raise NotImplementedError("Exercise B6.9: Implicit steps for one spring")
+
+
+def trapezoidal(
+    x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
+) -> tuple[float, float]:
+    """Return position in m and velocity in m/s of one linear spring a frame later.
+
+    x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the mean of old and new, with
+    m a = -k x - c v, which is solved for v'. The arguments are those of backward_euler.
+
+    Order 2; symplectic for this spring without damping, whose energy it keeps; nothing to evaluate;
+    stable for every stiffness. Source: Hairer and Wanner, Solving Ordinary Differential Equations
+    II, IV.3.
+
+    Raises ValueError and TypeError as backward_euler does.
+    """
+    raise NotImplementedError("Exercise B6.9: Implicit steps for one spring")
+
+
+class SimulationDiverged(ArithmeticError):  # noqa: N818
+    """A particle is faster than anything in its scene should be: the step cannot follow the forces.
+
+    ``particle`` is its place in the list of particles, ``step`` the number of the step after which
+    that was seen, the first being 1, ``speed`` and ``limit`` are in m/s.
+    """
+
+    def __init__(self, particle: int, step: int, speed: float, limit: float) -> None:
+        super().__init__(
+            f"particle {particle} has {speed:.4g} m/s after step {step}, over the limit of "
+            f"{limit:g} m/s: shorter frames, softer springs or another step would help"
+        )
+        self.particle, self.step, self.speed, self.limit = particle, step, speed, limit
+
+
+def watched(integrator: Integrator, speed_limit: float) -> Integrator:
+    """Return a step that does what the integrator does, and then looks at every particle's speed.
+
+    It takes the same arguments, counts the steps that it has made, and raises SimulationDiverged
+    for the first particle whose speed is over the limit in m/s, or not a number. What the
+    integrator raises comes out. Without a watch nothing is looked at, and nothing is paid.
+
+    Raises ValueError where the limit is not positive and finite.
+    """
+    raise NotImplementedError("Exercise B6.10: A warning when it explodes")
+
+
+def _forces_of(particles: Iterable[Particle]) -> list[Vector3]:
+    """Return the forces in the accumulators."""
+    raise NotImplementedError("Exercise B6.7: Velocity Verlet")
+
+
+def _evaluate(
+    particles: Sequence[Particle],
+    by_hand: list[Vector3],
+    apply_forces: ApplyForces,
+    duration: float,
+) -> list[Vector3]:
+    """Return the forces on the particles as they are now, with those that were added by hand."""
+    raise NotImplementedError("Exercise B6.7: Velocity Verlet")
+
+
+def _end(
+    particle: Particle, place: Vector3, velocity: Vector3, force: Vector3, duration: float
+) -> None:
+    """End a step at a place; chapter 5's step gives the velocity, by the mean force."""
+    raise NotImplementedError("Exercise B6.7: Velocity Verlet")
+
+
+def _per_mass(
+    x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
+) -> tuple[float, float, float]:
+    """Return the duration, and stiffness and damping for 1 kg, after a look at all arguments."""
+    raise NotImplementedError("Exercise B6.9: Implicit steps for one spring")

@@ -1,0 +1,201 @@
+"""Springs."""
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.arguments import finite, finite_vector, not_negative, positive
+from ch06_springs.closed_form import damped_spring_state
+
+
+def spring_force(offset, velocity, stiffness, rest_length, damping=0.0):
+    d = offset.normalized()
+    magnitude = abs(offset.magnitude() - rest_length) * stiffness
+    return d * -(magnitude + damping * velocity.dot(d))
+
+
+class Spring:
+    def __init__(self, other, stiffness, rest_length, damping=0.0):
+        self.other = _particle("other", other)
+        self.stiffness = not_negative("stiffness", stiffness)
+        self.rest_length = not_negative("rest_length", rest_length)
+        self.damping = not_negative("damping", damping)
+
+    def update_force(self, particle, duration):
+        d = particle.position - self.other.position
+        v = particle.velocity - self.other.velocity
+        particle.add_force(spring_force(d, v, self.stiffness, self.rest_length, self.damping))
+
+
+class AnchoredSpring:
+    def __init__(self, anchor, stiffness, rest_length, damping=0.0):
+        self.anchor = finite_vector("anchor", anchor)
+        self.stiffness = not_negative("stiffness", stiffness)
+        self.rest_length = not_negative("rest_length", rest_length)
+        self.damping = not_negative("damping", damping)
+
+    def update_force(self, particle, duration):
+        d = particle.position - self.anchor
+        v = particle.velocity
+        particle.add_force(spring_force(d, v, self.stiffness, self.rest_length, self.damping))
+
+
+class Bungee(Spring):
+    def update_force(self, particle, duration):
+        d = particle.position - self.other.position
+        if d.magnitude() <= self.rest_length:
+            return
+        v = particle.velocity - self.other.velocity
+        force = spring_force(d, v, self.stiffness, self.rest_length, self.damping)
+        if force.dot(d) < 0:
+            particle.add_force(force)
+
+
+class AnchoredBungee(AnchoredSpring):
+    def update_force(self, particle, duration):
+        d = particle.position - self.anchor
+        if d.magnitude() <= self.rest_length:
+            return
+        v = particle.velocity
+        force = spring_force(d, v, self.stiffness, self.rest_length, self.damping)
+        if force.dot(d) < 0:
+            particle.add_force(force)
+
+
+class Connection:
+    def __init__(self, a, b, stiffness, rest_length, damping=0.0):
+        self.a = _particle("a", a)
+        self.b = _particle("b", b)
+        self.stiffness = not_negative("stiffness", stiffness)
+        self.rest_length = not_negative("rest_length", rest_length)
+        self.damping = not_negative("damping", damping)
+
+    def update_force(self, particle, duration):
+        d = self.a.position - self.b.position
+        v = self.a.velocity - self.b.velocity
+        force = spring_force(d, v, self.stiffness, self.rest_length, self.damping)
+        self.a.add_force(force)
+        self.b.add_force(-force)
+
+
+def connect(registry, a, b, stiffness, rest_length, damping=0.0):
+    spring = Connection(a, b, stiffness, rest_length, damping)
+    registry.add(a, spring)
+    registry.add(b, spring)
+    return spring
+
+
+class Buoyancy:
+    def __init__(self, max_depth, volume, water_height, liquid_density=1000.0, gravity=9.81):
+        self.max_depth = positive("max_depth", max_depth)
+        self.volume = positive("volume", volume)
+        self.water_height = finite("water_height", water_height)
+        self.liquid_density = positive("liquid_density", liquid_density)
+        self.gravity = not_negative("gravity", gravity)
+
+    def update_force(self, particle, duration):
+        depth = particle.position.y
+        full = self.liquid_density * self.volume * self.gravity
+        if depth >= self.water_height + self.max_depth:
+            return
+        if depth <= self.water_height - self.max_depth:
+            particle.add_force(Vector3(0, full, 0))
+            return
+        share = (self.water_height + self.max_depth - depth) / (2 * self.max_depth)
+        particle.add_force(Vector3(0, full * share, 0))
+
+
+class FakeStiffSpring:
+    def __init__(self, anchor, stiffness, damping):
+        self.anchor = finite_vector("anchor", anchor)
+        self.stiffness = not_negative("stiffness", stiffness)
+        self.damping = not_negative("damping", damping)
+
+    def update_force(self, particle, duration):
+        if not particle.has_finite_mass:
+            return
+        position = particle.position - self.anchor
+        target = Vector3()
+        for axis in ("x", "y", "z"):
+            x, v = getattr(position, axis), getattr(particle.velocity, axis)
+            state = damped_spring_state(
+                x, v, self.stiffness, self.damping, particle.mass, duration
+            )
+            setattr(target, axis, state[0])
+        accel = (target - position) * (1 / duration**2) - particle.velocity
+        particle.add_force(accel * particle.mass)
+
+
+class ElasticLimitSpring:
+    def __init__(self, other, stiffness, rest_length, limit, share):
+        self.other = _particle("other", other)
+        self.stiffness = not_negative("stiffness", stiffness)
+        self.rest_length = not_negative("rest_length", rest_length)
+        self.limit = not_negative("limit", limit)
+        if self.limit < self.rest_length:
+            raise ValueError(f"limit must be rest_length, {rest_length!r}, or more, got {limit!r}")
+        self.share = not_negative("share", share)
+
+    def update_force(self, particle, duration):
+        d = particle.position - self.other.position
+        length = d.magnitude()
+        k = self.stiffness
+        if length > self.limit:
+            k = k * self.share
+        particle.add_force(d.normalized() * -(k * (length - self.rest_length)))
+
+
+class LighterThanAir:
+    def __init__(self, max_lift, scale_height):
+        self.max_lift = not_negative("max_lift", max_lift)
+        self.scale_height = positive("scale_height", scale_height)
+
+    def update_force(self, particle, duration):
+        lift = self.max_lift * math.exp(-particle.position.y / self.scale_height)
+        particle.add_force(Vector3(0, lift, 0))
+
+
+class Overcrowding:
+    def __init__(self, particles, distance, stiffness):
+        for i, one in enumerate(particles):
+            _particle(f"particles[{i}]", one)
+        self.particles = particles
+        self.distance = not_negative("distance", distance)
+        self.stiffness = not_negative("stiffness", stiffness)
+
+    def update_force(self, particle, duration):
+        for other in self.particles:
+            if other is particle:
+                continue
+            away = particle.position - other.position
+            length = away.magnitude()
+            if length < self.distance:
+                push = self.stiffness * (self.distance - length)
+                particle.add_force(away.normalized() * push)
+
+
+class HomingBullet:
+    def __init__(self, target, stiffness, look_ahead):
+        self.target = _particle("target", target)
+        self.stiffness = not_negative("stiffness", stiffness)
+        self.look_ahead = not_negative("look_ahead", look_ahead)
+
+    def update_force(self, particle, duration):
+        goal = self.target.position + self.target.velocity * self.look_ahead
+        particle.add_force((goal - particle.position) * self.stiffness)
+
+
+def max_stable_stiffness(damping, duration, mass=1.0):
+    d = not_negative("damping", damping)
+    h = positive("duration", duration)
+    m = positive("mass", mass)
+    if d == 0:
+        return math.inf
+    if d >= 1:
+        return 0.0
+    return -m * math.log(d) / h
+
+
+def _particle(name, value):
+    if not (hasattr(value, "position") and hasattr(value, "add_force")):
+        raise TypeError(f"{name} must be a Particle, got {value!r}")
+    return value

@@ -1,0 +1,61 @@
+"""Going further: a rope bridge that springs hold up (book 6, exercises)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.arguments import finite, not_negative, positive
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+from ch06_springs.springs import AnchoredSpring, connect
+
+
+def hang_bridge(
+    registry: ForceRegistry,
+    planks: Sequence[Particle],
+    height: float,
+    stiffness: float,
+    damping: float,
+) -> None:
+    """Hang every plank on a spring of its own, and join each to the next one by another.
+
+    The anchors are straight above the planks, as high in m as ``height`` says. All springs are as
+    long at rest as they are now, and have the same stiffness in N/m and damping in N s/m.
+
+    Raises ValueError where the height is not positive, stiffness or damping is negative, or one of
+    them is not finite; nothing is registered then.
+    """
+    up = Vector3(0.0, positive("height", height), 0.0)
+    not_negative("stiffness", stiffness)
+    not_negative("damping", damping)
+    for plank in planks:
+        hanger = AnchoredSpring(plank.position + up, stiffness, height, damping)
+        registry.add(plank, hanger)
+    for plank, following in pairwise(planks):
+        length = (following.position - plank.position).magnitude()
+        connect(registry, plank, following, stiffness, length, damping)
+
+
+def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
+    """Add a walker's weight in N to the two planks between which he stands, at x in m.
+
+    The planks are in order along x. Each of the two carries the more the nearer it is, and both
+    carry all of the weight. Before the first plank or after the last, that one carries all.
+
+    Raises ValueError where there is no plank, x is not finite, or the weight is negative or not
+    finite.
+    """
+    finite("x", x)
+    not_negative("weight", weight)
+    if not planks:
+        raise ValueError("planks must have at least one particle, got none")
+    places = [plank.position.x for plank in planks]
+    x = min(max(x, places[0]), places[-1])
+    after = next(i for i, place in enumerate(places) if place >= x)
+    before = max(after - 1, 0)
+    gap = places[after] - places[before]
+    share = (x - places[before]) / gap if gap else 1.0
+    planks[before].add_force(Vector3(0.0, -weight * (1.0 - share), 0.0))
+    planks[after].add_force(Vector3(0.0, -weight * share, 0.0))

@@ -1,0 +1,107 @@
+"""What springs cost: a cloth by connect, by a Spring an end, and by its bare arithmetic."""
+
+from __future__ import annotations
+
+import math
+
+from ch05_forces.forces import ForceRegistry
+from ch06_springs.cloth import (
+    KNOTS,
+    MASS,
+    REST_LENGTH,
+    STIFFNESS,
+    G,
+    make_cloth,
+    neighbours,
+)
+from ch06_springs.springs import Spring
+from studies.timing import Line, ratio, timer
+
+DAMPING = 0.2  # N s/m
+FRAME = 1.0 / 2400.0  # s, at which the book's step bears this cloth
+FRAMES = 120
+ROUNDS = 21
+
+
+def lines() -> list[Line]:
+    """Return every line about springs."""
+    connected = timer(connected_steps)
+    return [
+        Line(
+            "a cloth of 180 springs by connect / its arithmetic in one loop",
+            *ratio(connected, timer(cloth_arithmetic), ROUNDS, "a cloth"),
+            "at most 1.75",
+        ),
+        Line(
+            "a cloth with a Spring an end, in vectors / by connect, in local floats",
+            *ratio(timer(steps_with_a_spring_an_end), connected, ROUNDS, "a Spring an end"),
+            "at least 4",
+        ),
+    ]
+
+
+def connected_steps() -> float:
+    """Step the cloth of the chapter; return how low it hangs."""
+    knots, registry = make_cloth(DAMPING)
+    for _ in range(FRAMES):
+        registry.update_forces(FRAME)
+        for knot in knots:
+            knot.integrate(FRAME)
+    return min(knot.position.y for knot in knots)
+
+
+def steps_with_a_spring_an_end() -> float:
+    """Step the same cloth with two generators a spring; return how low it hangs."""
+    knots, _ = make_cloth(DAMPING)
+    registry = ForceRegistry()
+    for i, j in neighbours():
+        a, b = knots[i], knots[j]
+        registry.add(a, Spring(b, STIFFNESS, REST_LENGTH, DAMPING))
+        registry.add(b, Spring(a, STIFFNESS, REST_LENGTH, DAMPING))
+    for _ in range(FRAMES):
+        registry.update_forces(FRAME)
+        for knot in knots:
+            knot.integrate(FRAME)
+    return min(knot.position.y for knot in knots)
+
+
+def cloth_arithmetic() -> float:
+    """Step the same cloth in lists of floats, springs first; return how low it hangs."""
+    count = KNOTS * KNOTS
+    x = [REST_LENGTH * (i % KNOTS) for i in range(count)]
+    y = [0.0] * count
+    z = [REST_LENGTH * (i // KNOTS) for i in range(count)]
+    u, v, w = [0.0] * count, [0.0] * count, [0.0] * count
+    inverse_mass = [1.0 / MASS] * count
+    inverse_mass[0] = inverse_mass[KNOTS - 1] = 0.0
+    springs = [(i, j, STIFFNESS, REST_LENGTH, DAMPING) for i, j in neighbours()]
+    for _ in range(FRAMES):
+        fx, fy, fz = [0.0] * count, [0.0] * count, [0.0] * count
+        for i, j, stiffness, rest, damping in springs:
+            dx = x[i] - x[j]
+            dy = y[i] - y[j]
+            dz = z[i] - z[j]
+            length = math.hypot(dx, dy, dz)
+            if length == 0.0:
+                continue
+            rate = ((u[i] - u[j]) * dx + (v[i] - v[j]) * dy + (w[i] - w[j]) * dz) / length
+            pull = (stiffness * (rest - length) - damping * rate) / length
+            dx *= pull
+            dy *= pull
+            dz *= pull
+            fx[i] += dx
+            fy[i] += dy
+            fz[i] += dz
+            fx[j] -= dx
+            fy[j] -= dy
+            fz[j] -= dz
+        for i in range(count):
+            inverse = inverse_mass[i]
+            if inverse:
+                x[i] += u[i] * FRAME
+                y[i] += v[i] * FRAME
+                z[i] += w[i] * FRAME
+                u[i] += fx[i] * inverse * FRAME
+                v[i] += (fy[i] * inverse - G) * FRAME
+                w[i] += fz[i] * inverse * FRAME
+    return min(y)

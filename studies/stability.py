@@ -1,0 +1,276 @@
+"""What steps can bear: how springs swing, what a step multiplies their swings by, what theory says.
+
+One spring pulls a particle of 1 kg to 0 along X. Whatever it is that moves the particle is an
+integrator of chapter 6 here, a solver of one linear spring too, so that all are run and watched in
+the same way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceGenerator
+from ch05_forces.particle import Particle
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.cloth import make_cloth
+from ch06_springs.integrators import (
+    ApplyForces,
+    Integrator,
+    backward_euler,
+    explicit_euler,
+    runge_kutta_4,
+    semi_implicit_euler,
+    trapezoidal,
+    velocity_verlet,
+    watched,
+)
+from ch06_springs.springs import FakeStiffSpring
+from studies.drawing import number
+
+Solver = Callable[[float, float, float, float, float, float], tuple[float, float]]
+
+INTEGRATORS: dict[str, Integrator] = {
+    "explicit Euler": explicit_euler,
+    "semi-implicit Euler": semi_implicit_euler,
+    "velocity Verlet": velocity_verlet,
+    "Runge-Kutta 4": runge_kutta_4,
+}
+SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rule": trapezoidal}
+
+
+class Pull:
+    """A spring to 0 in plain numbers, so that a picture of a step shows no fault of a spring.
+
+    ``count`` is how often it was asked.
+    """
+
+    def __init__(self, stiffness: float) -> None:
+        self.stiffness = stiffness
+        self.count = 0
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        del duration
+        self.count += 1
+        particle.add_force(Vector3(-self.stiffness * particle.position.x))
+
+
+@dataclass(frozen=True)
+class Swing:
+    """Places and velocities at the start and after each step, and what ended it early, if that."""
+
+    places: list[float]
+    velocities: list[float]
+    message: str
+
+
+def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrator:
+    """Return an integrator that moves particles along X by a solver of one linear spring."""
+
+    def step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
+        del apply_forces
+        for particle in particles:
+            x, v = particle.position.x, particle.velocity.x
+            end = _pair(solver(x, v, stiffness, damping, particle.mass, duration))
+            particle.position.x, particle.velocity.x = end
+
+    return step
+
+
+def methods(stiffness: float) -> dict[str, Integrator]:
+    """Return every method by its name, for a spring of this stiffness without damping."""
+    return INTEGRATORS | {name: solving(solver, stiffness) for name, solver in SOLVERS.items()}
+
+
+def watching(integrator: Integrator, limit: float) -> Integrator:
+    """Return the integrator watched for speeds over a limit in m/s, or bare while that is a stub.
+
+    A bare one ends as well when it explodes: no particle takes a force that is not finite.
+    """
+    try:
+        step = watched(integrator, limit)
+    except NotImplementedError:
+        return integrator
+    return step if callable(step) else integrator
+
+
+def stopped(act: Callable[[], object]) -> str:
+    """Act, and return what the engine says where that explodes; else nothing."""
+    try:
+        act()
+    except (ArithmeticError, ValueError) as error:
+        return f"{type(error).__name__}: {error}"
+    return ""
+
+
+def swing(
+    integrator: Integrator, generator: ForceGenerator, duration: float, steps: int, limit: float
+) -> Swing:
+    """Release a particle of 1 kg at x = 1 m and let it swing, until a speed is over the limit."""
+    particle = Particle(Vector3(1.0))
+    step = watching(integrator, limit)
+    places, velocities = [1.0], [0.0]
+
+    def run() -> None:
+        for _ in range(steps):
+            _step(step, particle, generator, duration)
+            x, v = _state(particle)
+            places.append(x)
+            velocities.append(v)
+
+    message = stopped(run)
+    return Swing(places, velocities, message)
+
+
+def growth(
+    integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
+) -> float:
+    """Return what a step multiplies the swings by in the long run; NaN where it gives no numbers.
+
+    The step is linear: what it makes of (x, v h) = (1, 0) and of (0, 1) is all of it, and many
+    steps multiply by the size of the larger eigenvalue.
+    """
+    columns = []
+    for x, v in ((1.0, 0.0), (0.0, 1.0 / duration)):
+        particle = Particle(Vector3(x), Vector3(v), damping=damping)
+        if stopped(lambda p=particle: _step(integrator, p, generator, duration)):  # type: ignore[misc]
+            return math.nan
+        columns.append(_state(particle))
+    (a, c), (b, d) = columns
+    return spectral_radius(a, b, c * duration, d * duration)
+
+
+def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
+    """Return the growth of a method by its name, at k h^2 / m = kappa.
+
+    ``damping`` is c h / m of the spring for a solver, and d^h of the particle for an integrator.
+    """
+    k = kappa / duration**2
+    if name in SOLVERS:
+        return growth(solving(SOLVERS[name], k, damping / duration), Pull(k), duration)
+    return growth(INTEGRATORS[name], Pull(k), duration, damping ** (1.0 / duration))
+
+
+def period(places: Sequence[float]) -> float:
+    """Return how many steps a swing takes, by where it goes through 0; NaN where it does not."""
+    found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
+    return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
+
+
+def true_place(k: float, c: float, time: float) -> float:
+    """Return where the formula has the particle of 1 kg that was released at 1 m."""
+    state = damped_spring_state(1.0, 0.0, k, c, 1.0, time)
+    return number(state[0]) if isinstance(state, tuple) else math.nan
+
+
+def faked_growth(angle: float, share: float, duration: float) -> float:
+    """Return the growth of the faked spring for chi h and a share of the critical damping."""
+    chi = angle / duration
+    fake = FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi)
+    return growth(semi_implicit_euler, fake, duration)
+
+
+def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
+    """Return how many steps the cloth makes before a knot has 1000 m/s, and what stopped it."""
+    knots, registry = make_cloth(damping)
+    step = watching(INTEGRATORS[name], 1000.0)
+    steps = 0
+
+    def run() -> None:
+        nonlocal steps
+        while steps < most:
+            step(knots, registry.update_forces, 1.0 / rate)
+            steps += 1
+
+    message = stopped(run)
+    return steps, message
+
+
+def largest_error(places: list[float], chi: float, steps: int) -> float:
+    """Return how far at most the places are from cos(chi t), at up to 64 times of the second."""
+    every = max(1, steps // 64)
+    found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
+    return max(found, default=math.nan)
+
+
+def spectral_radius(a: float, b: float, c: float, d: float) -> float:
+    """Return the size of the larger eigenvalue of the matrix with the rows a, b and c, d."""
+    half, product = (a + d) / 2.0, a * d - b * c
+    root = half * half - product
+    if root < 0.0:  # a pair that is conjugate
+        return math.sqrt(product)
+    return abs(half) + math.sqrt(root)
+
+
+def limit_of(growth_at: Callable[[float], float]) -> float:
+    """Return the k h^2 / m above which there is growth, between 1e-3 and 1e3; by bisection."""
+    low, high = 1e-3, 1e3
+    while high > low * (1.0 + 1e-14):
+        middle = math.sqrt(low * high)
+        if not low < middle < high:
+            break
+        if growth_at(middle) > 1.0 + 1e-13:
+            high = middle
+        else:
+            low = middle
+    return low
+
+
+def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
+    """Return d^h, the limit of k h^2 / m that is measured, and that of theory, for some dampings.
+
+    Explicit Euler bears nothing without damping: that is left out.
+    """
+    found = []
+    for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):
+        if (true := theory(name, kept)) > 0.0:
+            limit = limit_of(lambda kappa, d=kept: growth_of(name, kappa, d, duration))  # type: ignore[misc]
+            found.append((kept, limit, true))
+    return found
+
+
+def theory(name: str, kept: float) -> float:
+    """Return the k h^2 / m above which a spring explodes, where a step keeps D = d^h of v.
+
+    Each is worked out from the matrix of the step; Verlet and Runge-Kutta damp at their end alone.
+    """
+    if name == "explicit Euler":
+        return 1.0 / kept - 1.0
+    if name == "semi-implicit Euler":
+        return 2.0 * (1.0 + kept) / kept
+    matrix = {"velocity Verlet": _verlet, "Runge-Kutta 4": _runge_kutta}[name]
+    return limit_of(lambda kappa: spectral_radius(*matrix(kappa, kept)))
+
+
+def _verlet(kappa: float, kept: float) -> tuple[float, float, float, float]:
+    """x' = x + v - kappa x / 2, and v' = D (v - kappa (x + x') / 2), in units of the frame."""
+    stay = 1.0 - kappa / 2.0
+    return stay, 1.0, -kept * kappa * (1.0 + stay) / 2.0, kept * (1.0 - kappa / 2.0)
+
+
+def _runge_kutta(kappa: float, kept: float) -> tuple[float, float, float, float]:
+    """The series of cos and sin of the root of kappa, up to the fourth power of it."""
+    cosine, sine = 1.0 - kappa / 2.0 + kappa**2 / 24.0, 1.0 - kappa / 6.0
+    return cosine, sine, -kept * kappa * sine, kept * cosine
+
+
+def _step(
+    integrator: Integrator, particle: Particle, generator: ForceGenerator, duration: float
+) -> None:
+    integrator([particle], lambda h: generator.update_force(particle, h), duration)
+
+
+def _state(particle: Particle) -> tuple[float, float]:
+    """Return place and velocity along X, NaN where the engine left no vector."""
+    x, v = (getattr(vector, "x", None) for vector in (particle.position, particle.velocity))
+    return number(x), number(v)
+
+
+def _pair(value: object) -> tuple[float, float]:
+    """Return two numbers of what a solver gave back, NaN where it is something else."""
+    if not (isinstance(value, tuple) and len(value) == 2):
+        return math.nan, math.nan
+    return number(value[0]), number(value[1])

@@ -1,0 +1,293 @@
+"""What must run beside the student's code: steps, in fields of force that keep a record.
+
+Each function takes and returns plain numbers.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs import exercises, integrators
+
+Components = tuple[float, float, float]
+# position, velocity, acceleration, mass, damping, and a force that is added by hand
+Body = tuple[Components, Components, Components, float, float, Components]
+Numbers = dict[str, list[Any]]
+
+
+def xyz(v: Vector3) -> Components:
+    return v.x, v.y, v.z
+
+
+class Field:
+    """Forces -(k + q r^2) x - c v on every particle, and a spring s between each and the next.
+
+    It writes down how it was asked: the duration, what was in the accumulators, and the places.
+    """
+
+    def __init__(
+        self, particles: Sequence[Particle], k: float, c: float, q: float = 0.0, s: float = 0.0
+    ) -> None:
+        self.particles = particles
+        self.k, self.c, self.q, self.s = k, c, q, s
+        self.asked: list[tuple[float, list[Components], list[Components]]] = []
+
+    def __call__(self, duration: float) -> None:
+        sums = [xyz(particle.force_accumulator) for particle in self.particles]
+        places = [xyz(particle.position) for particle in self.particles]
+        self.asked.append((duration, sums, places))
+        for particle in self.particles:
+            p, v = particle.position, particle.velocity
+            pull = self.k + self.q * p.squared_magnitude()
+            particle.add_force(p * -pull - v * self.c)
+        for a, b in pairwise(self.particles):
+            offset = a.position - b.position
+            a.add_force(offset * -self.s)
+            b.add_force(offset * self.s)
+
+
+def stepped(
+    method: str,
+    bodies: Sequence[Body],
+    forces: tuple[float, ...],
+    duration: float,
+    frames: int,
+) -> Numbers:
+    """Make steps by an integrator of the chapter, in a Field of these coefficients.
+
+    Return the places, velocities, accumulators, last accelerations and dampings in the end, and how
+    the field was asked. The forces by hand are added before every step.
+    """
+    particles = [
+        Particle(Vector3(*p), Vector3(*v), Vector3(*a), mass=m, damping=d)
+        for p, v, a, m, d, _ in bodies
+    ]
+    field = Field(particles, *forces)
+    step = getattr(integrators, method)
+    for _ in range(frames):
+        for particle, body in zip(particles, bodies, strict=True):
+            if any(body[5]):
+                particle.add_force(Vector3(*body[5]))
+        step(particles, field, duration)
+    return {
+        "positions": [xyz(particle.position) for particle in particles],
+        "velocities": [xyz(particle.velocity) for particle in particles],
+        "forces": [xyz(particle.force_accumulator) for particle in particles],
+        "accelerations": [xyz(particle.last_acceleration) for particle in particles],
+        "dampings": [particle.damping for particle in particles],
+        "asked": field.asked,
+    }
+
+
+def growth(method: str, stiffness: float, damping: float, duration: float, frames: int) -> float:
+    """Return how many times as far as at the start a linear spring of 1 kg takes its end."""
+    particle = Particle(Vector3(1.0, 0.0, 0.0), damping=damping)
+    field = Field([particle], stiffness, 0.0)
+    step = getattr(integrators, method)
+    farthest = 0.0
+    for _ in range(frames):
+        step([particle], field, duration)
+        field.asked.clear()
+        farthest = max(farthest, abs(particle.position.x))
+    return farthest
+
+
+def energy_left(method: str, stiffness: float, duration: float, frames: int) -> float:
+    """Return the energy of an undamped spring of 1 kg in the end, as a share of the start's."""
+    ends = stepped(
+        method,
+        [((1.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 1.0, 1.0, (0.0, 0.0, 0.0))],
+        (stiffness, 0.0),
+        duration,
+        frames,
+    )
+    x, v = ends["positions"][0][0], ends["velocities"][0][0]
+    return (stiffness * x * x + v * v) / stiffness
+
+
+def refused(method: str, duration: float) -> Numbers:
+    """Try a step of this duration, with a force of 3 N along z; return what is left."""
+    particle = Particle(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 2.0, 0.0))
+    particle.add_force(Vector3(0.0, 0.0, 3.0))
+    field = Field([particle], 5.0, 0.0)
+    with contextlib.suppress(ValueError):
+        getattr(integrators, method)([particle], field, duration)
+    return {
+        "position": [*xyz(particle.position)],
+        "velocity": [*xyz(particle.velocity)],
+        "force": [*xyz(particle.force_accumulator)],
+        "asked": [len(field.asked)],
+    }
+
+
+def implicit_steps(
+    method: str,
+    x: float,
+    v: float,
+    stiffness: float,
+    damping: float,
+    mass: float,
+    duration: float,
+    frames: int,
+) -> tuple[float, float]:
+    """Make steps by an implicit method; return position and velocity in the end."""
+    step = getattr(integrators, method)
+    for _ in range(frames):
+        x, v = step(x, v, stiffness, damping, mass, duration)
+    return x, v
+
+
+def watching(
+    speed_limit: float, speeds: Sequence[Sequence[float]]
+) -> tuple[list[tuple[int, float]], tuple[int, int, float, float] | None]:
+    """Watch a step that gives each particle the next of its speeds, along some axis.
+
+    Return what the step was called with, how many particles and which duration, and of the error
+    that ended it: particle, step, speed and limit, or None.
+    """
+    particles = [Particle() for _ in speeds[0]]
+    calls: list[tuple[int, float]] = []
+
+    def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
+        apply_forces(h)
+        frame = speeds[len(calls) - 1]
+        for i, (particle, speed) in enumerate(zip(these, frame, strict=True)):
+            particle.velocity = Vector3()
+            # NaN and infinity along one axis; other speeds in three, as 2, 3 and 6 parts of 7.
+            whole = math.isfinite(speed)
+            for n, name in enumerate("xyz"):
+                part = speed * (2.0, 3.0, 6.0)[(n + i) % 3] / 7.0 if whole else speed
+                if whole or n == i % 3:
+                    setattr(particle.velocity, name, part)
+
+    watched = integrators.watched(step, speed_limit)
+    for i in range(len(speeds)):
+        try:
+            watched(particles, lambda h: calls.append((len(particles), h)), 0.25 + i)
+        except integrators.SimulationDiverged as error:
+            return calls, (error.particle, error.step, error.speed, error.limit)
+    return calls, None
+
+
+def watching_on(limit: float) -> list[int]:
+    """Watch a step that is refused, calm, too fast, calm, and too fast; return the steps told."""
+    particle = Particle()
+    speeds = iter([math.nan, 0.5 * limit, 2.0 * limit, 0.5 * limit, 2.0 * limit])
+
+    def step(_particles: Sequence[Particle], _apply: Callable[[float], None], _h: float) -> None:
+        speed = next(speeds)
+        if math.isnan(speed):
+            raise ValueError("the force is not finite")
+        particle.velocity = Vector3(speed)
+
+    watched = integrators.watched(step, limit)
+    told = []
+    for _ in range(5):
+        try:
+            watched([particle], print, 0.5)
+        except integrators.SimulationDiverged as error:
+            told.append(error.step)
+        except ValueError:
+            told.append(-1)
+    return told
+
+
+def exploding(limit: float) -> tuple[int, float, float]:
+    """Watch explicit Euler with too stiff a spring; return step, speed and limit of its end."""
+    particle = Particle(Vector3(1.0, 0.0, 0.0))
+    field = Field([particle], 3600.0, 0.0)
+
+    def euler(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
+        apply_forces(h)
+        for one in these:
+            one.integrate(h)
+
+    step = integrators.watched(euler, limit)
+    for _ in range(1000):
+        try:
+            step([particle], field, 1.0 / 60.0)
+        except integrators.SimulationDiverged as error:
+            return error.step, error.speed, error.limit
+    return 0, 0.0, 0.0
+
+
+def weakened(share: float, explicit: bool) -> Callable[..., None]:
+    """Return a step whose forces count with a share only: what it bears, no book can tell."""
+
+    def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
+        apply_forces(h)
+        for one in these:
+            force = one.force_accumulator * share
+            start = one.position.copy()
+            one.clear_forces()
+            one.add_force(force)
+            one.integrate(h)
+            if not explicit:
+                one.position = start + one.velocity * h
+
+    return step
+
+
+def wider(share: float, explicit: bool, stiffness: float, damping: float, duration: float) -> Any:
+    """Ask swings_wider about such a step."""
+    return exercises.swings_wider(weakened(share, explicit), stiffness, damping, duration)
+
+
+def measured(share: float, explicit: bool, damping: float, duration: float) -> Any:
+    """Ask largest_stable_stiffness about such a step."""
+    return exercises.largest_stable_stiffness(weakened(share, explicit), damping, duration)
+
+
+def never_safe(duration: float) -> Any:
+    """Measure an integrator that makes every swing wider."""
+
+    def step(these: Sequence[Particle], _apply: Callable[[float], None], _h: float) -> None:
+        these[0].position = these[0].position * -1.05
+
+    return exercises.largest_stable_stiffness(step, 0.5, duration)
+
+
+def released() -> list[tuple[Any, ...]]:
+    """Ask swings_wider with a step that writes down what it gets, and moves nothing.
+
+    Of each call: how many particles, the first one's place, velocity, mass, damping, the force
+    on it that was there before, the force by apply_forces, and the duration.
+    """
+    seen = []
+
+    def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
+        one = these[0]
+        before = xyz(one.force_accumulator)
+        one.clear_forces()
+        apply_forces(h)
+        force = xyz(one.force_accumulator)
+        one.clear_forces()
+        if len(seen) < 10:
+            place, velocity = xyz(one.position), xyz(one.velocity)
+            drift = xyz(one.acceleration)
+            seen.append(
+                (len(these), place, velocity, one.mass, one.damping, before, force, h, drift)
+            )
+
+    exercises.swings_wider(step, 7.0, 0.25, 0.125)
+    return seen
+
+
+def step_matrix(
+    stiffness: float, damping: float, duration: float, mass: float
+) -> tuple[float, float, float, float]:
+    """Return (a, b, c, d) of Particle.integrate with a spring: x' = a x + b v, v' = c x + d v."""
+    columns = []
+    for x, v in ((1.0, 0.0), (0.0, 1.0)):
+        particle = Particle(Vector3(x), Vector3(v), mass=mass, damping=damping)
+        particle.add_force(Vector3(-stiffness * x))
+        particle.integrate(duration)
+        columns.append((particle.position.x, particle.velocity.x))
+    (a, c), (b, d) = columns
+    return a, b, c, d

@@ -1,0 +1,230 @@
+"""Harmonic motion without steps, build task B6.5."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from random import Random
+
+import pytest
+
+from ch06_springs.closed_form import damped_spring_state
+from draw import number as draw_number
+from draw import positive_number
+from expect import expect_close, expect_error
+
+READ = "book 6.3.2 and the docstring of damped_spring_state"
+REGIMES = (
+    (0.1, "under-damped"),
+    (0.9, "under-damped"),
+    (0.995, "under-damped"),
+    (1.0 - 1e-6, "under-damped"),
+    (1.0 + 1e-6, "over-damped"),
+    (1.005, "over-damped"),
+    (1.2, "over-damped"),
+    (5.0, "over-damped"),
+)
+
+
+def by_roots(x0: float, v0: float, k: float, c: float, m: float, t: float) -> tuple[float, float]:
+    """Solve m x'' = -k x - c x' by the roots of m r^2 + c r + k, which must not be equal."""
+    root = cmath.sqrt(c * c - 4.0 * k * m)
+    r, s = (-c + root) / (2.0 * m), (-c - root) / (2.0 * m)
+    a, b = (v0 - s * x0) / (r - s), (r * x0 - v0) / (r - s)
+    x = a * cmath.exp(r * t) + b * cmath.exp(s * t)
+    v = a * r * cmath.exp(r * t) + b * s * cmath.exp(s * t)
+    return x.real, v.real
+
+
+@pytest.mark.exercise("B6.5")
+def test_the_three_cases_by_known_values() -> None:
+    read = READ
+    for c, x, cause in (
+        (2.0, 0.09855066761858595, "under-damped: e^(-half t) times cos and sin of gamma t"),
+        (20.0, 0.04042768199451279, "critical: gamma is 0, and sin(gamma t) / gamma goes to t"),
+        (40.0, 0.2821711739751533, "over-damped: cosh and sinh, not the root of a negative (E-23)"),
+    ):
+        call = f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, 0.5)[0]"
+        got = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, 0.5)[0]
+        expect_close(call, got, x, cause=cause, read=read)
+    call = "damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]"
+    cause = "k 1 and d 10: the printed formula takes the root of 4 k - d^2, which is -96 (E-23)"
+    got = damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
+    wanted = by_roots(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
+    expect_close(call, got, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B6.5")
+@pytest.mark.parametrize(("share", "name"), REGIMES)
+def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
+    read = READ
+    cause = f"{name}: c is divided by 2 m, k by m, and both x0 and v0 count"
+    for _ in range(5):
+        x0, v0 = draw_number(rng), draw_number(rng)
+        k, m, t = positive_number(rng), positive_number(rng), positive_number(rng)
+        c = share * 2.0 * math.sqrt(k * m)
+        call = f"damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {t})"
+        got = damped_spring_state(x0, v0, k, c, m, t)
+        wanted = by_roots(x0, v0, k, c, m, t)
+        # The roots' formula takes differences of numbers up to 10^3.
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
+
+
+@pytest.mark.exercise("B6.5")
+def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
+    read = READ
+    x0, v0 = draw_number(rng), draw_number(rng)
+    for k, m, t in ((4.0, 1.0, 0.75), (100.0, 4.0, 0.5), (9.0, 9.0, 2.0)):
+        half = math.sqrt(k / m)
+        critical = 2.0 * m * half
+        fade = math.exp(-half * t)
+        wanted = (
+            (x0 + (v0 + half * x0) * t) * fade,
+            (v0 - half * (v0 + half * x0) * t) * fade,
+        )
+        # A share e of more damping changes the motion by some e times numbers up to 100.
+        for share, tolerance, cause in (
+            (0.0, 1e-12, "at the critical damping: (x0 + (v0 + half x0) t) e^(-half t)"),
+            (-1e-9, 1e-7, "a little below the critical damping sin(gamma t) / gamma is nearly t"),
+            (1e-9, 1e-7, "a little above the critical damping sinh(gamma t) / gamma is nearly t"),
+            (-1e-15, 1e-8, "next to the critical damping gamma may be 0: divide by it nowhere"),
+            (
+                1e-15,
+                1e-8,
+                "next to the critical damping a difference of exponentials loses its digits",
+            ),
+        ):
+            c = critical * (1.0 + share)
+            call = f"damped_spring_state({x0}, {v0}, {k}, {c!r}, {m}, {t})"
+            got = damped_spring_state(x0, v0, k, c, m, t)
+            expect_close(call, got, wanted, cause=cause, read=read, tolerance=tolerance)
+    call = "damped_spring_state(1.0, 0.0, 4.0, 4 - 4e-9, 1.0, 0.75), and with 4 + 4e-9: difference"
+    cause = "the two sides of the critical damping fit together to 1e-8"
+    below = damped_spring_state(1.0, 0.0, 4.0, 4.0 - 4e-9, 1.0, 0.75)
+    above = damped_spring_state(1.0, 0.0, 4.0, 4.0 + 4e-9, 1.0, 0.75)
+    for a, b in zip(below, above, strict=True):
+        expect_close(call, a - b, 0.0, cause=cause, read=read, tolerance=1e-8)
+
+
+@pytest.mark.exercise("B6.5")
+def test_the_start_and_a_spring_that_is_none(rng: Random) -> None:
+    read = READ
+    x0, v0, t = draw_number(rng), draw_number(rng), positive_number(rng)
+    c, m = positive_number(rng), positive_number(rng)
+    call = f"damped_spring_state({x0}, {v0}, 3.0, {c}, {m}, 0.0)"
+    cause = "after no time it is where it was, as fast as it was"
+    got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
+    expect_close(call, got, (x0, v0), cause=cause, read=read)
+    call = f"damped_spring_state({x0}, {v0}, 0.0, 0.0, {m}, {t})"
+    cause = "without stiffness and damping it coasts: x0 + v0 t"
+    got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
+    expect_close(call, got, (x0 + v0 * t, v0), cause=cause, read=read)
+    call = f"damped_spring_state({x0}, {v0}, 0.0, {c}, {m}, {t})"
+    cause = "without stiffness the damping slows it down: v0 e^(-c t / m)"
+    got = damped_spring_state(x0, v0, 0.0, c, m, t)
+    slow = math.exp(-c * t / m)
+    wanted = (x0 + v0 * (1.0 - slow) * m / c, v0 * slow)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    call = f"damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, {t}): energy"
+    cause = "without damping the energy x^2 + v^2 stays"
+    x, v = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, t)
+    wanted_energy = x0 * x0 + v0 * v0
+    expect_close(call, x * x + v * v, wanted_energy, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B6.5")
+def test_no_number_is_too_large_for_the_formula() -> None:
+    read = READ
+    for arguments, wanted, tolerance, cause in (
+        (
+            (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
+            math.exp(-5.0),
+            1e-5,
+            "cosh overflows: e^(-creep t)",
+        ),
+        ((1.0, 0.0, 1.0, 1e9, 1.0, 1e9), math.exp(-1.0), 1e-9, "half - gamma loses all its digits"),
+        ((1.0, 1.0, 1e12, 1e3, 1.0, 100.0), 0.0, 1e-12, "it has come to rest long ago"),
+        ((1.0, 1.0, 5.0, 10.0, 1.0, 1e6), 0.0, 1e-12, "cosh overflows, and e^-x is 0"),
+        ((0.0, 1.0, 1.0, 1e9, 1.0, 1.0), 1e-9, 1e-17, "a strong damping lets it go v0 m / c far"),
+        ((1.0, 0.0, 1e-8, 0.0, 1.0, 1e4), math.cos(1.0), 1e-12, "a soft spring swings too"),
+        (
+            (1.0, 0.0, 1e12, 0.0, 1.0, math.pi * 1e-6),
+            -1.0,
+            1e-9,
+            "half a swing later: on the other side",
+        ),
+    ):
+        call = "damped_spring_state({}, {}, {}, {}, {}, {})[0]".format(*arguments)
+        got = damped_spring_state(*arguments)[0]
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=tolerance)
+
+
+@pytest.mark.exercise("B6.5")
+def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
+    read = READ
+    x0, v0, k, m = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
+    first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
+    cause = "two times one after the other lead where their sum leads: position and velocity must "
+    cause += "belong to one motion"
+    for share in (0.0, 0.5, 1.0, 2.0):
+        c = share * 2.0 * math.sqrt(k * m)
+        call = f"s = damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {first}); "
+        call += f"damped_spring_state(*s, {k}, {c}, {m}, {second})"
+        x, v = damped_spring_state(x0, v0, k, c, m, first)
+        got = damped_spring_state(x, v, k, c, m, second)
+        wanted = damped_spring_state(x0, v0, k, c, m, first + second)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    call = f"s = damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, pi); damped_spring_state(*s, ...)"
+    cause = "after half a swing it is on the other side, after two of them where it was"
+    half = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, math.pi)
+    expect_close(call, half, (-x0, -v0), cause=cause, read=read, tolerance=1e-11)
+    got = damped_spring_state(*half, 1.0, 0.0, 1.0, math.pi)
+    expect_close(call, got, (x0, v0), cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B6.5")
+def test_a_spring_state_needs_numbers_that_mean_something() -> None:
+    read = READ
+    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    good = (1.0, 0.5, 2.0, 3.0, 4.0, 5.0)
+    refused = [(i, number) for i in range(6) for number in (math.nan, math.inf, -math.inf)]
+    refused += [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0)]
+    for place, number in refused:
+        bad = [*good]
+        bad[place] = number
+        expect_error(
+            "damped_spring_state({}, {}, {}, {}, {}, {})".format(*bad),
+            lambda bad=bad: damped_spring_state(*bad),
+            ValueError,
+            allowed=lambda: damped_spring_state(*good),
+            cause=cause,
+            read=read,
+        )
+    cause = (
+        "what is worked out can be too large for a float as well: the angle of the swing is 1e350"
+    )
+    expect_error(
+        "damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200)",
+        lambda: damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200),
+        ValueError,
+        allowed=lambda: damped_spring_state(*good),
+        cause=cause,
+        read=read,
+    )
+    cause = "a text is no number, whatever stands in it: TypeError, as arguments.py has it"
+    for place in range(6):
+        words: list = [*good]
+        words[place] = "1.0"
+        expect_error(
+            f"damped_spring_state{tuple(words)}",
+            lambda words=words: damped_spring_state(*words),
+            TypeError,
+            allowed=lambda: damped_spring_state(1, 0, 2, 3, 4, 5),
+            cause=cause,
+            read=read,
+        )
+    call = "damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)"
+    cause = "what means something must be answered: (1 + t) e^-t and -t e^-t"
+    got = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)
+    wanted = (2.0 * math.exp(-1.0), -math.exp(-1.0))
+    expect_close(call, got, wanted, cause=cause, read=read)

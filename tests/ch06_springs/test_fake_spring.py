@@ -1,0 +1,180 @@
+"""The faked stiff spring, build task B6.11."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.probes import faked
+from ch06_springs.springs import FakeStiffSpring
+from draw import components, positive_number
+from expect import expect_close, expect_error, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+READ = "book 6.3.2 and the docstring of FakeStiffSpring"
+
+
+def true_spring(x0: float, v0: float, k: float, c: float, m: float, t: float) -> float:
+    """Return where a true spring is after t s, by the roots of m r^2 + c r + k."""
+    root = cmath.sqrt(c * c - 4.0 * k * m)
+    r, s = (-c + root) / (2.0 * m), (-c - root) / (2.0 * m)
+    a, b = (v0 - s * x0) / (r - s), (r * x0 - v0) / (r - s)
+    return (a * cmath.exp(r * t) + b * cmath.exp(s * t)).real
+
+
+@pytest.mark.exercise("B6.11")
+def test_the_force_by_its_formula() -> None:
+    read = READ
+    call = "p of 1 kg at (1, 0, 0), at rest, with acceleration (0, -10, 0) and damping 0.5; "
+    call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
+    cause = "(T - x) / h^2 - v / h with T = cos(chi h): -198.155 N; the listing has -0.055 N (E-6)"
+    p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
+    FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
+    got = xyz(p.force_accumulator)
+    wanted = (-198.15499326694427, 0.0, 0.0)
+    # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
+    name = f"{call}; p.force_accumulator"
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-10)
+    call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0), the same spring"
+    call += ".update_force(p, 1/60)"
+    cause = "on each axis by itself; the velocity counts, and takes it a part of the way already"
+    p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
+    FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
+    name = f"{call}; p.force_accumulator"
+    wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
+    got = xyz(p.force_accumulator)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-10)
+
+
+@pytest.mark.exercise("B6.11")
+def test_a_soft_spring_is_faked_too() -> None:
+    read = READ
+    call = (
+        "p of 1 kg at (0, 0, 1), at rest; FakeStiffSpring(Vector3(), 0.5, 0).update_force(p, 0.1)"
+    )
+    cause = "(T - x) / h^2 is about half of a true spring's force: the push lasts all of the frame"
+    p = Particle(Vector3(0.0, 0.0, 1.0))
+    FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
+    wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
+    name = f"{call}; p.force_accumulator"
+    got = xyz(p.force_accumulator)
+    # cos loses three digits, and is multiplied by 100.
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B6.11")
+def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
+    read = READ
+    anchor, place, v = components(rng), components(rng), components(rng)
+    k, m, h = positive_number(rng, 50.0, 900.0), positive_number(rng), 1.0 / 30.0
+    for share in (0.1, 0.6, 3.0):
+        c = share * 2.0 * math.sqrt(k * m)
+        call = f"p of {m} kg at {place}, velocity {v}; "
+        call += f"s = FakeStiffSpring(Vector3{anchor}, {k}, {c}); s.update_force(p, {h}); "
+        call += "a step of semi-implicit Euler; p.position"
+        cause = (
+            "T is seen from the anchor, on each axis by itself, with this mass and damping; then "
+        )
+        cause += "x + (v + a h) h must be T"
+        ends = faked(anchor, place, v, k, c, m, h, 1)
+        wanted = tuple(
+            a + true_spring(x - a, u, k, c, m, h) for a, x, u in zip(anchor, place, v, strict=True)
+        )
+        # Divided by h^2 and multiplied by it again: a few roundings of numbers up to 20.
+        expect_close(call, ends[-1], wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B6.11")
+def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
+    read = READ
+    place = components(rng)
+    call = f"p at {place}; s = FakeStiffSpring(Vector3(), 1e6, 200); 300 frames of 1/60 s of "
+    call += (
+        "s.update_force(p, h), a step of semi-implicit Euler: the farthest it goes after a frame"
+    )
+    cause = (
+        "k h^2 / m is 278 here, where a true spring explodes beyond 4; the faked one comes to rest"
+    )
+    ends = faked(ZERO, place, ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 300)
+    farthest = max(math.hypot(*end) for end in ends)
+    left = math.hypot(*ends[-1])
+    start = math.hypot(*place)
+    name = f"{call}, in m"
+    # After a frame a true one has e^(-100/60) of its start: 19 %.
+    expect_close(name, farthest, 0.0, cause=cause, read=read, tolerance=0.2 * start)
+    name = f"{call}: what is left in the end"
+    expect_close(name, left, 0.0, cause=cause, read=read, tolerance=1e-9)
+    call = "the same from (1, 0, 0), after the first frame"
+    wanted = true_spring(1.0, 0.0, 1e6, 200.0, 1.0, 1.0 / 60.0)
+    got = faked(ZERO, (1.0, 0.0, 0.0), ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 1)[-1][0]
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
+
+
+@pytest.mark.exercise("B6.11")
+def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
+    read = "the docstring of FakeStiffSpring.update_force"
+    f, place = components(rng), components(rng)
+    call = f"p of 2 kg at {place}; s = FakeStiffSpring(Vector3{place}, 400, 3); "
+    call += f"p.add_force(Vector3{f}); s.update_force(p, 0.5); p.force_accumulator"
+    cause = "at the anchor and at rest there is no force; the others stay"
+    p, s = Particle(Vector3(*place), mass=2.0), FakeStiffSpring(Vector3(*place), 400.0, 3.0)
+    p.add_force(Vector3(*f))
+    s.update_force(p, 0.5)
+    expect_close(call, xyz(p.force_accumulator), f, cause=cause, read=read, tolerance=1e-12)
+    expect_unchanged(call, "s.anchor", xyz(s.anchor), place, read=read)
+    expect_unchanged(call, "p.position", xyz(p.position), place, read=read)
+    call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place}, velocity {f}"
+    call += "; s.update_force(p, 0.5)"
+    cause = "without stiffness and damping it coasts, by itself: no force; read the attributes"
+    s.anchor, s.stiffness, s.damping = Vector3(), 0.0, 0.0
+    p = Particle(Vector3(*place), Vector3(*f))
+    s.update_force(p, 0.5)
+    got = xyz(p.force_accumulator)
+    expect_close(call, got, ZERO, cause=cause, read=read, tolerance=1e-12)
+    s.stiffness = 100.0
+    call = "p immovable at (1, 0, 0); s.update_force(p, 0.5); p.force_accumulator"
+    cause = "an immovable particle is left alone: infinity times 0 is NaN"
+    p = Particle(Vector3(1.0, 0.0, 0.0), mass=math.inf)
+    s.update_force(p, 0.5)
+    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
+    call = (
+        "p of 2 kg at (1, 0, 0), at rest, FakeStiffSpring(Vector3(), 100, 0).update_force(p, 0.5)"
+    )
+    cause = "2 ((cos(chi h) - 1) / h^2), chi the root of 100 / 2"
+    p = Particle(Vector3(1.0, 0.0, 0.0), mass=2.0)
+    s.update_force(p, 0.5)
+    wanted = (8.0 * (math.cos(0.5 * math.sqrt(50.0)) - 1.0), 0.0, 0.0)
+    got = xyz(p.force_accumulator)
+    name = f"{call}; p.force_accumulator"
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B6.11")
+def test_a_faked_spring_needs_a_duration() -> None:
+    read = "the docstring of FakeStiffSpring.update_force"
+    cause = "refuse it with ValueError, for an immovable particle as well: positive() does"
+    s = FakeStiffSpring(Vector3(), 400.0, 3.0)
+    for mass in (1.0, math.inf):
+        p = Particle(Vector3(1.0, 0.0, 0.0), mass=mass)
+        for bad in (0.0, -1.0, math.inf, math.nan):
+            expect_error(
+                f"p of {mass} kg; s.update_force(p, {bad})",
+                lambda p=p, bad=bad: s.update_force(p, bad),
+                ValueError,
+                allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
+                cause=cause,
+                read=read,
+            )
+    call = "FakeStiffSpring(Vector3(), 400, 3).update_force(p, 1/60), p at (1, 0, 0)"
+    cause = "a good duration must be answered"
+    p = Particle(Vector3(1.0, 0.0, 0.0))
+    s.update_force(p, 1.0 / 60.0)
+    wanted = (true_spring(1.0, 0.0, 400.0, 3.0, 1.0, 1.0 / 60.0) - 1.0) * 3600.0
+    name = f"{call}; p.force_accumulator"
+    got = xyz(p.force_accumulator)
+    expect_close(name, got, (wanted, 0.0, 0.0), cause=cause, read=read, tolerance=1e-9)

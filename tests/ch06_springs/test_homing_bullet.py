@@ -1,0 +1,107 @@
+"""A homing bullet, exercise 6.4."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.probes import chased
+from ch06_springs.springs import HomingBullet
+from draw import components, positive_number
+from expect import expect_close, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+READ = "exercise 6.4 and the docstring of HomingBullet"
+
+
+@pytest.mark.exercise("6.4")
+def test_it_aims_at_where_both_will_be(rng: Random) -> None:
+    read = READ
+    here, v, there, w, f = (components(rng) for _ in range(5))
+    k, ahead = positive_number(rng), positive_number(rng)
+    for time, cause in (
+        (0.0, "with no look-ahead it pulls towards where the target is: k (q - p)"),
+        (
+            ahead,
+            "k times the way from p + v T to q + w T: both of them move straight on, without "
+            "damping, acceleration or mass",
+        ),
+    ):
+        call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; "
+        call += f"p.add_force(Vector3{f}); HomingBullet(q, {k}, {time}).update_force(p, 0.5)"
+        down = Vector3(0.0, -9.0, 0.0)
+        p = Particle(Vector3(*here), Vector3(*v), down, mass=3.0, damping=0.5)
+        q = Particle(Vector3(*there), Vector3(*w), down * 2.0, mass=5.0, damping=0.7)
+        p.add_force(Vector3(*f))
+        HomingBullet(q, k, time).update_force(p, 0.5)
+        wanted = tuple(
+            f[i] + k * (there[i] + w[i] * time - here[i] - v[i] * time) for i in range(3)
+        )
+        name = f"{call}; p.force_accumulator"
+        got = xyz(p.force_accumulator)
+        # A few roundings of numbers up to 2000.
+        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+        cause = "it leaves the target alone"
+        name = f"{call}; q.force_accumulator"
+        expect_close(name, xyz(q.force_accumulator), ZERO, cause=cause, read=read)
+
+
+@pytest.mark.exercise("6.4")
+def test_bullet_and_target_are_only_read(rng: Random) -> None:
+    read = READ
+    here, v, there, w = (components(rng) for _ in range(4))
+    call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; "
+    call += "b = HomingBullet(q, 2.0, 3.0); b.update_force(p, 0.5)"
+    cause = "add_scaled, += and *= work in place: use them on a vector of your own"
+    p, q = Particle(Vector3(*here), Vector3(*v)), Particle(Vector3(*there), Vector3(*w))
+    b = HomingBullet(q, 2.0, 3.0)
+    b.update_force(p, 0.5)
+    for name, now, before in (
+        ("p.position", p.position, here),
+        ("p.velocity", p.velocity, v),
+        ("q.position", q.position, there),
+        ("q.velocity", q.velocity, w),
+    ):
+        expect_unchanged(call, name, xyz(now), before, cause=cause, read=read)
+    call += f"; p.clear_forces(); b.stiffness = 4.0; b.look_ahead = 1.0; q.velocity = Vector3{v}; "
+    call += "b.update_force(p, 0.5)"
+    cause = "read stiffness, look_ahead, and where the target is and goes, each time"
+    p.clear_forces()
+    b.stiffness, b.look_ahead, q.velocity = 4.0, 1.0, Vector3(*v)
+    b.update_force(p, 0.5)
+    wanted = tuple(4.0 * (there[i] - here[i]) for i in range(3))
+    got = xyz(p.force_accumulator)
+    name = f"{call}; p.force_accumulator"
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    call += f"; p.clear_forces(); b.target = an immovable one at {w}; b.update_force(p, 0.5)"
+    cause = "read self.target each time; an immovable one is a target too"
+    p.clear_forces()
+    b.target = Particle(Vector3(*w), mass=math.inf)
+    b.update_force(p, 0.5)
+    wanted = tuple(4.0 * (w[i] - here[i] - v[i]) for i in range(3))
+    got = xyz(p.force_accumulator)
+    name = f"{call}; p.force_accumulator"
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("6.4")
+def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
+    read = READ
+    start, w = components(rng), components(rng)
+    call = f"p at (0, 0, 0), at rest; q at {start}, velocity {w}; 20 s of "
+    call += "HomingBullet(q, 4.0, 1.0).update_force(p, h), p.integrate(h), h = 1/240: distance"
+    cause = (
+        "k T is a damping of the velocity seen from the target: the bullet comes to it and stays"
+    )
+    distances = chased(start, w, 4.0, 1.0, 1.0 / 240.0, 4800)
+    expect_close(f"{call} in the end", distances[-1], 0.0, cause=cause, read=read, tolerance=1e-6)
+    # Critically damped, c = k T = 4 and c^2 = 4 k m, from rest: after t s (1 + 2 t) e^-2t of the
+    # way is left, and w t e^-2t of the velocity's. The step is some h off.
+    half = [(start[i] * (1.0 + 2.0) + w[i] * 1.0) * math.exp(-2.0) for i in range(3)]
+    name = f"{call} after 1 s"
+    wanted = math.hypot(*half)
+    expect_close(name, distances[240], wanted, cause=cause, read=read, tolerance=0.3)

@@ -1,0 +1,174 @@
+"""How stiff may a spring be: exercise 6.5, measured."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch06_springs.exercises import largest_stable_stiffness, swings_wider
+from ch06_springs.step_probes import measured, never_safe, released, wider
+from expect import expect_close, expect_error, expect_exactly
+
+WIDER = "the docstring of swings_wider"
+LARGEST = "the docstring of largest_stable_stiffness"
+
+
+def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
+    """Return the stiffness that such a step can bear when only a share of its force counts."""
+    keep = damping**h
+    return ((1.0 / keep - 1.0) if explicit else 2.0 * (1.0 + keep) / keep) / (share * h * h)
+
+
+@pytest.mark.exercise("6.5")
+def test_how_the_particle_is_released() -> None:
+    read = WIDER
+    call = "swings_wider(integrator, 7.0, 0.25, 0.125): what the integrator gets"
+    cause = "one particle of 1 kg and this damping, START m away from the anchor and at rest; "
+    cause += "apply_forces is that of a registry with one AnchoredSpring"
+    seen = released()
+    expect_exactly(f"{call} first is something", len(seen) > 0, True, cause=cause, read=read)
+    count, place, velocity, mass, damping, before, force, h, drift = seen[0]
+    name = f"{call}: particles, their mass and damping, the duration"
+    expect_close(name, (count, mass, damping, h), (1, 1.0, 0.25, 0.125), cause=cause, read=read)
+    name = f"{call}: distance from the anchor"
+    expect_close(name, math.hypot(*place), 10.0, cause=cause, read=read)
+    name = f"{call}: acceleration"
+    expect_close(name, drift, (0.0, 0.0, 0.0), cause=cause, read=read)
+    name = f"{call}: velocity"
+    expect_close(name, velocity, (0.0, 0.0, 0.0), cause=cause, read=read)
+    name = f"{call}: the force that is there before apply_forces is called"
+    expect_close(name, before, (0.0, 0.0, 0.0), cause=cause, read=read)
+    name = f"{call}: the force that apply_forces adds"
+    wanted = tuple(-7.0 * part for part in place)
+    expect_close(name, force, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("6.5")
+@pytest.mark.parametrize("explicit", [True, False], ids=["the_book_s_step", "velocity_first"])
+def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None:
+    read = WIDER
+    h = 1.0 / 60.0
+    damping, share = round(rng.uniform(0.4, 0.8), 3), round(rng.uniform(0.6, 1.6), 3)
+    limit = limit_of(share, explicit, damping, h)
+    for part, wanted, cause in (
+        (0.98, False, "2 % below the limit the swings die out: they are not wider"),
+        (
+            1.02,
+            True,
+            "2 % beyond the limit they grow, slowly under the book's step: compare late "
+            "swings with early ones",
+        ),
+        (0.5, False, "far below the limit the swings die out"),
+        (4.0, True, "far beyond the limit they grow beyond all bounds: stop before it overflows"),
+        (1e6, True, "in some frames they are too large for a float: stop before that"),
+    ):
+        k = part * limit
+        call = (
+            f"swings_wider(integrator, {k!r}, {damping}, 1/60), a step that bears {limit:.6g} N/m"
+        )
+        got = wider(share, explicit, k, damping, h)
+        expect_exactly(call, got, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("6.5")
+def test_swings_that_stay_as_they_are_are_not_wider() -> None:
+    read = WIDER
+    cause = (
+        "without damping the velocity-first step keeps the size of the swings, though one may be "
+    )
+    cause += "seen nearer to its end than another: compare many late swings with many early ones"
+    for share in (0.1, 0.9, 0.97, 0.98):
+        k = share * 14_400.0
+        call = f"swings_wider(integrator, {k}, 1.0, 1/60), a step that bears 14400 N/m"
+        got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
+        expect_exactly(call, got, False, cause=cause, read=read)
+    call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that bears 14400 N/m"
+    cause = "2 % beyond the limit they grow"
+    got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
+    expect_exactly(call, got, True, cause=cause, read=read)
+
+
+@pytest.mark.exercise("6.5")
+@pytest.mark.parametrize("explicit", [True, False], ids=["the_book_s_step", "velocity_first"])
+def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
+    read = LARGEST
+    share = round(rng.uniform(0.6, 1.6), 3)
+    damping, h = round(rng.uniform(0.4, 0.8), 3), rng.choice([1.0 / 60.0, 1.0 / 30.0])
+    call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), a step of the check's own"
+    cause = "measure it with the integrator that is given, by halving the gap between a stiffness "
+    cause += "that is safe and one that is not: no formula knows this step"
+    got = measured(share, explicit, damping, h)
+    wanted = limit_of(share, explicit, damping, h)
+    # 1 % is promised; as much again for those who measure in another way.
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.02 * wanted)
+
+
+@pytest.mark.exercise("6.5")
+def test_the_ends_of_what_is_measured() -> None:
+    read = LARGEST
+    h = 1.0 / 60.0
+    call = "largest_stable_stiffness(integrator, 1.0, 1/60), the book's step"
+    cause = "without damping the book's step bears no spring at all: 0, or next to it"
+    got = measured(1.0, True, 1.0, h)
+    # With k h^2 / m = 1e-4 a swing grows by 10 % in FRAMES.
+    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-4 * 3600.0)
+    call = "largest_stable_stiffness(integrator, 0.5, 1/60), a step that makes every swing wider"
+    cause = "where no spring is safe it is 0, or next to it"
+    got = never_safe(h)
+    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-4 * 3600.0)
+    cause = "nothing beyond STIFFEST / h^2 is looked at: that is returned"
+    for rate in (60.0, 30.0):
+        call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step that bears 400 / h^2"
+        most = 16.0 * rate**2
+        got = measured(0.01, False, 0.5, 1.0 / rate)
+        expect_close(call, got, most, cause=cause, read=read, tolerance=0.01 * most)
+    call = "largest_stable_stiffness(integrator, 0.0, 1/60), the velocity-first step"
+    cause = "a damping of 0 is a damping: at the end of each frame everything stands still"
+    got = measured(1.0, False, 0.0, h)
+    expect_close(call, got, most * 4.0, cause=cause, read=read, tolerance=0.04 * most)
+
+
+@pytest.mark.exercise("6.5")
+def test_measuring_needs_numbers_that_mean_something() -> None:
+    read = WIDER
+    cause = "refuse it with ValueError: Particle and AnchoredSpring do for theirs; look at the "
+    cause += "duration yourself, since this integrator does not"
+
+    def step(particles: list, apply_forces: object, duration: float) -> None:
+        """Do nothing: the particle never swings wider."""
+
+    for bad in (
+        (-1.0, 0.5, 0.25),
+        (math.nan, 0.5, 0.25),
+        (1.0, -0.5, 0.25),
+        (1.0, math.nan, 0.25),
+        (1.0, 0.5, 0.0),
+        (1.0, 0.5, -0.25),
+        (1.0, 0.5, math.nan),
+    ):
+        expect_error(
+            "swings_wider(integrator, {}, {}, {})".format(*bad),
+            lambda bad=bad: swings_wider(step, *bad),
+            ValueError,
+            allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
+            cause=cause,
+            read=read,
+        )
+    read = LARGEST
+    for damping, duration in ((-0.5, 0.25), (math.nan, 0.25), (0.5, 0.0), (0.5, math.inf)):
+        expect_error(
+            f"largest_stable_stiffness(integrator, {damping}, {duration})",
+            lambda damping=damping, duration=duration: largest_stable_stiffness(
+                step, damping, duration
+            ),
+            ValueError,
+            allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
+            cause=cause,
+            read=read,
+        )
+    call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
+    cause = "what means something must be answered: 10 N/m is below the limit of 41.8"
+    got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
+    expect_exactly(call, got, False, cause=cause, read=read)

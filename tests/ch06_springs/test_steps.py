@@ -1,0 +1,322 @@
+"""What every step of build tasks B6.6, B6.7 and B6.8 must do: formula, forces, order."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch06_springs.step_probes import Body, growth, refused, stepped
+from draw import Components, components, positive_number
+from expect import expect_close, expect_error, expect_exactly
+
+ZERO = (0.0, 0.0, 0.0)
+EXERCISES = {
+    "explicit_euler": "B6.6",
+    "semi_implicit_euler": "B6.6",
+    "velocity_verlet": "B6.7",
+    "runge_kutta_4": "B6.8",
+}
+RULES = {
+    "explicit_euler": "p' = p + v h, then v' = (v + a h) d^h: a and v are those of the start",
+    "semi_implicit_euler": "v' = (v + a h) d^h, then p' = p + v' h, with the new velocity",
+    "velocity_verlet": "p' = p + v h + a h^2 / 2; b is asked for at p', with v + a h; "
+    "v' = (v + (a + b) h / 2) d^h",
+    "runge_kutta_4": "the mean of four rates, of which the second and the third count double; "
+    "d^h multiplies the new velocity once",
+}
+EVALUATIONS = {
+    "explicit_euler": 1,
+    "semi_implicit_euler": 1,
+    "velocity_verlet": 2,
+    "runge_kutta_4": 4,
+}
+ORDERS = {"explicit_euler": 1, "semi_implicit_euler": 1, "velocity_verlet": 2, "runge_kutta_4": 4}
+methods = pytest.mark.parametrize(
+    "method",
+    [pytest.param(name, marks=pytest.mark.exercise(id_)) for name, id_ in EXERCISES.items()],
+)
+
+
+def one_step(
+    method: str, x: float, v: float, a: float, k: float, c: float, d: float, h: float
+) -> tuple[float, float, float]:
+    """Make a step of x'' = a - k x - c v on one axis.
+
+    Return the new place, the new velocity, and the mean acceleration of the step.
+    """
+
+    def force(place: float, velocity: float) -> float:
+        return a - k * place - c * velocity
+
+    keep = d**h
+    first = force(x, v)
+    if method == "velocity_verlet":
+        place = x + v * h + 0.5 * first * h * h
+        mean = 0.5 * (first + force(place, v + first * h))
+    elif method == "runge_kutta_4":
+        # For a linear equation it is Taylor's series to the fourth order: a way of its own.
+        place, mean, rate, jerk, factor = x, 0.0, v, first, h
+        for n in (1, 2, 3, 4):
+            place += rate * factor
+            mean += jerk * factor / h
+            rate, jerk = jerk, -k * rate - c * jerk
+            factor *= h / (n + 1)
+    else:
+        mean = first
+        place = x + h * (v if method == "explicit_euler" else (v + mean * h) * keep)
+    return place, (v + mean * h) * keep, mean
+
+
+def draw_body(rng: Random, hand: Components = ZERO) -> Body:
+    damping = round(rng.uniform(0.3, 0.95), 3)
+    place, velocity, acceleration = components(rng), components(rng), components(rng)
+    return place, velocity, acceleration, positive_number(rng), damping, hand
+
+
+def call_of(method: str, what: str) -> str:
+    return f"{method}(particles, apply_forces, h) with {what}"
+
+
+@methods
+def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
+    read = f"the docstring of {method}"
+    k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
+    by_hand = "a force that was added by hand before the step counts in every evaluation"
+    for what, body, frames, cause in (
+        ("one step", draw_body(rng), 1, RULES[method]),
+        ("one step", draw_body(rng, components(rng)), 1, by_hand),
+        ("three steps", draw_body(rng), 3, "a step leaves damping and mass as they are"),
+        ("one step", (*draw_body(rng)[:4], 0.0, ZERO), 1, "at d = 0 all of the velocity goes"),
+    ):
+        p, v, a, mass, d, hand = body
+        call = call_of(method, f"{what}: m = {mass}, d = {d}, a = {a}, by hand {hand}, forces ")
+        call += f"-{k} x - {c} v, from {p}, velocity {v}, h = {h}"
+        ends = stepped(method, [body], (k, c), h, frames)
+        states = []
+        for i in range(3):
+            x, u = p[i], v[i]
+            for _ in range(frames):
+                x, u, _ = one_step(method, x, u, a[i] + hand[i] / mass, k / mass, c / mass, d, h)
+            states.append((x, u))
+        expect_exactly(f"{call}: p.damping", ends["dampings"], [d], cause=cause, read=read)
+        # A few roundings of numbers up to 10^4.
+        for name, got, part in (
+            ("p.position", ends["positions"][0], 0),
+            ("p.velocity", ends["velocities"][0], 1),
+        ):
+            wanted = tuple(state[part] for state in states)
+            expect_close(f"{call}: {name}", got, wanted, cause=cause, read=read, tolerance=1e-10)
+
+
+@methods
+def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Random) -> None:
+    read = f"the docstring of {method}, and that of the module"
+    s, h, mass = positive_number(rng), positive_number(rng, 0.1, 0.3), positive_number(rng)
+    one, two = components(rng), components(rng)
+    v, w = components(rng), components(rng)
+    bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
+    call = call_of(method, f"two particles of {mass} kg joined by a spring of {s} N/m, h = {h}")
+    cause = "forces are asked for while no particle has moved yet, and again only after all have: "
+    cause += "each looks at the others"
+    ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
+    states = [
+        one_step(method, one[i] - two[i], v[i] - w[i], 0.0, 2.0 * s / mass, 0.0, 1.0, h)
+        for i in range(3)
+    ]
+    got = tuple(ends["positions"][0][i] - ends["positions"][1][i] for i in range(3))
+    name = f"{call}: the distance from one to the other"
+    wanted = tuple(state[0] for state in states)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    got = tuple(ends["velocities"][0][i] - ends["velocities"][1][i] for i in range(3))
+    name = f"{call}: the velocity of one seen from the other"
+    wanted = tuple(state[1] for state in states)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    got = tuple(0.5 * (ends["positions"][0][i] + ends["positions"][1][i]) for i in range(3))
+    name = f"{call}: the middle of the two"
+    wanted = tuple(0.5 * (one[i] + two[i] + (v[i] + w[i]) * h) for i in range(3))
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@methods
+def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
+    read = f"the docstring of {method}, and that of the module"
+    h, hand = positive_number(rng, 0.05, 0.2), components(rng)
+    frames = rng.randint(2, 5)
+    bodies = [draw_body(rng, hand), draw_body(rng)]
+    call = call_of(method, f"{frames} steps of h = {h}, {hand} N added by hand before each")
+    cause = f"{EVALUATIONS[method]} evaluations a step, no more and no fewer"
+    asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
+    name = f"{call}: how often apply_forces is called"
+    expect_exactly(name, len(asked), frames * EVALUATIONS[method], cause=cause, read=read)
+    cause = "apply_forces gets the duration of the whole step, each time"
+    name = f"{call}: the durations that apply_forces is called with"
+    expect_close(name, [d for d, _, _ in asked], [h] * len(asked), cause=cause, read=read)
+    cause = (
+        "before each evaluation clear the accumulators, and add again what was there before the "
+    )
+    cause += "step; after the step they are empty"
+    for number, (_, sums, _) in enumerate(asked, 1):
+        name = (
+            f"{call}: force_accumulator of the first one when apply_forces is called, no. {number}"
+        )
+        expect_close(name, sums[0], hand, cause=cause, read=read, tolerance=1e-12)
+        name = (
+            f"{call}: force_accumulator of the other one when apply_forces is called, no. {number}"
+        )
+        expect_close(name, sums[1], ZERO, cause=cause, read=read, tolerance=1e-12)
+
+
+@methods
+def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
+    read = f"the docstring of {method}"
+    k, h = positive_number(rng), positive_number(rng, 0.1, 0.4)
+    body = draw_body(rng)
+    p, v, a, mass, _, _ = body
+    call = call_of(method, f"m = {mass}, a = {a}, force -{k} x, from {p}, velocity {v}, h = {h}")
+    cause = RULES[method]
+    asked = stepped(method, [body], (k, 0.0), h, 1)["asked"]
+    wanted = []
+    for i in range(3):
+        first = a[i] - k * p[i] / mass
+        places = [p[i]]
+        if method == "velocity_verlet":
+            places.append(p[i] + v[i] * h + 0.5 * first * h * h)
+        elif method == "runge_kutta_4":
+            cause = (
+                "at the start, where the velocity leads in half of the frame, where that of the "
+            )
+            cause += "middle leads in half of it, and where that one leads in all of it"
+            places.append(p[i] + 0.5 * h * v[i])
+            second = a[i] - k * places[1] / mass
+            places.append(p[i] + 0.5 * h * (v[i] + 0.5 * h * first))
+            places.append(p[i] + h * (v[i] + 0.5 * h * second))
+        wanted.append(places)
+    name = f"{call}: where the particle is when apply_forces is called"
+    got = [part for _, _, places in asked for part in places[0]]
+    flat = [wanted[i][n] for n in range(len(wanted[0])) for i in range(3)]
+    expect_close(name, got, flat, cause=cause, read=read, tolerance=1e-11)
+
+
+@methods
+def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
+    read = "the docstring of the module, and Particle.last_acceleration"
+    k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
+    body = draw_body(rng, components(rng))
+    p, v, a, mass, d, hand = body
+    call = call_of(method, f"m = {mass}, a = {a}, by hand {hand}, forces -{k} x - {c} v, h = {h}")
+    cause = "at the end of the step the accumulators are empty"
+    ends = stepped(method, [body], (k, c), h, 1)
+    name = f"{call}: p.force_accumulator"
+    expect_close(name, ends["forces"][0], ZERO, cause=cause, read=read)
+    cause = (
+        "last_acceleration is the mean acceleration of the step: let integrate make the velocity "
+    )
+    cause += "from the mean force"
+    wanted = tuple(
+        one_step(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)[2]
+        for i in range(3)
+    )
+    name = f"{call}: p.last_acceleration"
+    got = ends["accelerations"][0]
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-9)
+
+
+@methods
+def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
+    read = "the docstring of the module"
+    place, velocity, a = components(rng), components(rng), components(rng)
+    still: Body = (place, velocity, a, math.inf, 0.5, components(rng))
+    other: Body = ((1.0, 2.0, 3.0), ZERO, ZERO, 2.0, 1.0, ZERO)
+    call = call_of(method, f"an immovable particle at {place}, velocity {velocity}, beside another")
+    cause = "what has no finite mass stays where it is, whatever its velocity and acceleration are"
+    ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
+    name = f"{call}: its position"
+    expect_close(name, ends["positions"][0], place, cause=cause, read=read, tolerance=0.0)
+    name = f"{call}: its velocity"
+    expect_close(name, ends["velocities"][0], velocity, cause=cause, read=read, tolerance=0.0)
+    name = f"{call}: its force_accumulator"
+    cause = "its accumulator is empty after the step, like every other one"
+    expect_close(name, ends["forces"][0], ZERO, cause=cause, read=read)
+    x, v = 1.0, 0.0
+    for _ in range(2):
+        x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
+    name = f"{call}: the position of the other one, x"
+    cause = "the others move all the same"
+    got = ends["positions"][1][0]
+    expect_close(name, got, x, cause=cause, read=read, tolerance=1e-12)
+
+
+@methods
+def test_the_order_of_a_step(method: str) -> None:
+    read = f"the docstring of {method}"
+    body: Body = ((1.0, 0.0, 0.5), (0.0, 1.0, 0.0), ZERO, 1.0, 1.0, ZERO)
+    order = ORDERS[method]
+    cause = f"half the duration has {0.5**order:g} of the error: the method is of order {order}"
+    for what, forces in (
+        ("forces -(1 + r^2) x", (1.0, 0.0, 1.0)),
+        ("forces -(1 + r^2) x - v / 2", (1.0, 0.5, 1.0)),
+    ):
+        call = call_of(method, f"{what} for 1 s, in 80, 160 and 320 steps")
+        ends = [stepped(method, [body], forces, 1.0 / n, n)["positions"][0] for n in (80, 160, 320)]
+        long, short = math.dist(ends[0], ends[1]), math.dist(ends[1], ends[2])
+        name = f"{call}: log2 of the ratio of the differences of where it ends"
+        # The next order adds some h to it: 0.01 at most here.
+        got = math.log2(long / short) if short > 0.0 else math.nan
+        expect_close(name, got, float(order), cause=cause, read=read, tolerance=0.1)
+
+
+@methods
+def test_a_step_needs_a_duration(method: str) -> None:
+    read = "the docstring of the module"
+    body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
+    cause = "refuse it with ValueError before anything is done: positive() does"
+    for bad in (0.0, -1.0, math.inf, math.nan):
+        call = f"{method}([p], apply_forces, {bad})"
+        expect_error(
+            call,
+            lambda bad=bad: stepped(method, [body], (5.0, 0.0), bad, 1),
+            ValueError,
+            allowed=lambda: stepped(method, [body], (5.0, 0.0), 0.5, 1),
+            cause=cause,
+            read=read,
+        )
+        after = refused(method, bad)
+        name = f"{call} was refused; p.position, p.velocity and p.force_accumulator"
+        got = (*after["position"], *after["velocity"], *after["force"])
+        wanted = (1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0)
+        expect_close(name, got, wanted, cause=cause, read=read, tolerance=0.0)
+        name = f"{call} was refused; how often apply_forces was called"
+        cause = "look at the duration before you ask for forces"
+        expect_exactly(name, after["asked"], [0], cause=cause, read=read)
+    call = f"{method}([], apply_forces, 0.5), and with one particle"
+    cause = "no particle is no error, and one must move"
+    ends = stepped(method, [], (5.0, 0.0), 0.5, 1)
+    expect_exactly(f"{call}: positions", ends["positions"], [], cause=cause, read=read)
+    ends = stepped(method, [body], (0.0, 0.0), 0.5, 1)
+    got = ends["positions"][0]
+    expect_close(f"{call}: position", got, (1.0, 1.0, 0.0), cause=cause, read=read)
+
+
+@pytest.mark.parametrize(
+    ("method", "limit"),
+    [
+        pytest.param("semi_implicit_euler", 4.0, marks=pytest.mark.exercise("B6.6")),
+        pytest.param("velocity_verlet", 4.0, marks=pytest.mark.exercise("B6.7")),
+        pytest.param("runge_kutta_4", 8.0, marks=pytest.mark.exercise("B6.8")),
+    ],
+)
+def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: float) -> None:
+    read = f"the docstring of {method}"
+    h = 1.0 / 60.0
+    frames = 500
+    for share in (0.98, 1.02):
+        k = share * limit / h**2
+        call = call_of(method, f"a spring of {k} N/m, 1 kg, h = 1/60, from 1 m: {frames} steps")
+        cause = f"stable for k h^2 / m < {limit:g}: this one is {share * limit:g}"
+        far = growth(method, k, 1.0, h, frames)
+        name = f"{call}: the farthest is below 100 m"
+        expect_exactly(name, far < 100.0, share < 1.0, cause=cause, read=read)
+        name = f"{call}: the farthest is beyond 1e6 m"
+        expect_exactly(name, far > 1e6, share > 1.0, cause=cause, read=read)

@@ -1,0 +1,191 @@
+"""A ground of springs, and how it fails (E-36); a bridge on springs, and its balance."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import runge_kutta_4, semi_implicit_euler
+from ch06_springs.penalty import PenaltyGround
+from ch06_springs.spring_bridge import hang_bridge, load_bridge
+
+FRAME = 1.0 / 60.0
+GRAVITY = Vector3(0.0, -10.0, 0.0)
+
+
+def on_ground(
+    height: float, speed: float, share: float, damping: float = 0.0
+) -> tuple[Particle, ForceRegistry]:
+    """Return 2 kg above or in a ground whose k h^2 / m is that share, and the registry of both."""
+    body = Particle(Vector3(0.0, height), Vector3(0.0, speed), GRAVITY, mass=2.0)
+    registry = ForceRegistry()
+    registry.add(body, PenaltyGround(0.0, share * 2.0 / FRAME**2, damping))
+    return body, registry
+
+
+# Penalties
+
+
+def test_what_lies_on_a_sponge_has_sunk_in_by_its_weight_over_the_stiffness() -> None:
+    body = Particle(Vector3(7.0, 3.2, 0.0), acceleration=GRAVITY, mass=2.0)
+    registry = ForceRegistry()
+    registry.add(body, PenaltyGround(3.0, 200.0, 8.0))
+    for _ in range(1200):
+        semi_implicit_euler([body], registry.update_forces, FRAME)
+    # 20 s of it, fading by c / 2 m = 2 a second: e^-40 is left, and a rounding of 3 m in each step.
+    assert body.position.y == pytest.approx(3.0 - 2.0 * 10.0 / 200.0, abs=1e-12)
+    assert body.position.x == 7.0
+
+
+def test_a_body_on_a_spring_of_a_ground_is_back_after_half_a_turn_and_its_flight() -> None:
+    """Short frames give the elastic bounce: deepest at m v^2 = k y^2 and as fast upwards after."""
+    body = Particle(Vector3(), Vector3(0.0, -3.0), mass=2.0)
+    registry = ForceRegistry()
+    registry.add(body, PenaltyGround(0.0, 800.0))
+    half_turn = math.pi / 20.0
+    for _ in range(200):
+        runge_kutta_4([body], registry.update_forces, half_turn / 400.0)
+    # A quarter of a turn in: 4th-order steps of 0.008 rad, and 3 / 20 m deep.
+    assert tuple(body.position) == pytest.approx((0.0, -0.15, 0.0), abs=1e-10)
+    for _ in range(400):
+        runge_kutta_4([body], registry.update_forces, half_turn / 400.0)
+    # It left after another 200; the step at the surface loses a part in 1e5.
+    assert body.velocity.y == pytest.approx(3.0, rel=1e-5)
+    assert body.position.y == pytest.approx(3.0 * half_turn / 2.0, rel=1e-4)
+
+
+@pytest.mark.parametrize(("share", "wanted"), [(0.98, "lies"), (1.02, "is thrown")])
+def test_e36_a_body_at_rest_on_a_hard_ground_is_thrown_beyond_kappa_4(
+    share: float, wanted: str
+) -> None:
+    """Released 1 % of its depth too deep: 0.98 of the limit keeps it in the ground, 1.02 not."""
+    depth = 10.0 * FRAME**2 / (4.0 * share)
+    body, registry = on_ground(-1.01 * depth, 0.0, 4.0 * share)
+    highest = -math.inf
+    for _ in range(20_000):
+        semi_implicit_euler([body], registry.update_forces, FRAME)
+        highest = max(highest, body.position.y)
+    # Inside, the swing may grow by the root of 1 / (1 - 0.98), about 7, of that 1 %.
+    assert (highest < -0.9 * depth) is (wanted == "lies")
+    # Outside, it grows by 1.33 a step until the body is off the ground, and then it flies.
+    assert (highest > 1000.0 * depth) is (wanted == "is thrown")
+
+
+@pytest.mark.parametrize("share", [2.5, 3.0, 3.9])
+def test_e36_a_hard_ground_throws_a_falling_body_well_before_kappa_4(share: float) -> None:
+    """One frame in the ground nearly v h deep: v' = -v + kappa v. Faster than it fell from 2 on."""
+    speed = 50.0
+    body, registry = on_ground(0.001 * speed * FRAME, -speed, share)
+    body.acceleration.clear()
+    for _ in range(2):
+        semi_implicit_euler([body], registry.update_forces, FRAME)
+    # It was 0.999 v h deep; a few roundings of kappa v.
+    assert body.velocity.y == pytest.approx(speed * (0.999 * share - 1.0), rel=1e-13)
+    assert body.velocity.y > 1.4 * speed
+    assert body.position.y > 0.0
+
+
+def test_e36_short_frames_keep_a_fall_within_the_height_it_came_from() -> None:
+    """kappa 0.0001: 22 bounces of 1 m, each of about pi / 0.01 frames in the ground."""
+    frame = FRAME / 30.0
+    body = Particle(Vector3(0.0, 1.0), acceleration=GRAVITY, mass=2.0)
+    registry = ForceRegistry()
+    registry.add(body, PenaltyGround(0.0, 1e-4 * 2.0 / frame**2))
+    heights = []
+    for _ in range(round(20.0 / frame)):
+        semi_implicit_euler([body], registry.update_forces, frame)
+        heights.append(body.position.y)
+    # A bounce's first and last frame miss up to kappa / 2 of the energy, one way or the other.
+    assert max(heights) == pytest.approx(1.0, abs=22 * 1e-4 / 2.0)
+    assert max(heights[-round(2.0 / frame) :]) == pytest.approx(1.0, abs=22 * 1e-4 / 2.0)
+
+
+def test_a_damped_ground_does_not_hold_back_what_is_on_its_way_out() -> None:
+    """Where c v is more than k times the depth nothing acts: the body coasts at its own speed."""
+    body = Particle(Vector3(0.0, -0.1), Vector3(0.0, 2.0), mass=2.0)
+    registry = ForceRegistry()
+    registry.add(body, PenaltyGround(0.0, 100.0, 6.0))  # 10 N at the most, against 12 N
+    for _ in range(10):
+        semi_implicit_euler([body], registry.update_forces, FRAME)
+    assert body.velocity.y == 2.0
+
+
+# The bridge
+
+
+def make_bridge(n: int, damping: float) -> tuple[list[Particle], ForceRegistry]:
+    planks = [Particle(Vector3(float(i), 2.0, 0.0), mass=4.0) for i in range(n)]
+    registry = ForceRegistry()
+    hang_bridge(registry, planks, 3.0, 900.0, damping)
+    return planks, registry
+
+
+def test_a_bridge_without_weight_rests_as_it_was_hung() -> None:
+    planks, registry = make_bridge(6, 5.0)
+    registry.update_forces(FRAME)
+    for plank in planks:
+        assert tuple(plank.force_accumulator) == (0.0, 0.0, 0.0)
+
+
+def test_a_bridge_hangs_lower_by_its_weight_over_the_stiffness() -> None:
+    """Every plank by m g / k: the springs between them have nothing to do, however many."""
+    for n in (1, 2, 7):
+        planks, registry = make_bridge(n, 5.0)
+        for plank in planks:
+            plank.acceleration = GRAVITY.copy()
+            plank.position.y -= 4.0 * 10.0 / 900.0
+        registry.update_forces(FRAME)
+        for plank in planks:
+            # 900 N/m of a rounding of 5 m, a few times.
+            assert tuple(plank.force_accumulator) == pytest.approx((0.0, 40.0, 0.0), abs=5e-12)
+
+
+def test_a_loaded_bridge_comes_to_rest_where_its_hangers_carry_planks_and_walker() -> None:
+    """What the hangers pull, from where the planks are and Hooke's law: the sum, and the moment."""
+    planks, registry = make_bridge(5, 40.0)
+    for plank in planks:
+        plank.acceleration = GRAVITY.copy()
+        plank.damping = 0.1  # nothing else slows what swings along the bridge
+    for _ in range(2400):
+        load_bridge(planks, 1.3, 100.0)
+        registry.update_forces(FRAME)
+        for plank in planks:
+            plank.integrate(FRAME)
+    up = sideways = moment = 0.0
+    for i, plank in enumerate(planks):
+        assert plank.velocity.magnitude() < 1e-9  # 40 s, fading by 1.15 a second
+        way = (i - plank.position.x, 5.0 - plank.position.y)
+        pull = 900.0 * (math.hypot(*way) - 3.0) / math.hypot(*way)
+        sideways += pull * way[0]
+        up += pull * way[1]
+        moment += plank.position.x * pull * way[1] - plank.position.y * pull * way[0]
+    # The planks' speeds times their damping, and 900 N/m of a rounding of 5 m.
+    assert up == pytest.approx(5 * 40.0 + 100.0, abs=1e-7)
+    assert sideways == pytest.approx(0.0, abs=1e-7)
+    # About the origin, the loads where they act: each plank's weight, and the walker's shares.
+    first, second = planks[1].position.x, planks[2].position.x
+    wanted = 40.0 * sum(plank.position.x for plank in planks) + 100.0 * 1.3
+    assert first < 1.3 < second
+    assert moment == pytest.approx(wanted, abs=1e-6)
+
+
+@given(st.floats(-1.0, 12.0), st.floats(0.0, 1e4))
+def test_a_walker_s_two_shares_have_his_weight_and_his_moment(x: float, weight: float) -> None:
+    places = [0.5, 1.25, 3.0, 7.5, 8.0]
+    planks = [Particle(Vector3(place, 0.1 * place, 2.0)) for place in places]
+    load_bridge(planks, x, weight)
+    loads = [-plank.force_accumulator.y for plank in planks]
+    # Some roundings of the weight, and of 8 m times it.
+    assert math.fsum(loads) == pytest.approx(weight, rel=1e-14)
+    moment = math.fsum(load * place for load, place in zip(loads, places, strict=True))
+    assert moment == pytest.approx(weight * min(max(x, 0.5), 8.0), rel=1e-13)
+    assert min(loads) >= 0.0
+    carrying = [i for i, load in enumerate(loads) if load > 0.0]
+    assert len(carrying) <= 2
+    assert carrying == [] or carrying[-1] - carrying[0] <= 1

@@ -1,0 +1,159 @@
+"""pymunk's DampedSpring, and a spring force given to pymunk by hand, beside our springs.
+
+What one Space.step does, found by letting it: it moves the position with the old velocity, then
+reads the spring at the new place, adds k times the offset times h to the momentum, and multiplies
+what is left of the velocity along the spring by e^(-c h / m). So the frame is semi-implicit Euler,
+with the move first and the push after it. Its damping is ours, Particle.damping,
+with d = e^(-c / m), not a force.
+
+A body.force that is set before the step was read at the old place, and so is explicit Euler.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy
+import pymunk
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
+from ch06_springs.springs import AnchoredSpring
+
+FRAME = 1.0 / 60.0
+State = tuple[float, float]
+
+
+def theirs(k: float, c: float, m: float, h: float, n: int, *, by_hand: bool = False) -> list[State]:
+    """Return x and v of a body after every frame; it is let go 1 m from the spring's other end."""
+    space = pymunk.Space()
+    body = pymunk.Body(m, 1.0)
+    body.position = (1.0, 0.0)
+    space.add(body)
+    if not by_hand:
+        space.add(pymunk.DampedSpring(body, space.static_body, (0, 0), (0, 0), 0.0, k, c))
+    seen = []
+    for _ in range(n):
+        if by_hand:
+            force = -k * body.position.x - c * body.velocity.x
+            body.apply_force_at_world_point((force, 0.0), body.position)
+        space.step(h)
+        seen.append((body.position.x, body.velocity.x))
+    return seen
+
+
+def ours(
+    step: Integrator, particle: Particle, k: float, h: float, n: int, c: float = 0.0
+) -> list[State]:
+    registry = ForceRegistry()
+    registry.add(particle, AnchoredSpring(Vector3(), k, 0.0, c))
+    seen = []
+    for _ in range(n):
+        step([particle], registry.update_forces, h)
+        seen.append((particle.position.x, particle.velocity.x))
+    return seen
+
+
+def energies(states: list[State], k: float) -> list[float]:
+    """Return the energy after every frame as a share of that at the start, for 1 kg."""
+    return [(v * v + k * x * x) / k for x, v in states]
+
+
+SPRINGS = [(100.0, 0.0, 1.0), (100.0, 2.0, 1.0), (100.0, 2.0, 2.5), (30.0, 50.0, 1.0)]
+
+
+@pytest.mark.parametrize(("k", "c", "m"), SPRINGS)
+@pytest.mark.parametrize("h", [FRAME, 1.0 / 240.0])
+def test_their_spring_is_our_semi_implicit_step_with_the_move_first(
+    k: float, c: float, m: float, h: float
+) -> None:
+    """Ours begins after the first move. Its n-th velocity is theirs, its place their next one."""
+    n = round(5.0 / h)
+    first = Particle(Vector3(1.0), mass=m, damping=math.exp(-c / m))
+    mine = ours(semi_implicit_euler, first, k, h, n)
+    their_places, their_speeds = zip(*theirs(k, c, m, h, n + 1), strict=True)
+    # 1200 frames, some roundings of 1 m and of 10 m/s in each, which do not grow.
+    assert [x for x, _ in mine] == pytest.approx(list(their_places[1:]), abs=1e-11)
+    assert [v for _, v in mine] == pytest.approx(list(their_speeds[:-1]), abs=1e-10)
+
+
+def test_their_spring_only_seems_to_lose_energy() -> None:
+    """k 100, 60 frames a second: after 10 s x 0.94, and x 0.92 to x 1.09 on the way, for ever.
+
+    What the step keeps is v^2 + k x^2 + k h x v, which is what such a move and push leave alone.
+    """
+    states = theirs(100.0, 0.0, 1.0, FRAME, 20_000)
+    shares = energies(states, 100.0)
+    assert shares[599] == pytest.approx(0.94, abs=5e-3)  # the figure has two digits
+    # x v h / 2 swings by up to k h / 2 w = 1 / 12 of what is kept.
+    assert 0.92 < min(shares[:600]) < 0.93
+    assert 1.09 < max(shares[:600]) < 1.095
+    assert min(shares[-600:]) == pytest.approx(min(shares[:600]), abs=1e-4)
+    assert max(shares[-600:]) == pytest.approx(max(shares[:600]), abs=1e-4)
+    kept = [v * v + 100.0 * x * x + 100.0 * FRAME * x * v for x, v in states]
+    assert kept == pytest.approx([100.0] * len(kept), rel=1e-10)  # 20,000 roundings
+
+
+@pytest.mark.parametrize("c", [0.0, 2.0])
+def test_a_force_by_hand_makes_their_step_our_explicit_one(c: float) -> None:
+    for h in (FRAME, 1.0 / 240.0):
+        n = round(2.0 / h)
+        first = Particle(Vector3(1.0), mass=2.5)
+        mine = ours(explicit_euler, first, 100.0, h, n, c)
+        for one, other in zip(mine, theirs(100.0, c, 2.5, h, n, by_hand=True), strict=True):
+            # 480 roundings of numbers that grow to 20.
+            assert one == pytest.approx(other, abs=1e-12)
+
+
+def test_a_force_by_hand_explodes_as_ours_does() -> None:
+    """(1 + k h^2 / m)^600: both end with 13,789,038 times the energy."""
+    last = theirs(100.0, 0.0, 1.0, FRAME, 600, by_hand=True)[-1]
+    mine = ours(explicit_euler, Particle(Vector3(1.0)), 100.0, FRAME, 600)[-1]
+    wanted = (1.0 + 100.0 * FRAME**2) ** 600
+    assert wanted == pytest.approx(13_789_038.0, abs=0.5)
+    for state in (last, mine):
+        assert energies([state], 100.0)[0] == pytest.approx(wanted, rel=1e-12)  # 600 roundings
+
+
+@pytest.mark.parametrize(("k", "c", "time"), [(100.0, 2.0, 0.5), (1e6, 200.0, 0.005)])
+def test_both_come_to_the_closed_form_as_frames_grow_short(k: float, c: float, time: float) -> None:
+    """Both are of the first order, and err to opposite sides: half the frame, half the gap."""
+    wanted = damped_spring_state(1.0, 0.0, k, c, 1.0, time)[0]
+    gaps: list[list[float]] = [[], []]
+    for n in (1000, 2000, 4000):
+        h = time / n
+        particle = Particle(Vector3(1.0), damping=math.exp(-c))
+        gaps[0].append(theirs(k, c, 1.0, h, n)[-1][0] - wanted)
+        gaps[1].append(ours(semi_implicit_euler, particle, k, h, n)[-1][0] - wanted)
+    for one, two, four in gaps:
+        assert one / two == pytest.approx(2.0, abs=0.01)
+        assert two / four == pytest.approx(2.0, abs=0.01)
+    assert abs(gaps[0][2]) < 1e-3 > abs(gaps[1][2])
+    assert gaps[0][2] * gaps[1][2] < 0.0
+
+
+@pytest.mark.parametrize(("h", "holds"), [(FRAME, False), (1.0 / 240.0, False), (5e-4, True)])
+def test_their_spring_explodes_where_our_step_does(h: float, holds: bool) -> None:
+    """k 1e6, c 200: no frame of a game will do, since the spring itself is still a force.
+
+    Both are stable while k h^2 / m < 2 (1 + D) / D, with D = e^(-c h / m).
+    """
+    d = math.exp(-200.0 * h)
+    assert (1e6 * h * h < 2.0 * (1.0 + d) / d) is holds
+    matrix = numpy.array([[1.0, h], [-1e6 * h * d, d * (1.0 - 1e6 * h * h)]])
+    largest = max(abs(numpy.linalg.eigvals(matrix)))
+    for states in (
+        theirs(1e6, 200.0, 1.0, h, 40),
+        ours(semi_implicit_euler, Particle(Vector3(1.0), damping=math.exp(-200.0)), 1e6, h, 40),
+    ):
+        grown = abs(states[39][0] / states[38][0])
+        if holds:
+            assert abs(states[39][0]) < 0.2
+        else:
+            # By then nothing is left but what the largest eigenvalue multiplies.
+            assert grown == pytest.approx(largest, rel=1e-6)
+            assert grown > 6.0

@@ -1,0 +1,211 @@
+"""How stiff a spring a step can bear: its matrix, the edges of that, and a cloth."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import random
+from collections.abc import Callable
+from typing import Any
+
+import numpy
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.cloth import make_cloth
+from ch06_springs.exercises import largest_stable_stiffness
+from ch06_springs.integrators import (
+    Integrator,
+    SimulationDiverged,
+    backward_euler,
+    explicit_euler,
+    runge_kutta_4,
+    semi_implicit_euler,
+    trapezoidal,
+    velocity_verlet,
+    watched,
+)
+from ch06_springs.springs import max_stable_stiffness
+
+FRAME = 1.0 / 60.0
+EDGES = [
+    (explicit_euler, 0.999, 0.0600),
+    (explicit_euler, 0.9, 6.327),
+    (explicit_euler, 0.5, 41.83),
+    (semi_implicit_euler, 1.0, 14400.0),
+    (semi_implicit_euler, 0.999, 14400.1),
+    (semi_implicit_euler, 0.9, 14412.65),
+    (semi_implicit_euler, 0.5, 14483.7),
+    (velocity_verlet, 1.0, 14400.0),
+    (runge_kutta_4, 1.0, 28800.0),
+]
+CASES = [(step, d) for step, d, _ in EDGES]
+
+
+def exact_edge(step: Integrator, d: float) -> float:
+    """Return the known limit of k h^2 / m."""
+    kept = d**FRAME
+    if step is explicit_euler:
+        return 1.0 / kept - 1.0
+    return {
+        semi_implicit_euler: 2.0 * (1.0 + kept) / kept,
+        velocity_verlet: 4.0,
+        runge_kutta_4: 8.0,
+    }[step]
+
+
+def pulled(particle: Particle, k: float) -> Callable[[float], None]:
+    """Return the force of a spring to the origin, in few words: 20,000 steps ask for it."""
+
+    def apply_forces(_: float) -> None:
+        particle.add_force(Vector3(-k * particle.position.x))
+
+    return apply_forces
+
+
+def step_matrix(step: Integrator, k: float, d: float, h: float = FRAME, m: float = 1.0) -> Any:
+    """Return what a step does to (x, h v): on a linear spring two states tell it."""
+    columns = []
+    for x, v in ((1.0, 0.0), (0.0, 1.0 / h)):
+        particle = Particle(Vector3(x), Vector3(v), mass=m, damping=d)
+        step([particle], pulled(particle, k), h)
+        columns.append([particle.position.x, particle.velocity.x * h])
+    return numpy.array(columns).T
+
+
+def radius(matrix: Any) -> float:
+    return float(max(abs(numpy.linalg.eigvals(matrix))))
+
+
+def amplitudes(step: Integrator, k: float, d: float, steps: int) -> list[tuple[float, float]]:
+    """Return (x, h v) after every step, from 10 m at rest; it ends beyond 1e7 m."""
+    particle = Particle(Vector3(10.0), damping=d)
+    apply_forces = pulled(particle, k)
+    seen = [(10.0, 0.0)]
+    for _ in range(steps):
+        step([particle], apply_forces, FRAME)
+        seen.append((particle.position.x, particle.velocity.x * FRAME))
+        if math.hypot(*seen[-1]) > 1e7:
+            break
+    return seen
+
+
+# The edges
+
+
+@pytest.mark.parametrize(("step", "d", "figure"), EDGES)
+def test_the_step_s_own_matrix_has_the_known_edge(
+    step: Integrator, d: float, figure: float
+) -> None:
+    edge = exact_edge(step, d) / FRAME**2
+    assert edge == pytest.approx(figure, rel=1e-3 if figure < 1.0 else 1e-4)  # its digits
+    inside, outside = (radius(step_matrix(step, share * edge, d)) for share in (0.98, 1.02))
+    # On the edge of some the size is 1 all the way up to it, but for a rounding.
+    assert inside < 1.0 + 1e-12
+    assert outside > 1.0 + 1e-7
+
+
+@pytest.mark.parametrize(("step", "d"), CASES)
+def test_just_inside_nothing_grows_in_20_000_steps(step: Integrator, d: float) -> None:
+    """n steps multiply by the condition of the eigenvectors, times |lambda|^n, at the most."""
+    edge = exact_edge(step, d) / FRAME**2
+    sizes = numpy.hypot(*numpy.array(amplitudes(step, 0.98 * edge, d, 20_000)).T)
+    values, vectors = numpy.linalg.eig(step_matrix(step, 0.98 * edge, d))
+    largest = max(abs(values))
+    assert largest < 1.0 + 1e-12
+    assert len(sizes) == 20_001
+    # 20,000 roundings, which the vectors multiply too.
+    bound = 10.0 * numpy.linalg.cond(vectors) * largest ** numpy.arange(20_001)
+    assert numpy.all(sizes <= bound * (1.0 + 1e-9) + 1e-300)  # below that are denormals
+
+
+@pytest.mark.parametrize(("step", "d"), CASES[3:])
+def test_just_outside_three_of_them_pass_a_million_within_200_steps(
+    step: Integrator, d: float
+) -> None:
+    edge = exact_edge(step, d) / FRAME**2
+    states = amplitudes(step, 1.02 * edge, d, 250)
+    assert 41 <= len(states) - 1 <= 199  # the known range
+    assert math.hypot(*states[-1]) > 1e7
+
+
+@pytest.mark.parametrize(("d", "grown"), [(0.999, 1.0003), (0.9, 1.035), (0.5, 1.26)])
+def test_just_outside_explicit_euler_grows_slowly_by_its_eigenvalue(d: float, grown: float) -> None:
+    """Seen along a left eigenvector, a state is multiplied by that eigenvalue in every step."""
+    k = 1.02 * (d**-FRAME - 1.0) / FRAME**2
+    kept = d**FRAME
+    matrix = numpy.array([[1.0, 1.0], [-kept * k * FRAME**2, kept]])
+    values, left = numpy.linalg.eig(matrix.T)
+    predicted = abs(values[0]) ** 2000
+    assert predicted == pytest.approx(grown, abs=0.005 if grown > 1.01 else 5e-5)
+    states = numpy.array(amplitudes(explicit_euler, k, d, 2000))
+    along = abs(states @ left[:, 0])
+    assert along[-1] / along[0] == pytest.approx(predicted, rel=1e-10)  # 2,000 roundings
+    assert along[1] / along[0] == pytest.approx(abs(values[0]), rel=1e-13)
+
+
+@pytest.mark.parametrize("step", [trapezoidal, backward_euler])
+@pytest.mark.parametrize("k", [1e-6, 1.0, 1e4, 1e8, 1e12])
+@pytest.mark.parametrize("c", [0.0, 1.0, 1e6])
+def test_the_implicit_steps_bear_any_stiffness(
+    step: Callable[..., tuple[float, float]], k: float, c: float
+) -> None:
+    x, v = 10.0, 0.0
+    for _ in range(1000):
+        x, v = step(x, v, k, c, 1.0, FRAME)
+        # Released at rest, none has more energy than it began with; 1,000 roundings.
+        assert k * x * x + v * v <= k * 100.0 * (1.0 + 1e-9)
+
+
+# What the exercises answer
+
+
+def test_the_worked_out_limit_is_where_an_eigenvalue_of_the_book_s_step_passes_1() -> None:
+    draw = random.Random(66)
+    for _ in range(100):
+        d, h, m = draw.uniform(0.05, 0.999), 10.0 ** draw.uniform(-3.0, 0.0), draw.uniform(0.1, 9.0)
+        k = max_stable_stiffness(d, h, m)
+        # At 1e-6 of it to either side: a rounding is 1e-16, and the softest of these limits,
+        # 1e-6 m / h^2, moves the eigenvalue by 5e-13.
+        assert radius(step_matrix(explicit_euler, k * (1.0 - 1e-6), d, h, m)) < 1.0
+        assert radius(step_matrix(explicit_euler, k * (1.0 + 1e-6), d, h, m)) > 1.0
+
+
+@pytest.mark.parametrize(
+    ("step", "d"),
+    [(explicit_euler, 0.9), (explicit_euler, 0.5), (semi_implicit_euler, 0.9)],
+)
+def test_the_measured_limit_is_the_known_one_to_a_hundredth(step: Integrator, d: float) -> None:
+    assert largest_stable_stiffness(step, d, FRAME) == pytest.approx(
+        exact_edge(step, d) / FRAME**2, rel=0.01
+    )
+
+
+# A cloth
+
+
+@pytest.mark.parametrize(
+    ("step", "damping", "rate", "holds"),
+    [
+        (semi_implicit_euler, 0.2, 83, True),
+        (semi_implicit_euler, 0.2, 79, False),
+        (semi_implicit_euler, 0.0, 86, True),
+        (semi_implicit_euler, 0.0, 84, False),
+        (explicit_euler, 0.2, 1000, False),
+        (explicit_euler, 0.0, 1000, False),
+    ],
+)
+def test_the_cloth_holds_for_ten_seconds_at_so_many_frames_a_second(
+    step: Integrator, damping: float, rate: int, holds: bool
+) -> None:
+    """No row of knots has a stiffness above 8 k: 4 m / 8 k is safe for any cloth that is taut.
+
+    That is 89.4 frames a second for 200 N/m and 50 g. What a falling cloth needs is a little less,
+    and within 2 of these figures it hangs on the last digit of where the knots start.
+    """
+    knots, registry = make_cloth(damping)
+    careful = watched(step, 1000.0)
+    with contextlib.nullcontext() if holds else pytest.raises(SimulationDiverged, match="1000 m/s"):
+        for _ in range(10 * rate):
+            careful(knots, registry.update_forces, 1.0 / rate)

@@ -301,8 +301,3 @@ def _particle(name: str, value: Particle) -> Particle:
     if not (hasattr(value, "position") and hasattr(value, "add_force")):
         raise TypeError(f"{name} must be a Particle, got {value!r}")
     return value
-
-
-def _add_force(particle: Particle, x: float, y: float, z: float) -> None:
-    """Do what particle.add_force does, without a vector: half the time of a spring goes there."""
-    raise NotImplementedError("Exercise B6.3: One spring for both ends")

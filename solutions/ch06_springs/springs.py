@@ -133,7 +133,7 @@ class Connection:
 
         So the momentum of the two stays what it was. Which of the two is asked for does not matter.
         """
-        # A cloth has hundreds of these: plain floats take a fifth of the time of vectors.
+        # A cloth has hundreds of these: plain floats take a quarter of the time of vectors.
         a, b = self.a, self.b
         place, other = a.position, b.position
         x = place.x - other.x
@@ -145,11 +145,18 @@ class Connection:
         v, w = a.velocity, b.velocity
         rate = ((v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z) / length
         pull = (self.stiffness * (self.rest_length - length) - self.damping * rate) / length
+        if 0.0 * pull != 0.0:
+            finite("the force of the spring", pull * length)
         x *= pull
         y *= pull
         z *= pull
-        _add_force(a, x, y, z)
-        _add_force(b, -x, -y, -z)
+        # What add_force does, for both: as calls it would take a fifth longer.
+        forces = a._forces
+        sums = forces[0]
+        forces[0] = (x, y, z) if sums is None else (sums[0] + x, sums[1] + y, sums[2] + z)
+        forces = b._forces
+        sums = forces[0]
+        forces[0] = (-x, -y, -z) if sums is None else (sums[0] - x, sums[1] - y, sums[2] - z)
 
 
 def connect(
@@ -375,14 +382,3 @@ def _particle(name: str, value: Particle) -> Particle:
     if not (hasattr(value, "position") and hasattr(value, "add_force")):
         raise TypeError(f"{name} must be a Particle, got {value!r}")
     return value
-
-
-def _add_force(particle: Particle, x: float, y: float, z: float) -> None:
-    """Do what particle.add_force does, without a vector: half the time of a spring goes there."""
-    forces = particle._forces
-    if forces[0] is not None:
-        sum_x, sum_y, sum_z = forces[0]
-        x, y, z = sum_x + x, sum_y + y, sum_z + z
-    if 0.0 * (x + y + z) != 0.0:
-        finite_vector("the sum of the forces", Vector3(x, y, z))
-    forces[0] = (x, y, z)

@@ -79,6 +79,6 @@ def test_the_closed_form_of_the_sparks_is_where_the_steps_go(
 
 def test_what_a_cloth_is_compared_with_falls_in_the_same_way() -> None:
     # The order of the sums differs: some 1e-16 of the heights a frame.
-    wanted = pytest.approx(springs.connected_steps(), rel=1e-11)
+    wanted = pytest.approx(springs.steps(*springs.make_cloth(springs.DAMPING)), rel=1e-11)
     assert springs.cloth_arithmetic() == wanted
-    assert springs.steps_with_a_spring_an_end() == wanted
+    assert springs.steps(*springs.make_cloth_of_ends()) == wanted

@@ -72,7 +72,7 @@ def make_handout(
             if path.startswith(folder + "/"):  # made anew: the files here may be somebody's work
                 (out / path).write_text(text, encoding="utf-8", newline="\n")
         tests = root / "tests" / chapter.name
-        _copy([*tests.glob("test_*.py"), *tests.glob("probes.py")], out / "tests" / chapter.name)
+        _copy([*tests.glob("test_*.py"), *tests.glob("*probes.py")], out / "tests" / chapter.name)
     for chapter in given:
         modules = (root / "solutions" / chapter.name).glob("*.py")
         _copy(modules, out / "chapters" / chapter.name)

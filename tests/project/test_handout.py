@@ -91,6 +91,14 @@ def test_the_stubs_are_made_anew_and_no_solution_goes_along(tmp_path: Path) -> N
     assert "sample_class" not in {name.split("/")[0] for name in names}
 
 
+def test_every_check_comes_with_what_it_imports(tmp_path: Path) -> None:
+    make_handout(load_chapters(), [], tmp_path / "out")
+    for chapter in load_chapters():
+        tests = ROOT / "tests" / chapter.name
+        there = {file.name for file in (tmp_path / "out/tests" / chapter.name).iterdir()}
+        assert there == {file.name for file in tests.glob("*.py")}
+
+
 def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> None:
     """A later chapter is handed out on top of chapter 2, which is given."""
     root = tmp_path / "root"

@@ -241,14 +241,9 @@ def theory(name: str, kept: float) -> float:
         return 1.0 / kept - 1.0
     if name == "semi-implicit Euler":
         return 2.0 * (1.0 + kept) / kept
-    matrix = {"velocity Verlet": _verlet, "Runge-Kutta 4": _runge_kutta}[name]
-    return limit_of(lambda kappa: spectral_radius(*matrix(kappa, kept)))
-
-
-def _verlet(kappa: float, kept: float) -> tuple[float, float, float, float]:
-    """x' = x + v - kappa x / 2, and v' = D (v - kappa (x + x') / 2), in units of the frame."""
-    stay = 1.0 - kappa / 2.0
-    return stay, 1.0, -kept * kappa * (1.0 + stay) / 2.0, kept * (1.0 - kappa / 2.0)
+    if name == "velocity Verlet":  # the determinant is D, the trace (1 + D) (1 - kappa / 2)
+        return 4.0
+    return limit_of(lambda kappa: spectral_radius(*_runge_kutta(kappa, kept)))
 
 
 def _runge_kutta(kappa: float, kept: float) -> tuple[float, float, float, float]:

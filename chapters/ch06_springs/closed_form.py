@@ -15,7 +15,7 @@ def damped_spring_state(
     body that coasts.
 
     Raises ValueError where the mass is not positive, stiffness, damping or time is negative, or one
-    of the arguments, k / m, c / m, or the angle through which it swings, is not finite. What is no
-    number is a TypeError.
+    of the arguments, k / m, c / m, the angle through which it swings, or the result, is not finite.
+    What is no number is a TypeError.
     """
     raise NotImplementedError("Exercise B6.5: Harmonic motion without steps")

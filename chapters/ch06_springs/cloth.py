@@ -14,7 +14,7 @@ KNOTS = 10  # along each side
 STIFFNESS = 200.0  # N/m
 REST_LENGTH = 0.1  # m
 MASS = 0.05  # kg, of a knot
-G = 9.81
+G = 9.81  # m/s^2
 
 
 def neighbours() -> list[tuple[int, int]]:

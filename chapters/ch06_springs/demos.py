@@ -106,6 +106,8 @@ class SpringBridge:
             self.start()
             self.x = place
         elif key in STEPS:
+            if self.message:  # what has exploded begins anew
+                self.start()
             self.choose(key)
         elif key == "r":
             self.start()

@@ -4,7 +4,8 @@ The first four take ``(particles, apply_forces, duration)``. ``apply_forces(dura
 forces of the moment to the accumulators, as ForceRegistry.update_forces does, and may only act on
 these particles. A step asks it once or several times, each time with no other forces in the
 accumulators than those that were added by hand before the step. At its end they are empty, and
-Particle.last_acceleration knows the mean acceleration of the step.
+Particle.last_acceleration knows the mean acceleration of the step. Each particle stands in the list
+once.
 
 A particle's own damping d multiplies the velocity by d^h, once, at the end of the step: the orders
 below are those at d = 1, and with any other d the order is 1. Immovable particles stay where they
@@ -33,7 +34,8 @@ def explicit_euler(
     """Step as the book does: p' = p + v h, and then v' = (v + a h) d^h, by Particle.integrate.
 
     Order 1; not symplectic; one evaluation of the forces. Stable for no stiffness, at d = 1; below
-    max_stable_stiffness where d < 1. Source: book 3.3.2, with its name put right (E-17).
+    max_stable_stiffness where d < 1. A damper c in the spring makes it stable for k h < c, while
+    c h / m < 2. Source: book 3.3.2, with its name put right (E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -43,8 +45,9 @@ def semi_implicit_euler(
 ) -> None:
     """Step the velocity first, v' = (v + a h) d^h, and then p' = p + v' h.
 
-    Order 1; symplectic at d = 1, so that energy does not drift; one evaluation of the forces.
-    Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2 (1 + d^h) / d^h. Source: Hairer,
+    Order 1; symplectic at d = 1 where no force depends on the velocity, so that energy does not
+    drift; one evaluation of the forces. Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2
+    (1 + d^h) / d^h, with a damper c in the spring for k h^2 / m + 2 c h / m < 4. Source: Hairer,
     Lubich and Wanner, Geometric Numerical Integration, I.1.2.
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
@@ -59,8 +62,8 @@ def velocity_verlet(
     are asked for b with v + a h.
 
     Order 2; symplectic at d = 1 where no force depends on the velocity; two evaluations of the
-    forces. Stable for k h^2 / m < 4. Source: Swope and others, Journal of Chemical Physics 76
-    (1982), 637.
+    forces. Stable for k h^2 / m < 4, also where d < 1; a damper in the spring takes some of that.
+    Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
     """
     raise NotImplementedError("Exercise B6.7: Velocity Verlet")
 
@@ -70,12 +73,13 @@ def runge_kutta_4(
 ) -> None:
     """Step by the mean of four rates: at the start, twice in the middle, and at the end.
 
-    The second and the third count double. Each is found where the one before it leads to from the
-    start, in no time, in half of the frame twice, and in all of it.
+    The second and the third count double. The first is taken at the start, each of the others
+    where the rate before it leads from the start: in half of the frame, in half of it again, and in
+    all of it.
 
     Order 4; not symplectic, but nearly free of drift while its steps are small; four evaluations of
-    the forces. Stable for k h^2 / m < 8. Source: Kutta, Zeitschrift für Mathematik und Physik 46
-    (1901), 435.
+    the forces. Stable for k h^2 / m < 8, and for more where d < 1. Source: Kutta, Zeitschrift für
+    Mathematik und Physik 46 (1901), 435.
     """
     raise NotImplementedError("Exercise B6.8: Runge-Kutta of order 4")
 
@@ -93,7 +97,7 @@ def backward_euler(
     Equations II, IV.3.
 
     Raises ValueError where mass or duration is not positive, stiffness or damping is negative, or
-    an argument is not finite. What is no number is a TypeError.
+    an argument or the result is not finite. What is no number is a TypeError.
     """
     raise NotImplementedError("Exercise B6.9: Implicit steps for one spring")
 
@@ -162,6 +166,11 @@ def _end(
 ) -> None:
     """End a step at a place; chapter 5's step gives the velocity, by the mean force."""
     raise NotImplementedError("Exercise B6.7: Velocity Verlet")
+
+
+def _put(particle: Particle, place: Vector3, velocity: Vector3) -> None:
+    """Give a particle a place and a velocity, in the vectors that it has: others may hold them."""
+    raise NotImplementedError("Exercise B6.8: Runge-Kutta of order 4")
 
 
 def _per_mass(

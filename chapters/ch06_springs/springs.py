@@ -25,7 +25,7 @@ def spring_force(
     It is -(k (l - l0) + c l') d^. ``offset`` is where this end is, seen from the other one, in m;
     l is its length, d^ its direction, and l' how fast the spring grows longer: the part along d^ of
     ``velocity``, that of this end seen from the other one, in m/s. Without an offset there is no
-    direction, and no force. The numbers are not looked at: that is for who makes a spring of them.
+    direction, and no force. The arguments are not checked; the constructors of the springs do that.
 
     A spring that is shorter than at rest pushes. The book's listing has an absolute value there,
     with which it would pull (E-3).
@@ -180,10 +180,10 @@ class FakeStiffSpring:
     force fit no step (E-6).
 
     The velocity after the frame is the mean one of the frame, and not that of a true spring. So it
-    swings more slowly, in short frames 1.41 times as long: the force is half a true spring's. And
-    without damping the swings of most die out all the same; only where chi h, with chi the root of
-    k / m, is a little more than pi, 3 pi, 5 pi and so on (up to 4.06 after pi) they grow, by up to
-    13 % a frame. A twentieth of the critical damping prevents that.
+    swings more slowly while its frames are short, 1.41 times as long: the force is half a true
+    spring's. And without damping the swings of most die out all the same; only where chi h, with
+    chi the root of k / m, is a little more than pi, 3 pi, 5 pi and so on (up to 4.06 after pi) they
+    grow, by up to 13 % a frame. A twentieth of the critical damping prevents that.
     """
 
     def __init__(self, anchor: Vector3, stiffness: float, damping: float) -> None:
@@ -249,10 +249,12 @@ class Overcrowding:
     """Exercise 6.3: particles that are too near push apart, as a compressed spring does.
 
     ``particles`` is the crowd, a list that is kept and may be changed; the particle that is asked
-    for may be one of them. ``distance`` in m is the nearest that nobody minds.
+    for may be one of them. ``distance`` in m is how near they may be without a push.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
+        if not isinstance(particles, list):
+            raise TypeError(f"particles must be a list, got {particles!r}")
         for i, one in enumerate(particles):
             _particle(f"particles[{i}]", one)
         self.particles = particles
@@ -297,7 +299,7 @@ def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> 
 
 
 def _particle(name: str, value: Particle) -> Particle:
-    """Return what has a place and takes forces; TypeError names what does not."""
-    if not (hasattr(value, "position") and hasattr(value, "add_force")):
+    """Return a particle; TypeError names what is none."""
+    if not isinstance(value, Particle):
         raise TypeError(f"{name} must be a Particle, got {value!r}")
     return value

@@ -19,8 +19,8 @@ def damped_spring_state(
     body that coasts.
 
     Raises ValueError where the mass is not positive, stiffness, damping or time is negative, or one
-    of the arguments, k / m, c / m, or the angle through which it swings, is not finite. What is no
-    number is a TypeError.
+    of the arguments, k / m, c / m, the angle through which it swings, or the result, is not finite.
+    What is no number is a TypeError.
     """
     finite("x0", x0)
     finite("v0", v0)
@@ -47,4 +47,5 @@ def damped_spring_state(
         swing = math.exp(-creep * time) * -math.expm1(-2.0 * gamma * time) / (2.0 * gamma)
         stay = fade + fast * swing
         slow = fade - creep * swing
-    return x0 * stay + v0 * swing, v0 * slow - x0 * chi * chi * swing
+    x, v = x0 * stay + v0 * swing, v0 * slow - x0 * chi * (chi * swing)
+    return finite("the position", x), finite("the velocity", v)

@@ -13,7 +13,7 @@ from ch06_springs.springs import AnchoredSpring
 
 START = 10.0  # m, how far from its anchor the particle is released
 FRAMES = 2000
-STIFFEST = 16.0  # times m / h^2: twice what the last of this chapter's steps can bear at d = 1
+STIFFEST = 16.0  # times m / h^2: twice what runge_kutta_4 can bear at d = 1
 SOFTEST = 1e-7
 
 

@@ -4,7 +4,8 @@ The first four take ``(particles, apply_forces, duration)``. ``apply_forces(dura
 forces of the moment to the accumulators, as ForceRegistry.update_forces does, and may only act on
 these particles. A step asks it once or several times, each time with no other forces in the
 accumulators than those that were added by hand before the step. At its end they are empty, and
-Particle.last_acceleration knows the mean acceleration of the step.
+Particle.last_acceleration knows the mean acceleration of the step. Each particle stands in the list
+once.
 
 A particle's own damping d multiplies the velocity by d^h, once, at the end of the step: the orders
 below are those at d = 1, and with any other d the order is 1. Immovable particles stay where they
@@ -35,7 +36,8 @@ def explicit_euler(
     """Step as the book does: p' = p + v h, and then v' = (v + a h) d^h, by Particle.integrate.
 
     Order 1; not symplectic; one evaluation of the forces. Stable for no stiffness, at d = 1; below
-    max_stable_stiffness where d < 1. Source: book 3.3.2, with its name put right (E-17).
+    max_stable_stiffness where d < 1. A damper c in the spring makes it stable for k h < c, while
+    c h / m < 2. Source: book 3.3.2, with its name put right (E-17).
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -48,14 +50,15 @@ def semi_implicit_euler(
 ) -> None:
     """Step the velocity first, v' = (v + a h) d^h, and then p' = p + v' h.
 
-    Order 1; symplectic at d = 1, so that energy does not drift; one evaluation of the forces.
-    Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2 (1 + d^h) / d^h. Source: Hairer,
+    Order 1; symplectic at d = 1 where no force depends on the velocity, so that energy does not
+    drift; one evaluation of the forces. Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2
+    (1 + d^h) / d^h, with a damper c in the spring for k h^2 / m + 2 c h / m < 4. Source: Hairer,
     Lubich and Wanner, Geometric Numerical Integration, I.1.2.
     """
     positive("duration", duration)
     apply_forces(duration)
     for particle in particles:
-        # Plain floats: most engines take this step for every particle in every frame.
+        # Plain floats: this is the step for every particle of a world, in every frame.
         place = particle.position
         x, y, z = place.x, place.y, place.z
         particle.integrate(duration)
@@ -75,8 +78,8 @@ def velocity_verlet(
     are asked for b with v + a h.
 
     Order 2; symplectic at d = 1 where no force depends on the velocity; two evaluations of the
-    forces. Stable for k h^2 / m < 4. Source: Swope and others, Journal of Chemical Physics 76
-    (1982), 637.
+    forces. Stable for k h^2 / m < 4, also where d < 1; a damper in the spring takes some of that.
+    Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
     """
     positive("duration", duration)
     by_hand = _forces_of(particles)
@@ -99,12 +102,13 @@ def runge_kutta_4(
 ) -> None:
     """Step by the mean of four rates: at the start, twice in the middle, and at the end.
 
-    The second and the third count double. Each is found where the one before it leads to from the
-    start, in no time, in half of the frame twice, and in all of it.
+    The second and the third count double. The first is taken at the start, each of the others
+    where the rate before it leads from the start: in half of the frame, in half of it again, and in
+    all of it.
 
     Order 4; not symplectic, but nearly free of drift while its steps are small; four evaluations of
-    the forces. Stable for k h^2 / m < 8. Source: Kutta, Zeitschrift für Mathematik und Physik 46
-    (1901), 435.
+    the forces. Stable for k h^2 / m < 8, and for more where d < 1. Source: Kutta, Zeitschrift für
+    Mathematik und Physik 46 (1901), 435.
     """
     positive("duration", duration)
     by_hand = _forces_of(particles)
@@ -117,8 +121,11 @@ def runge_kutta_4(
         for i, particle in enumerate(particles):
             if particle.inverse_mass:
                 place, velocity = starts[i]
-                particle.position = place + velocities[i] * (part * duration)
-                particle.velocity = velocity + accelerations[i] * (part * duration)
+                _put(
+                    particle,
+                    place + velocities[i] * (part * duration),
+                    velocity + accelerations[i] * (part * duration),
+                )
         forces = _evaluate(particles, by_hand, apply_forces, duration)
         for i, particle in enumerate(particles):
             velocities[i] = particle.velocity.copy()
@@ -144,11 +151,11 @@ def backward_euler(
     Equations II, IV.3.
 
     Raises ValueError where mass or duration is not positive, stiffness or damping is negative, or
-    an argument is not finite. What is no number is a TypeError.
+    an argument or the result is not finite. What is no number is a TypeError.
     """
     h, k, c = _per_mass(x, v, stiffness, damping, mass, duration)
     new = (v - h * k * x) / (1.0 + h * c + h * h * k)
-    return x + new * h, new
+    return finite("the new position", x + new * h), finite("the new velocity", new)
 
 
 def trapezoidal(
@@ -168,7 +175,7 @@ def trapezoidal(
     h, k, c = _per_mass(x, v, stiffness, damping, mass, duration)
     half = 0.5 * h
     new = (v * (1.0 - half * c - half * half * k) - h * k * x) / (1.0 + half * c + half * half * k)
-    return x + (v + new) * half, new
+    return finite("the new position", x + (v + new) * half), finite("the new velocity", new)
 
 
 class SimulationDiverged(ArithmeticError):  # noqa: N818
@@ -235,11 +242,18 @@ def _end(
 ) -> None:
     """End a step at a place; chapter 5's step gives the velocity, by the mean force."""
     end = place.copy()
-    particle.velocity = velocity
+    _put(particle, place, velocity)
     particle.clear_forces()
     particle.add_force(force)
     particle.integrate(duration)
-    particle.position = end
+    _put(particle, end, particle.velocity)
+
+
+def _put(particle: Particle, place: Vector3, velocity: Vector3) -> None:
+    """Give a particle a place and a velocity, in the vectors that it has: others may hold them."""
+    p, v = particle.position, particle.velocity
+    p.x, p.y, p.z = place
+    v.x, v.y, v.z = velocity
 
 
 def _per_mass(

@@ -12,8 +12,8 @@ class PenaltyGround:
 
     ``height`` is in m, ``stiffness`` in N/m, ``damping`` in N s/m. A soft ground is a sponge: what
     lies on it has sunk in by m g / k. A hard one needs short frames: it begins to push only when a
-    frame ends below it, and pushes for all of the next one. So without damping it throws bodies
-    higher than they fell from unless k h^2 / m is far below 1; beyond 4 it throws even what lies.
+    frame ends below it, and pushes for all of the next one. So without damping it may throw bodies
+    higher than they fell from, unless k h^2 / m is far below 1; beyond 4 it throws even what lies.
 
     Raises ValueError where the height is not finite, or another one is negative or not finite.
     """

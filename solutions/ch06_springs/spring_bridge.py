@@ -53,7 +53,7 @@ def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
         raise ValueError("planks must have at least one particle, got none")
     places = [plank.position.x for plank in planks]
     x = min(max(x, places[0]), places[-1])
-    after = next(i for i, place in enumerate(places) if place >= x)
+    after = next((i for i, place in enumerate(places) if place >= x), len(places) - 1)
     before = max(after - 1, 0)
     gap = places[after] - places[before]
     share = (x - places[before]) / gap if gap else 1.0

@@ -28,7 +28,7 @@ def spring_force(
     It is -(k (l - l0) + c l') d^. ``offset`` is where this end is, seen from the other one, in m;
     l is its length, d^ its direction, and l' how fast the spring grows longer: the part along d^ of
     ``velocity``, that of this end seen from the other one, in m/s. Without an offset there is no
-    direction, and no force. The numbers are not looked at: that is for who makes a spring of them.
+    direction, and no force. The arguments are not checked; the constructors of the springs do that.
 
     A spring that is shorter than at rest pushes. The book's listing has an absolute value there,
     with which it would pull (E-3).
@@ -145,12 +145,17 @@ class Connection:
         v, w = a.velocity, b.velocity
         rate = ((v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z) / length
         pull = (self.stiffness * (self.rest_length - length) - self.damping * rate) / length
-        if 0.0 * pull != 0.0:
-            finite("the force of the spring", pull * length)
+        if 0.0 * pull != 0.0:  # an overflow: vectors have the range, and refuse what is not finite
+            force = spring_force(
+                place - other, v - w, self.stiffness, self.rest_length, self.damping
+            )
+            a.add_force(force)
+            b.add_force(-force)
+            return
         x *= pull
         y *= pull
         z *= pull
-        # What add_force does, for both: as calls it would take a fifth longer.
+        # What add_force does, but for a look at the sums: as calls it would take a fifth longer.
         forces = a._forces
         sums = forces[0]
         forces[0] = (x, y, z) if sums is None else (sums[0] + x, sums[1] + y, sums[2] + z)
@@ -230,10 +235,10 @@ class FakeStiffSpring:
     force fit no step (E-6).
 
     The velocity after the frame is the mean one of the frame, and not that of a true spring. So it
-    swings more slowly, in short frames 1.41 times as long: the force is half a true spring's. And
-    without damping the swings of most die out all the same; only where chi h, with chi the root of
-    k / m, is a little more than pi, 3 pi, 5 pi and so on (up to 4.06 after pi) they grow, by up to
-    13 % a frame. A twentieth of the critical damping prevents that.
+    swings more slowly while its frames are short, 1.41 times as long: the force is half a true
+    spring's. And without damping the swings of most die out all the same; only where chi h, with
+    chi the root of k / m, is a little more than pi, 3 pi, 5 pi and so on (up to 4.06 after pi) they
+    grow, by up to 13 % a frame. A twentieth of the critical damping prevents that.
     """
 
     def __init__(self, anchor: Vector3, stiffness: float, damping: float) -> None:
@@ -315,10 +320,12 @@ class Overcrowding:
     """Exercise 6.3: particles that are too near push apart, as a compressed spring does.
 
     ``particles`` is the crowd, a list that is kept and may be changed; the particle that is asked
-    for may be one of them. ``distance`` in m is the nearest that nobody minds.
+    for may be one of them. ``distance`` in m is how near they may be without a push.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
+        if not isinstance(particles, list):
+            raise TypeError(f"particles must be a list, got {particles!r}")
         for i, one in enumerate(particles):
             _particle(f"particles[{i}]", one)
         self.particles = particles
@@ -378,7 +385,7 @@ def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> 
 
 
 def _particle(name: str, value: Particle) -> Particle:
-    """Return what has a place and takes forces; TypeError names what does not."""
-    if not (hasattr(value, "position") and hasattr(value, "add_force")):
+    """Return a particle; TypeError names what is none."""
+    if not isinstance(value, Particle):
         raise TypeError(f"{name} must be a Particle, got {value!r}")
     return value

@@ -85,16 +85,22 @@ def stepped(
     }
 
 
-def growth(method: str, stiffness: float, damping: float, duration: float, frames: int) -> float:
-    """Return how many times as far as at the start a linear spring of 1 kg takes its end."""
+def growth(
+    method: str, stiffness: float, damping: float, duration: float, frames: int, since: int = 0
+) -> float:
+    """Return how many times as far as at the start a linear spring of 1 kg takes its end.
+
+    Frames before ``since`` do not count.
+    """
     particle = Particle(Vector3(1.0, 0.0, 0.0), damping=damping)
     field = Field([particle], stiffness, 0.0)
     step = getattr(integrators, method)
     farthest = 0.0
-    for _ in range(frames):
+    for frame in range(frames):
         step([particle], field, duration)
         field.asked.clear()
-        farthest = max(farthest, abs(particle.position.x))
+        if frame >= since:
+            farthest = max(farthest, abs(particle.position.x))
     return farthest
 
 

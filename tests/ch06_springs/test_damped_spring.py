@@ -66,7 +66,7 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         call = f"damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {t})"
         got = damped_spring_state(x0, v0, k, c, m, t)
         wanted = by_roots(x0, v0, k, c, m, t)
-        # The roots' formula takes differences of numbers up to 10^3.
+        # The roots' formula takes differences of numbers up to 10^4.
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
 
 

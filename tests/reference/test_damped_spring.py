@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.integrators import backward_euler, trapezoidal
 
 Row = tuple[Decimal, Decimal]
 Matrix = tuple[Row, Row]
@@ -156,3 +157,15 @@ def test_extremes_end_in_numbers(k: float, c: float) -> None:
 def test_after_a_huge_time_a_damped_spring_is_at_rest() -> None:
     for k, c in ((1e12, 1.0), (1e12, 2e6), (1e12, 1e9), (1.0, 1e-3)):
         assert damped_spring_state(1.0, -5.0, k, c, 1.0, 1e9) == (0.0, 0.0)
+
+
+def test_what_is_too_large_for_a_float_is_an_error_and_no_nan() -> None:
+    assert damped_spring_state(1e200, 0.0, 1e200, 0.0, 1.0, 0.0) == (1e200, 0.0)
+    with pytest.raises(ValueError, match="velocity must be finite"):
+        damped_spring_state(1e200, 0.0, 1e300, 0.0, 1.0, 1e-100)
+    with pytest.raises(ValueError, match="position must be finite"):
+        damped_spring_state(1e308, 1e308, 0.0, 0.0, 1.0, 10.0)
+    for method in (backward_euler, trapezoidal):
+        for arguments in ((1.0, 0.0, 1e308, 0.0, 1.0, 1e10), (1.0, 1.0, 1e200, 0.0, 1.0, 1e200)):
+            with pytest.raises(ValueError, match="new position must be finite"):
+                method(*arguments)

@@ -283,3 +283,16 @@ def test_the_implicit_steps_come_to_the_exponential_with_their_order(
         gaps.append(numpy.linalg.norm(numpy.array([x, v]) - exact))
     assert gaps[0] < 0.1
     assert math.log2(gaps[0] / gaps[1]) == pytest.approx(order, abs=0.1)
+
+
+@pytest.mark.parametrize("step", STEPS)
+def test_a_step_moves_the_vectors_that_others_may_hold(step: Integrator) -> None:
+    """An anchor that is a particle's own position follows it, whichever step moves it."""
+    leader = Particle(Vector3(1.0), Vector3(0.0, 2.0, 0.0))
+    spring = AnchoredSpring(Vector3(), 3.0, 0.0)
+    spring.anchor, held = leader.position, leader.velocity
+    for _ in range(3):
+        step([leader], lambda _: leader.add_force(Vector3(0.0, 0.0, 5.0)), FRAME)
+    assert spring.anchor == leader.position
+    assert held == leader.velocity
+    assert leader.position.z > 0.0

@@ -228,3 +228,20 @@ def test_a_bullet_s_way_to_a_steady_target_is_a_damped_spring_s() -> None:
         assert tuple(bullet.position - target.position) == pytest.approx(wanted, abs=1e-5)
     assert bullet.position.x == pytest.approx(-6.0, abs=1e-5)
     assert tuple(target.velocity) == (-3.0, 1.0, 2.0)
+
+
+def test_a_connection_of_ends_next_to_each_other_pushes_as_a_spring_does() -> None:
+    """1e-310 m apart a pull for each metre would be too large for a float; the force is not."""
+    a, b = Particle(Vector3(1e-310)), Particle()
+    connect(ForceRegistry(), a, b, 100.0, 2.0).update_force(a, FRAME)
+    # Numbers as small as 1e-310 have 14 digits.
+    assert a.force_accumulator.x == pytest.approx(200.0, rel=1e-12)
+    assert b.force_accumulator == -a.force_accumulator
+
+
+def test_a_connection_refuses_a_force_that_is_not_finite() -> None:
+    a, b = Particle(Vector3(1e200)), Particle()
+    spring = connect(ForceRegistry(), a, b, 1e200, 0.0)
+    with pytest.raises(ValueError, match="force must have finite components"):
+        spring.update_force(a, FRAME)
+    assert a.force_accumulator == b.force_accumulator == Vector3()

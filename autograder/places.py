@@ -88,8 +88,8 @@ def _calls(expression: str, name: str) -> bool:
 
 def _names_class(called: str, name: str) -> bool:
     """Say whether a call makes an object of a method's class; functions belong to none."""
-    owner = name.split(".")[-2]
-    return name.count(".") < 2 or re.search(rf"\b{owner}\(", called) is not None
+    _, *path = name.split(".")
+    return len(path) == 1 or re.search(rf"\b{path[0]}\(", called) is not None
 
 
 def _file(engine: list[Path], chapter: str, name: str) -> Path:

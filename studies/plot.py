@@ -76,12 +76,13 @@ def draw(plot: Callable[[], Picture], folder: Path) -> bool:
     print(f"{name}: ", end="", flush=True)  # so that a plot that does not end is named
     try:
         picture = plot()
+        picture.figure.savefig(png, dpi=110)
     except (Exception, SystemExit) as error:
+        png.unlink(missing_ok=True)
         print(f"not drawn, {reason(error)}")
         return False
     finally:
         faulthandler.cancel_dump_traceback_later()
-    picture.figure.savefig(png, dpi=110)
     with table.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file).writerows([picture.columns, *picture.rows])
     print(f"{shown(png)} and {shown(table)}")
@@ -92,8 +93,12 @@ def reason(error: BaseException) -> str:
     """Return the exception and the student's line that raised it."""
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
-    last = traceback.extract_tb(error.__traceback__)[-1]
-    return f"{type(error).__name__}: {error} ({shown(Path(last.filename))}, line {last.lineno})"
+    if isinstance(error, SyntaxError) and error.filename:
+        file, line, words = error.filename, error.lineno, error.msg
+    else:
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        file, line, words = last.filename, last.lineno, str(error)
+    return f"{type(error).__name__}: {words} ({shown(Path(file))}, line {line})"
 
 
 def shown(path: Path) -> Path:

@@ -28,8 +28,9 @@ from ch06_springs.integrators import (
     velocity_verlet,
     watched,
 )
+from ch06_springs.penalty import PenaltyGround
 from ch06_springs.springs import FakeStiffSpring
-from studies.drawing import number
+from studies.drawing import number, numbers
 
 Solver = Callable[[float, float, float, float, float, float], tuple[float, float]]
 
@@ -187,6 +188,22 @@ def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, s
 
     message = stopped(run)
     return steps, message
+
+
+def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
+    """Return the heights of 1 kg that falls on a penalty ground without damping, at 60 Hz."""
+    particle = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
+    ground = PenaltyGround(0.0, stiffness)
+    step = watching(semi_implicit_euler, 1e4)
+    heights = [fall]
+
+    def run() -> None:
+        for _ in range(steps):
+            _step(step, particle, ground, 1.0 / 60.0)
+            heights.append(numbers(particle.position)[1])
+
+    stopped(run)
+    return heights
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:

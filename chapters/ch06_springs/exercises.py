@@ -7,7 +7,7 @@ from ch06_springs.integrators import Integrator
 START = 10.0  # m, how far from its anchor the particle is released
 FRAMES = 2000
 STIFFEST = 16.0  # times m / h^2: twice what runge_kutta_4 can bear at d = 1
-SOFTEST = 1e-7
+SOFTEST = 1e-7  # times m / h^2: softer springs need not be told from none
 
 
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
@@ -37,7 +37,8 @@ def largest_stable_stiffness(integrator: Integrator, damping: float, duration: f
 
     What is measured is 1 % off at most where the damping is between 0.3 and 0.95 and the duration
     between 1/120 and 1/20 s; nearer to 1 the book's step grows so slowly that FRAMES are too few.
-    Where no spring is safe it is 0, or next to it; where STIFFEST / h^2 is safe, it is that.
+    Where no spring is safe it is 0, or next to it: nothing below SOFTEST / h^2 is looked at. Where
+    STIFFEST / h^2 is safe, it is that.
 
     Raises ValueError where the damping is negative, the duration is not positive, or one of them is
     not finite.

@@ -139,7 +139,8 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
 
     It takes the same arguments, counts the steps that it has made, and raises SimulationDiverged
     for the first particle whose speed is over the limit in m/s, or not a number. What the
-    integrator raises comes out. Without a watch nothing is looked at, and nothing is paid.
+    integrator raises comes out, and is no step that was made. Without a watch nothing is looked at,
+    and nothing is paid.
 
     Raises ValueError where the limit is not positive and finite.
     """

@@ -47,7 +47,8 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         a = Particle(Vector3(*here), Vector3(*v), mass=2.0)
         b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
         name = f"{call}.update_force({end}, 0.5)"
-        cause = f"a gets the spring_force seen from b, whichever end is asked for (here {end})"
+        cause = "a gets the spring_force, its place and velocity seen from b, whichever end is "
+        cause += f"asked for (here {end})"
         Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
         # A few roundings of numbers up to 500.

@@ -140,13 +140,19 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            "cosh overflows: e^(-creep t)",
+            "cosh overflows: write it with e^(-(half - gamma) t) and e^(-(half + gamma) t)",
         ),
-        ((1.0, 0.0, 1.0, 1e9, 1.0, 1e9), math.exp(-1.0), 1e-9, "half - gamma loses all its digits"),
+        (
+            (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),
+            math.exp(-1.0),
+            1e-9,
+            "half - gamma loses all its digits: chi^2 / (half + gamma) is the same",
+        ),
         ((1.0, 1.0, 1e12, 1e3, 1.0, 100.0), 0.0, 1e-12, "it has come to rest long ago"),
         ((1.0, 1.0, 5.0, 10.0, 1.0, 1e6), 0.0, 1e-12, "cosh overflows, and e^-x is 0"),
         ((0.0, 1.0, 1.0, 1e9, 1.0, 1.0), 1e-9, 1e-17, "a strong damping lets it go v0 m / c far"),
         ((1.0, 0.0, 1e-8, 0.0, 1.0, 1e4), math.cos(1.0), 1e-12, "a soft spring swings too"),
+        ((1.0, 0.0, 1e-18, 0.0, 1.0, 1e9), math.cos(1.0), 1e-12, "compare half with chi exactly"),
         (
             (1.0, 0.0, 1e12, 0.0, 1.0, math.pi * 1e-6),
             -1.0,
@@ -200,9 +206,7 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
             cause=cause,
             read=read,
         )
-    cause = (
-        "what is worked out can be too large for a float as well: the angle of the swing is 1e350"
-    )
+    cause = "what is worked out can be too large for a float: the angle of the swing is 1e350"
     expect_error(
         "damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200)",
         lambda: damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200),

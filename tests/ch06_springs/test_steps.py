@@ -19,10 +19,11 @@ EXERCISES = {
     "runge_kutta_4": "B6.8",
 }
 RULES = {
-    "explicit_euler": "p' = p + v h, then v' = (v + a h) d^h: a and v are those of the start",
-    "semi_implicit_euler": "v' = (v + a h) d^h, then p' = p + v' h, with the new velocity",
+    "explicit_euler": "p' = p + v h, then v' = (v + a h) d^h once: a and v are of the start",
+    "semi_implicit_euler": "v' = (v + a h) d^h once, then p' = p + v' h: the new velocity, from "
+    "the old place: a vector that integrate changes in place has to be copied",
     "velocity_verlet": "p' = p + v h + a h^2 / 2; b is asked for at p', with v + a h; "
-    "v' = (v + (a + b) h / 2) d^h",
+    "v' = (v + (a + b) h / 2) d^h, damped once",
     "runge_kutta_4": "the mean of four rates, of which the second and the third count double; "
     "d^h multiplies the new velocity once",
 }

@@ -45,7 +45,7 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         cause = "look at every particle after each step, and raise SimulationDiverged(i, steps, "
         cause += "speed, speed_limit) for the first; the first step is number 1"
         calls, error = watching(limit, speeds)
-        name = f"{call}: (particle, step, speed, limit) of the error"
+        name = f"{call}: (particle, step, speed, limit) of the error, nan where none is raised"
         wanted = (fast, number, 1.25 * limit, limit)
         got = (math.nan,) * 4 if error is None else tuple(error)
         expect_close(name, got, wanted, cause=cause, read=read)
@@ -62,7 +62,7 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
         cause = "NaN compares false with everything: ask `not speed <= speed_limit`"
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
-        name = f"{call}: (particle, step) of the error"
+        name = f"{call}: (particle, step) of the error, nan where none is raised"
         expect_close(name, got, (1.0, 2.0), cause=cause, read=read)
 
 
@@ -94,7 +94,7 @@ def test_two_watches_count_for_themselves() -> None:
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
-    name = f"{call}: (particle, step) of the error"
+    name = f"{call}: (particle, step) of the error, nan where none is raised"
     expect_close(name, got, (0.0, 1.0), cause=cause, read=read)
     call = "watched(integrator, 5.0), watched(integrator, 9.0): 7 m/s under the second one"
     cause = "each has its own limit"
@@ -135,7 +135,10 @@ def test_a_watch_needs_a_limit() -> None:
     cause = "a speed at the limit is not over it: raise where `not speed <= speed_limit`"
     _, error = watching(7.0, [[7.0]])
     expect_exactly(call, error, None, cause=cause, read=read)
-    call = "watched(integrator, 1.0), 2 m/s after the first step: (particle, step) of the error"
+    call = (
+        "watched(integrator, 1.0), 2 m/s after the first step: (particle, step) of the error, nan "
+    )
+    call += "where none is raised"
     cause = "what means something must be watched"
     _, error = watching(1.0, [[2.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])

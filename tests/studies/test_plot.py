@@ -38,6 +38,7 @@ NAMES = (
     "ch06_springs/energy_over_time",
     "ch06_springs/error_against_work",
     "ch06_springs/cloth_frame_rates",
+    "ch06_springs/penalty_bounces",
 )
 
 
@@ -254,6 +255,21 @@ def test_a_cloth_lasts_at_a_tenth_of_the_frames_with_the_velocity_first(referenc
         assert lasts["explicit Euler", c, 960] < 2.0
 
 
+def test_a_ground_of_springs_throws_the_higher_the_stiffer_it_is(reference: Path) -> None:
+    rows = table(reference, "penalty_bounces", "ch06_springs")[1:]
+    rises = [(float(row[1]), float(row[3])) for row in rows if row[0] == "rise / fall"]
+    assert rises[0][1] < 1.02  # at k h^2 / m = 0.03
+    assert 3.0 < rises[-1][1] <= 1.0 / (1.0 - rises[-1][0] / 4.0)  # at 3.6; the square of E-36's
+
+
+def test_where_no_watch_is_written_an_explosion_is_drawn_all_the_same(tmp_path: Path) -> None:
+    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    with (tmp_path / "engine/ch06_springs/integrators.py").open("a", encoding="utf-8") as file:
+        file.write("\n\ndef watched(*_):\n    raise NotImplementedError('Exercise B6.10')\n")
+    done = plot(tmp_path / "engine", tmp_path, "6")
+    assert done.returncode == 0, done.stdout
+
+
 def test_springs_that_are_not_written_are_said(tmp_path: Path) -> None:
     shutil.copytree(ROOT / "solutions", tmp_path / "engine")
     for module in ("springs", "integrators", "closed_form"):
@@ -262,7 +278,7 @@ def test_springs_that_are_not_written_are_said(tmp_path: Path) -> None:
         (tmp_path / "engine" / path).write_text(text, encoding="utf-8")
     done = plot(tmp_path / "engine", tmp_path, "6")
     assert done.returncode == 1
-    assert done.stdout.count("not drawn, not written yet: Exercise B6.") == 7
+    assert done.stdout.count("not drawn, not written yet: Exercise B6.") == 8
     assert not [*tmp_path.glob("ch06_springs/*")]
 
 
@@ -352,7 +368,8 @@ def test_what_is_not_written_is_said_and_leaves_no_older_picture(tmp_path: Path)
 def test_an_engine_that_cannot_be_read_is_one_sentence(tmp_path: Path) -> None:
     done = plot("sample_class/dina", tmp_path)
     assert done.returncode == 1
-    assert "chapter 2 cannot be drawn: SyntaxError" in done.stdout
+    assert "chapter 2 cannot be drawn: SyntaxError: '(' was never closed" in done.stdout
+    assert "(sample_class/dina/ch02_vectors/vector.py, line " in done.stdout
     assert "Traceback" not in done.stdout + done.stderr
 
 

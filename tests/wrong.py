@@ -48,6 +48,19 @@ def write_all(chapter: Chapter, body: str | None, engine: Path) -> None:
         _write_changed(chapter, file, bodies, engine)
 
 
+def write_without(chapter: Chapter, written: list[str], engine: Path) -> None:
+    """Write the modules with the bodies of these exercises alone; all others are not written."""
+    for file in chapter.edited_files:
+        names = [
+            name.removeprefix(f"{file.removesuffix('.py')}.")
+            for exercise in chapter.exercises
+            if exercise.id not in written
+            for name in exercise.edit
+            if name.partition(".")[0] == file.removesuffix(".py")
+        ]
+        _write_changed(chapter, file, dict.fromkeys(names, "raise NotImplementedError\n"), engine)
+
+
 def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: Path) -> None:
     source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
     (engine / chapter.name).mkdir(parents=True, exist_ok=True)

@@ -15,11 +15,11 @@ from autograder.arrange import Behind
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.places import next_place
-from autograder.runner import Verdict, run_checks
+from autograder.runner import Verdict, run_checks, with_needs
 from autograder.scores import results_of, total
 from autograder.stubs import make_stubs
 from walls import behind_walls
-from wrong import Wrong, read_wrong, write_all, write_wrong
+from wrong import Wrong, read_wrong, write_all, write_without, write_wrong
 
 CHAPTERS = load_chapters()
 WRONG = [(chapter, wrong) for chapter in CHAPTERS for wrong in read_wrong(chapter)]
@@ -29,6 +29,7 @@ FIRSTS = [
     for exercise in chapter.exercises
     if exercise.edit
 ]
+EXERCISES = [(chapter, e.id) for chapter in CHAPTERS for e in chapter.exercises if e.edit]
 SEED = "1"
 REFUSALS = ("ValueError", "TypeError", "ArithmeticError")
 SEEDS = ("1", "2", "a class of its own")
@@ -46,6 +47,15 @@ def engine_with(top: Path) -> list[Path]:
 @pytest.fixture(params=["beside the checks", "in workers"])
 def behind(request: pytest.FixtureRequest) -> Behind | None:
     return behind_walls() if request.param == "in workers" else None
+
+
+def built_on(chapter: Chapter, edit: str) -> list[str]:
+    """Return the exercises that a body can make fail: its own, and those that build on that one.
+
+    The checks of the others pass without it: test_an_exercise_needs_no_other_than_it_says.
+    """
+    (own,) = (exercise.id for exercise in chapter.exercises if edit in exercise.edit)
+    return [e.id for e in chapter.exercises if own in with_needs(chapter, [e.id])]
 
 
 def lost(verdicts: list[Verdict]) -> dict[str, str]:
@@ -94,6 +104,16 @@ def test_doing_nothing_and_refusing_everything_earn_nothing(
     assert [verdict.name for verdict in verdicts if verdict.status == "passed"] == []
 
 
+@pytest.mark.parametrize(("chapter", "exercise"), EXERCISES, ids=[e for _, e in EXERCISES])
+def test_an_exercise_needs_no_other_than_it_says(
+    chapter: Chapter, exercise: str, tmp_path: Path
+) -> None:
+    """With all other bodies unwritten, its checks pass."""
+    write_without(chapter, with_needs(chapter, [exercise]), tmp_path)
+    verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED, exercises=[exercise])
+    assert lost([verdict for verdict in verdicts if verdict.exercise == exercise]) == {}
+
+
 @pytest.mark.parametrize(
     ("chapter", "wrong"), WRONG, ids=[f"{w.edit}: {w.mistake}" for _, w in WRONG]
 )
@@ -101,7 +121,8 @@ def test_a_wrong_submission_loses_exactly_its_checks(
     chapter: Chapter, wrong: Wrong, tmp_path: Path
 ) -> None:
     write_wrong(chapter, wrong, tmp_path)
-    verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED)
+    reached = built_on(chapter, wrong.edit)
+    verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED, exercises=reached)
     failed = [verdict for verdict in verdicts if verdict.status != "passed"]
     assert {verdict.name for verdict in failed} == set(wrong.loses)
     (exercise,) = (e for e in chapter.exercises if wrong.edit in e.edit)

@@ -36,8 +36,9 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
         others = {name for other in chapter.exercises for name in other.edit} - {*exercise.edit}
         if not called or (told[1] == chapter.name and body not in others):
             return f"{_file(engine, told[1], told[2])}:{told[3]}"
-    bodies = [name for name in exercise.edit if called and _calls(called[1], name)]
-    named = [name for name in bodies if called and _names_class(called[1], name)]
+    expression = called[1] if called else ""
+    bodies = [name for name in exercise.edit if _calls(expression, name)]
+    named = [name for name in bodies if _names_class(expression, name)]
     return find_definition(engine, chapter, (named or bodies or exercise.edit)[0])
 
 
@@ -86,10 +87,10 @@ def _calls(expression: str, name: str) -> bool:
     return re.search(pattern, expression) is not None
 
 
-def _names_class(called: str, name: str) -> bool:
-    """Say whether a call makes an object of a method's class; functions belong to none."""
+def _names_class(expression: str, name: str) -> bool:
+    """Say whether the expression of a check makes an object of a method's class, if it is one."""
     _, *path = name.split(".")
-    return len(path) == 1 or re.search(rf"\b{path[0]}\(", called) is not None
+    return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None
 
 
 def _file(engine: list[Path], chapter: str, name: str) -> Path:

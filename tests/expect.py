@@ -145,6 +145,38 @@ def expect_error(
     _complain(call, came, error.__name__, cause, read)
 
 
+def expect_finite_numbers(
+    name: str,
+    function: Callable[..., Any],
+    good: Sequence[int],
+    bad: Sequence[tuple[int, float]],
+    *,
+    read: str,
+) -> None:
+    """Expect a function of numbers to refuse NaN, infinities and texts in each of its places.
+
+    And the pairs of ``bad``, a place and a number. ``good`` is whole numbers that it must take.
+    """
+    __tracebackhide__ = True
+    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
+    refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
+    refused += [(place, "1.0", TypeError) for place in range(len(good))]
+    for place, value, error in refused:
+        if error is TypeError:
+            cause = "a text is no number, whatever stands in it: TypeError, as arguments.py has it"
+        arguments = [*good]
+        arguments[place] = value
+        expect_error(
+            f"{name}{tuple(arguments)}",
+            lambda arguments=arguments: function(*arguments),
+            error,
+            allowed=lambda: function(*good),
+            cause=cause,
+            read=read,
+        )
+
+
 def _as_tuple(value: Any) -> tuple[Any, ...]:
     return tuple(value) if isinstance(value, (tuple, list)) else (value,)
 

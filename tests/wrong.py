@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -35,30 +36,20 @@ def write_wrong(chapter: Chapter, wrong: Wrong, engine: Path) -> None:
     _write_changed(chapter, f"{module}.py", {name: wrong.body.strip() + "\n"}, engine)
 
 
-def write_all(chapter: Chapter, body: str | None, engine: Path) -> None:
-    """Write modules with the same line in every body that students write, or empty modules."""
+def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence[str] = ()) -> None:
+    """Write modules with the same line in every body that students write, or empty modules.
+
+    The bodies of the exercises in ``but`` stay the reference's.
+    """
+    changed = [e for e in chapter.exercises if e.id not in but]
+    names = [name.partition(".") for exercise in changed for name in exercise.edit]
     for file in chapter.edited_files:
         if body is None:
             (engine / chapter.name).mkdir(exist_ok=True)
             (engine / chapter.name / file).touch()
             continue
-        names = [name for exercise in chapter.exercises for name in exercise.edit]
-        modules = [name.partition(".") for name in names]
-        bodies = {name: body for module, _, name in modules if f"{module}.py" == file}
+        bodies = {name: body for module, _, name in names if f"{module}.py" == file}
         _write_changed(chapter, file, bodies, engine)
-
-
-def write_without(chapter: Chapter, written: list[str], engine: Path) -> None:
-    """Write the modules with the bodies of these exercises alone; all others are not written."""
-    for file in chapter.edited_files:
-        names = [
-            name.removeprefix(f"{file.removesuffix('.py')}.")
-            for exercise in chapter.exercises
-            if exercise.id not in written
-            for name in exercise.edit
-            if name.partition(".")[0] == file.removesuffix(".py")
-        ]
-        _write_changed(chapter, file, dict.fromkeys(names, "raise NotImplementedError\n"), engine)
 
 
 def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: Path) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import combinations, pairwise
+from typing import Any
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
@@ -42,18 +43,30 @@ def period_of(values: Sequence[float], duration: float) -> float:
     return 2.0 * (times[-1] - times[0]) / (len(times) - 1) * duration
 
 
+def places_of(particle: Particle, generator: Any, duration: float, frames: int) -> list[Components]:
+    """Let one generator act on a particle; return its place at the start and after each frame."""
+    places = [xyz(particle.position)]
+    for _ in range(frames):
+        generator.update_force(particle, duration)
+        particle.integrate(duration)
+        places.append(xyz(particle.position))
+    return places
+
+
+def advance(registry: ForceRegistry, particles: Sequence[Particle], duration: float) -> None:
+    """Let a frame pass for all particles, by the book's step."""
+    registry.update_forces(duration)
+    for particle in particles:
+        particle.integrate(duration)
+
+
 def swinging(
     start: Components, stiffness: float, mass: float, duration: float, frames: int
 ) -> float:
     """Swing on an AnchoredSpring of rest length 0; return the period."""
     particle = Particle(Vector3(*start), mass=mass)
-    spring = AnchoredSpring(Vector3(), stiffness, 0.0)
-    sums = []
-    for _ in range(frames):
-        sums.append(sum(xyz(particle.position)))
-        spring.update_force(particle, duration)
-        particle.integrate(duration)
-    return period_of(sums, duration)
+    places = places_of(particle, AnchoredSpring(Vector3(), stiffness, 0.0), duration, frames)
+    return period_of([sum(place) for place in places], duration)
 
 
 def pair_swinging(
@@ -72,9 +85,7 @@ def pair_swinging(
     extensions = []
     for _ in range(frames):
         extensions.append((b.position - a.position).magnitude() - rest)
-        registry.update_forces(duration)
-        a.integrate(duration)
-        b.integrate(duration)
+        advance(registry, (a, b), duration)
     return period_of(extensions, duration)
 
 
@@ -95,9 +106,7 @@ def network(
     for a, b in combinations(particles, 2):
         connect(registry, a, b, stiffness, rest, damping)
     for _ in range(frames):
-        registry.update_forces(duration)
-        for particle in particles:
-            particle.integrate(duration)
+        advance(registry, particles, duration)
     momenta = [xyz(p.velocity * p.mass) for p in particles]
     place, velocity, _ = bodies[0]
     free = [x + v * duration * frames for x, v in zip(place, velocity, strict=True)]
@@ -119,12 +128,8 @@ def bobbing(
         Vector3(0.0, start, 0.0), acceleration=Vector3(0.0, -gravity, 0.0), mass=mass
     )
     lift = Buoyancy(max_depth, volume, 0.0, gravity=gravity)
-    heights = []
-    for _ in range(frames):
-        heights.append(particle.position.y)
-        lift.update_force(particle, duration)
-        particle.integrate(duration)
-    return period_of(heights, duration)
+    places = places_of(particle, lift, duration, frames)
+    return period_of([y for _, y, _ in places], duration)
 
 
 def risen(
@@ -138,11 +143,7 @@ def risen(
 ) -> float:
     """Let a balloon rise from the ground; return its height in the end."""
     particle = Particle(acceleration=Vector3(0.0, -gravity, 0.0), mass=mass, damping=damping)
-    lift = LighterThanAir(max_lift, scale_height)
-    for _ in range(frames):
-        lift.update_force(particle, duration)
-        particle.integrate(duration)
-    return particle.position.y
+    return places_of(particle, LighterThanAir(max_lift, scale_height), duration, frames)[-1][1]
 
 
 def crowded(
@@ -159,9 +160,7 @@ def crowded(
     for particle in particles:
         registry.add(particle, Overcrowding(particles, distance, stiffness))
     for _ in range(frames):
-        registry.update_forces(duration)
-        for particle in particles:
-            particle.integrate(duration)
+        advance(registry, particles, duration)
     ends = [xyz(particle.position) for particle in particles]
     momenta = [xyz(particle.velocity) for particle in particles]
     nearest = min((math.dist(a, b) for a, b in combinations(ends, 2)), default=math.nan)

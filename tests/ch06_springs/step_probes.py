@@ -152,7 +152,7 @@ def implicit_steps(
 def watching(
     speed_limit: float, speeds: Sequence[Sequence[float]]
 ) -> tuple[list[tuple[int, float]], tuple[int, int, float, float] | None]:
-    """Watch a step that gives each particle the next of its speeds, along some axis.
+    """Watch a step that gives each particle the next of its speeds.
 
     Return what the step was called with, how many particles and which duration, and of the error
     that ended it: particle, step, speed and limit, or None.
@@ -164,13 +164,12 @@ def watching(
         apply_forces(h)
         frame = speeds[len(calls) - 1]
         for i, (particle, speed) in enumerate(zip(these, frame, strict=True)):
-            particle.velocity = Vector3()
             # NaN and infinity along one axis; other speeds in three, as 2, 3 and 6 parts of 7.
-            whole = math.isfinite(speed)
-            for n, name in enumerate("xyz"):
-                part = speed * (2.0, 3.0, 6.0)[(n + i) % 3] / 7.0 if whole else speed
-                if whole or n == i % 3:
-                    setattr(particle.velocity, name, part)
+            parts = [speed * part / 7.0 for part in (2.0, 3.0, 6.0)]
+            if not math.isfinite(speed):
+                parts = [speed, 0.0, 0.0]
+            v = particle.velocity
+            v.x, v.y, v.z = (parts[(n + i) % 3] for n in range(3))
 
     watched = integrators.watched(step, speed_limit)
     for i in range(len(speeds)):
@@ -262,12 +261,13 @@ def never_safe(duration: float) -> Any:
 
 
 def released() -> list[tuple[Any, ...]]:
-    """Ask swings_wider with a step that writes down what it gets, and moves nothing.
+    """Ask swings_wider with a step that writes down what it gets first, and moves nothing.
 
-    Of each call: how many particles, the first one's place, velocity, mass, damping, the force
-    on it that was there before, the force by apply_forces, and the duration.
+    How many particles, the first one's place, velocity, mass, damping, the force on it that was
+    there before, the force by apply_forces, the duration, and the particle's acceleration; nothing
+    where the step was not called.
     """
-    seen = []
+    seen: list[tuple[Any, ...]] = []
 
     def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
         one = these[0]
@@ -276,7 +276,7 @@ def released() -> list[tuple[Any, ...]]:
         apply_forces(h)
         force = xyz(one.force_accumulator)
         one.clear_forces()
-        if len(seen) < 10:
+        if not seen:
             place, velocity = xyz(one.position), xyz(one.velocity)
             drift = xyz(one.acceleration)
             seen.append(

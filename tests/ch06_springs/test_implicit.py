@@ -11,7 +11,7 @@ from ch06_springs.integrators import backward_euler, trapezoidal
 from ch06_springs.step_probes import implicit_steps
 from draw import number as draw_number
 from draw import positive_number
-from expect import expect_close, expect_error
+from expect import expect_close, expect_finite_numbers
 
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
 RULES = {
@@ -100,34 +100,9 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None:
     read = f"the docstring of {method}"
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
     step = METHODS[method]
-    good = (1.0, 0.5, 2.0, 3.0, 4.0, 5.0)
-    refused = [(i, number) for i in range(6) for number in (math.nan, math.inf, -math.inf)]
-    refused += [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0), (5, 0.0)]
-    for place, number in refused:
-        bad = [*good]
-        bad[place] = number
-        expect_error(
-            "{}({}, {}, {}, {}, {}, {})".format(method, *bad),
-            lambda bad=bad: step(*bad),
-            ValueError,
-            allowed=lambda: step(*good),
-            cause=cause,
-            read=read,
-        )
-    cause = "a text is no number, whatever stands in it: TypeError, as arguments.py has it"
-    for place in range(6):
-        words: list = [*good]
-        words[place] = "1.0"
-        expect_error(
-            f"{method}{tuple(words)}",
-            lambda words=words: step(*words),
-            TypeError,
-            allowed=lambda: step(1, 0, 2, 3, 4, 5),
-            cause=cause,
-            read=read,
-        )
+    bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0), (5, 0.0)]
+    expect_finite_numbers(method, step, (1, 2, 3, 4, 5, 6), bad, read=read)
     call = f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)"
     cause = "without a force it coasts: x + v h"
     got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)

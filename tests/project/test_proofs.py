@@ -13,13 +13,13 @@ import pytest
 
 from autograder.arrange import Behind
 from autograder.definitions import functions
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.places import next_place
 from autograder.runner import Verdict, run_checks, with_needs
 from autograder.scores import results_of, total
 from autograder.stubs import make_stubs
 from walls import behind_walls
-from wrong import Wrong, read_wrong, write_all, write_without, write_wrong
+from wrong import Wrong, read_wrong, write_all, write_wrong
 
 CHAPTERS = load_chapters()
 WRONG = [(chapter, wrong) for chapter in CHAPTERS for wrong in read_wrong(chapter)]
@@ -49,13 +49,18 @@ def behind(request: pytest.FixtureRequest) -> Behind | None:
     return behind_walls() if request.param == "in workers" else None
 
 
-def built_on(chapter: Chapter, edit: str) -> list[str]:
-    """Return the exercises that a body can make fail: its own, and those that build on that one.
+def exercise_of(chapter: Chapter, wrong: Wrong) -> Exercise:
+    """Return the exercise whose body a wrong submission changes."""
+    (exercise,) = (e for e in chapter.exercises if wrong.edit in e.edit)
+    return exercise
+
+
+def built_on(chapter: Chapter, exercise: Exercise) -> list[str]:
+    """Return an exercise and those that build on it: all that its bodies can make fail.
 
     The checks of the others pass without it: test_an_exercise_needs_no_other_than_it_says.
     """
-    (own,) = (exercise.id for exercise in chapter.exercises if edit in exercise.edit)
-    return [e.id for e in chapter.exercises if own in with_needs(chapter, [e.id])]
+    return [e.id for e in chapter.exercises if exercise.id in with_needs(chapter, [e.id])]
 
 
 def lost(verdicts: list[Verdict]) -> dict[str, str]:
@@ -109,7 +114,8 @@ def test_an_exercise_needs_no_other_than_it_says(
     chapter: Chapter, exercise: str, tmp_path: Path
 ) -> None:
     """With all other bodies unwritten, its checks pass."""
-    write_without(chapter, with_needs(chapter, [exercise]), tmp_path)
+    body = "raise NotImplementedError('no')"
+    write_all(chapter, body, tmp_path, but=with_needs(chapter, [exercise]))
     verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED, exercises=[exercise])
     assert lost([verdict for verdict in verdicts if verdict.exercise == exercise]) == {}
 
@@ -121,11 +127,11 @@ def test_a_wrong_submission_loses_exactly_its_checks(
     chapter: Chapter, wrong: Wrong, tmp_path: Path
 ) -> None:
     write_wrong(chapter, wrong, tmp_path)
-    reached = built_on(chapter, wrong.edit)
+    exercise = exercise_of(chapter, wrong)
+    reached = built_on(chapter, exercise)
     verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED, exercises=reached)
     failed = [verdict for verdict in verdicts if verdict.status != "passed"]
     assert {verdict.name for verdict in failed} == set(wrong.loses)
-    (exercise,) = (e for e in chapter.exercises if wrong.edit in e.edit)
     first = next(verdict for verdict in failed if verdict.exercise == exercise.id)
     assert "likely    " in first.message
     assert "read      " in first.message
@@ -145,7 +151,7 @@ def test_a_wrong_submission_is_told_the_same_both_ways(
 ) -> None:
     """The first wrong submission of each exercise: every verdict and every word of its checks."""
     write_wrong(chapter, wrong, tmp_path)
-    own = [exercise.id for exercise in chapter.exercises if wrong.edit in exercise.edit]
+    own = [exercise_of(chapter, wrong).id]
     beside, behind = (
         run_checks(chapter, engine_with(tmp_path), seed=SEED, exercises=own, behind=where)
         for where in (None, behind_walls())

@@ -25,6 +25,7 @@ class Exercise:
     hints: list[str]
     terms: list[str]
     edit: list[str] = field(default_factory=list)
+    files: list[str] = field(default_factory=list)
     needs: list[str] = field(default_factory=list)
 
 
@@ -46,6 +47,11 @@ class Chapter:
         """The modules that students edit, such as vector.py, in the order of the manifest."""
         modules = [name.split(".")[0] for exercise in self.exercises for name in exercise.edit]
         return [f"{module}.py" for module in dict.fromkeys(modules)]
+
+    @property
+    def data_files(self) -> list[str]:
+        """What students fill with data of their own, such as drops.csv."""
+        return [name for exercise in self.exercises for name in exercise.files]
 
     def exercise(self, exercise_id: str) -> Exercise:
         """Return the exercise of that id. Raises ValueError where the chapter has none."""

@@ -32,6 +32,9 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
         for name in chapter.edited_files:
             source = (solution / name).read_text(encoding="utf-8")
             stubs[f"chapters/{chapter.name}/{name}"] = stub_module(source, _messages(chapter, name))
+        for name in chapter.data_files:  # its first line names the columns
+            lines = (solution / name).read_text(encoding="utf-8").splitlines(keepends=True)
+            stubs[f"chapters/{chapter.name}/{name}"] = lines[0]
         answers = solution / "answers.md"
         if answers.exists():
             text = answers.read_text(encoding="utf-8")

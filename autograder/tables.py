@@ -26,7 +26,7 @@ def exercise_table(chapter: Chapter) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """Return each file with the names whose bodies are written in it.
+    """Return each file with the names whose bodies are written in it, and files of data.
 
     A method's class is named where several classes of the file have a method of that name.
     """
@@ -37,7 +37,8 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
         own = own_name(name)
         alike = [n for other, _, n in edited if other == module and n.rpartition(".")[2] == own]
         files.setdefault(module, []).append(f"`{inside if len(alike) > 1 else own}`")
-    return [f"`{module}.py`: {', '.join(names)}" for module, names in files.items()]
+    written = [f"`{module}.py`: {', '.join(names)}" for module, names in files.items()]
+    return [*written, *(f"`{name}`: your data" for name in exercise.files)]
 
 
 def with_table(readme: str, chapter: Chapter) -> str:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import statistics
+import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -16,6 +17,8 @@ BLUE, ORANGE, GREEN, GREY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "
 RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
 
 Numbers = tuple[float, float, float]
+Key = TypeVar("Key")
+Found = TypeVar("Found")
 
 LABEL: dict[str, Any] = {
     "fontsize": 12,
@@ -39,6 +42,29 @@ def is_written(call: Callable[[], object]) -> bool:
     except NotImplementedError:
         return False
     return True
+
+
+def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
+    """Run scenes by their keys and leave out what ends in a stub; say so where all of them do."""
+    found: dict[Key, Found] = {}
+    stub: NotImplementedError | None = None
+    for key, scene in scenes.items():
+        try:
+            found[key] = scene()
+        except NotImplementedError as error:
+            stub = stub or error
+    if stub is not None and not found:
+        raise stub
+    return found
+
+
+def tell(figure: Figure, notes: Sequence[str]) -> None:
+    """Write below a picture what ended its scenes early: the first notes, where there are many."""
+    lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
+    if len(notes) > 3:
+        lines.append(f"and {len(notes) - 3} more like these")
+    if lines:
+        figure.supxlabel("\n".join(lines), fontsize=8)
 
 
 def numbers(v: Any) -> Numbers:

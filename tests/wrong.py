@@ -39,7 +39,7 @@ def write_wrong(chapter: Chapter, wrong: Wrong, engine: Path) -> None:
 def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence[str] = ()) -> None:
     """Write modules with the same line in every body that students write, or empty modules.
 
-    The bodies of the exercises in ``but`` stay the reference's.
+    Data that students enter is left empty. The exercises in ``but`` stay as in the reference.
     """
     changed = [e for e in chapter.exercises if e.id not in but]
     names = [name.partition(".") for exercise in changed for name in exercise.edit]
@@ -50,6 +50,9 @@ def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence
             continue
         bodies = {name: body for module, _, name in names if f"{module}.py" == file}
         _write_changed(chapter, file, bodies, engine)
+    for exercise in changed:
+        for name in exercise.files:
+            (engine / chapter.name / name).touch()
 
 
 def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: Path) -> None:

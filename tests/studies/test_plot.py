@@ -39,6 +39,14 @@ NAMES = (
     "ch06_springs/error_against_work",
     "ch06_springs/cloth_frame_rates",
     "ch06_springs/penalty_bounces",
+    "ch07_constraints/bounce_heights",
+    "ch07_constraints/resting_jitter",
+    "ch07_constraints/resolver_convergence",
+    "ch07_constraints/stack_height",
+    "ch07_constraints/rope_by_method",
+    "ch07_constraints/rods_hold",
+    "ch07_constraints/pendulum_energy",
+    "ch07_constraints/restitution_of_materials",
 )
 
 
@@ -64,7 +72,7 @@ def table(out: Path, name: str, chapter: str = "ch02_vectors") -> list[list[str]
 def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Where the reference's plots were drawn to."""
     out = tmp_path_factory.mktemp("plots")
-    done = plot("solutions", out, "2-6")
+    done = plot("solutions", out, "2-7")
     assert done.returncode == 0, done.stdout + done.stderr
     assert all(f"{name}.png" in done.stdout and f"{name}.csv" in done.stdout for name in NAMES)
     return out

@@ -1,0 +1,176 @@
+"""Pictures of chapter 7: a rope of rods by every method, how well rods hold, and a pendulum."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+from matplotlib import pyplot
+
+from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.links import Rod, TwoSidedRod
+from studies.constraints import (
+    FRAME,
+    LINK,
+    STEPS,
+    Link,
+    Track,
+    by_resolver,
+    chain,
+    chain_by_direct_solve,
+    pendulum,
+)
+from studies.drawing import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PINK,
+    RED,
+    SKY,
+    Picture,
+    tell,
+    written,
+)
+
+LINKS = 30
+KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
+
+
+def rope_by_method() -> Picture:
+    """How much a rope of rods gets too long that is let go at 30 degrees, by every method."""
+    figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
+    frames = 120
+    ten = by_resolver(20, HeapResolver)
+    more = by_resolver(None, HeapResolver)
+    colors = (RED, ORANGE, PINK, SKY, BLUE, GREEN)
+    scenes: dict[str, Callable[[], tuple[Track, Track]]] = {
+        "Rod": lambda: chain(LINKS, Rod, by_resolver(), frames, 30.0),
+        "Rod, 10 times the iterations": lambda: chain(LINKS, Rod, ten, frames, 30.0),
+        "Rod, 8 substeps": lambda: chain(LINKS, Rod, more, frames, 30.0, 8),
+        "TwoSidedRod": lambda: chain(LINKS, TwoSidedRod, more, frames, 30.0),
+        "TwoSidedRod, 8 substeps": lambda: chain(LINKS, TwoSidedRod, more, frames, 30.0, 8),
+        "DirectChain": lambda: chain_by_direct_solve(LINKS, frames, 30.0),
+    }
+    found = written(scenes)
+    rows: list[Sequence[object]] = []
+    for color, name in zip(colors, scenes, strict=True):
+        if name not in found:
+            continue
+        run, worst = found[name]
+        # A rope of the right length, to rounding, has its place at the lower edge.
+        off = [max(abs(value), 1e-10) for value in run.values]
+        label = f"{name}: at most {max(off):.2g} m"
+        axes.semilogy(run.times, off, color=color, lw=3.0 if name == "Rod" else 1.3, label=label)
+        rows += [(name, *row) for row in zip(run.times, run.values, worst.values, strict=True)]
+    axes.axhline(LINKS * LINK, color=GREY, lw=1, ls=":", label=f"its length, {LINKS * LINK:g} m")
+    last = {name: run.values[-1] for name, (run, _) in found.items()}
+    words = [f"{name} {last[name]:.2g}" for name in ("Rod", "DirectChain") if name in last]
+    axes.set_title(
+        f"{LINKS} links of {LINK:g} m, let go at 30$\\degree$: "
+        f"after {frames * FRAME:g} s too long by, in m: {', '.join(words)}",
+        fontsize=11,
+    )
+    axes.set(xlabel="time, s", ylabel="how much the rope is off its length, m (60 Hz)")
+    axes.grid(alpha=0.3)
+    figure.legend(fontsize=8, ncols=3, loc="outside lower center")
+    tell(figure, [f"{name}: {run.message}" for name, (run, _) in found.items() if run.message])
+    return Picture(figure, ("method", "time, s", "too long by, m", "worst rod off by, m"), rows)
+
+
+def rods_hold() -> Picture:
+    """How much the worst rod of a chain that hangs at rest is off, by iterations and substeps."""
+    figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.4), layout="constrained", sharey=True)
+    # Left out is what takes longer than the rest together.
+    ways = {
+        "default iterations": (None, 1, 30, RED),
+        "x 10": (20, 1, 30, ORANGE),
+        "x 100": (200, 1, 3, GREEN),
+        "4 substeps": (None, 4, 30, SKY),
+        "16 substeps": (None, 16, 10, BLUE),
+    }
+    found = written(
+        {
+            (kind, way, count): _hanging(KINDS[kind], count, iterations, substeps)
+            for kind in KINDS
+            for way, (iterations, substeps, most, _) in ways.items()
+            for count in (1, 3, 10, 30)
+            if count <= most
+        }
+    )
+    rows: list[Sequence[object]] = [(*key, value) for key, (value, _) in found.items()]
+    for axes, kind in zip(panels, KINDS, strict=True):
+        for way, (*_, color) in ways.items():
+            seen = {
+                n: max(off, 1e-10) for (k, w, n), (off, _) in found.items() if (k, w) == (kind, way)
+            }
+            if seen:
+                style = "s--" if "substeps" in way else "o-"
+                n, off = [*seen.items()][-1]
+                label = f"{way}: {off:.2g} m of {n}"
+                axes.loglog(*zip(*seen.items(), strict=True), style, color=color, ms=5, label=label)
+        at = [value for (k, _, n), (value, _) in found.items() if (k, n) == (kind, 10)]
+        words = f"{min(at):.2g} to {max(at):.2g}" if at else "?"
+        axes.set_title(f"{kind}: the worst of 10 rods is off by {words} m", fontsize=10)
+        axes.axhline(LINK, color=GREY, lw=1, ls=":")
+        axes.set_xticks((1, 3, 10, 30), ("1", "3", "10", "30"))
+        axes.set_xticks([], minor=True)
+        axes.set(xlabel="rods in the chain, of 0.1 m each (dotted)")
+        axes.grid(alpha=0.3)
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend(fontsize=8)
+        else:
+            axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
+    panels[0].set_ylabel("worst rod off by, m, from 1.5 to 2 s (60 Hz; 1e-10 or less at the edge)")
+    tell(figure, [f"{key}: {message}" for key, (_, message) in found.items() if message])
+    return Picture(figure, ("link", "way", "rods", "worst rod off by, m"), rows)
+
+
+def pendulum_energy() -> Picture:
+    """The energy of a pendulum of a rod, let go where it is horizontal, for ten seconds."""
+    figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
+    shown = [("explicit Euler", 60, RED), ("semi-implicit Euler", 60, SKY)]
+    shown += [("semi-implicit Euler", 240, PINK), ("semi-implicit Euler", 960, BLACK)]
+    shown += [("DirectChain", 60, GREEN)]
+    found = written({(name, rate): _swinging(name, rate) for name, rate, _ in shown})
+    rows: list[Sequence[object]] = []
+    words = []
+    for name, rate, color in shown:
+        if (run := found.get((name, rate))) is None:
+            continue
+        label = f"{name}, {rate} Hz: {run.values[-1]:.4g} J in the end"
+        axes.plot(run.times, run.values, color=color, lw=1.2, label=label)
+        rows += [(name, rate, *row) for row in zip(run.times, run.values, strict=True)]
+        words.append(f"{100.0 * (run.values[-1] / run.values[0] - 1.0):+.3g} %")
+    axes.set_title(
+        "A pendulum of 1 m and 1 kg, from horizontal: change of energy in 10 s, in the order of "
+        f"the legend:\n{', '.join(words)}",
+        fontsize=11,
+    )
+    axes.set(xlabel="time, s", ylabel="energy, J, from the lowest point")
+    axes.set_ylim(bottom=0.0)
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8)
+    notes = [
+        f"{name}, {rate} Hz: {run.message}" for (name, rate), run in found.items() if run.message
+    ]
+    tell(figure, notes)
+    return Picture(figure, ("method", "frame rate, Hz", "time, s", "energy, J"), rows)
+
+
+def _hanging(
+    link: Link, count: int, iterations: int | None, substeps: int
+) -> Callable[[], tuple[float, str]]:
+    """Return what lets a chain hang for 2 s, and gives how much its worst rod is off."""
+
+    def scene() -> tuple[float, str]:
+        resolve = by_resolver(iterations, HeapResolver)
+        _, worst = chain(count, link, resolve, 120, substeps=substeps)
+        return max(worst.values[90:], default=math.inf), worst.message
+
+    return scene
+
+
+def _swinging(name: str, rate: int) -> Callable[[], Track]:
+    return lambda: pendulum(STEPS.get(name), rate, 10.0)

@@ -1,0 +1,361 @@
+"""Scenes of contacts: a ball, a stack, a pile, a chain and a pendulum, as plain numbers over time.
+
+Each runs frames of one length by a step of chapter 6, after which contacts are resolved, unless it
+has a step of its own. Gravity is 10 m/s^2, downwards. Lengths are in m, times in s.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Protocol
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import Gravity
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import ApplyForces, Integrator, explicit_euler, semi_implicit_euler
+from ch07_constraints.contacts import (
+    DEPTH_TOLERANCE,
+    VELOCITY_TOLERANCE,
+    Contact,
+    ContactGenerator,
+    ContactResolver,
+)
+from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.links import AnchoredRod, Cable
+from ch07_constraints.time_division import TooManyImpacts, time_division_step
+from studies.drawing import Numbers, numbers
+from studies.stability import stopped
+
+FRAME = 1.0 / 60.0
+GRAVITY = 10.0
+LINK = 0.1
+RADIUS = 0.5
+
+STEPS: dict[str, Integrator] = {
+    "explicit Euler": explicit_euler,
+    "semi-implicit Euler": semi_implicit_euler,
+}
+
+Move = Callable[[float], object]
+Resolve = Callable[[list[Contact], float], object]
+
+
+class Link(Protocol):
+    """How a link between two particles is made: Rod, TwoSidedRod or Cable."""
+
+    def __call__(self, a: Particle, b: Particle, length: float, /) -> ContactGenerator: ...
+
+
+@dataclass(frozen=True)
+class Track:
+    """What was measured at the start and after each frame, and what ended it early, if that."""
+
+    times: list[float]
+    values: list[float]
+    message: str = ""
+
+
+def track(move: Move, measure: Callable[[], float], frames: int, duration: float = FRAME) -> Track:
+    """Measure something at the start and after each frame, until the engine says that it failed."""
+    times, values = [0.0], [measure()]
+
+    def run() -> None:
+        for i in range(1, frames + 1):
+            move(duration)
+            values.append(measure())
+            times.append(i * duration)
+
+    message = stopped(run)
+    return Track(times, values[: len(times)], message)
+
+
+def no_forces(duration: float) -> None:
+    """Add none: gravity is built into the particles."""
+    del duration
+
+
+def resolving(
+    step: Integrator,
+    particles: Sequence[Particle],
+    generators: Iterable[ContactGenerator],
+    resolve: Resolve,
+    apply_forces: ApplyForces = no_forces,
+    substeps: int = 1,
+) -> Move:
+    """Return what moves a frame: substeps, each of which ends with its contacts resolved."""
+    every = [*generators]
+
+    def move(duration: float) -> None:
+        part = duration / substeps
+        for _ in range(substeps):
+            step(particles, apply_forces, part)
+            resolve([contact for some in every for contact in some.contacts()], part)
+
+    return move
+
+
+def by_resolver(
+    iterations: int | None = None, kind: type[ContactResolver] = ContactResolver
+) -> Resolve:
+    """Return a resolver of so many iterations a contact; None leaves it to its default, 2."""
+
+    def resolve(contacts: list[Contact], duration: float) -> None:
+        if contacts:
+            limit = None if iterations is None else iterations * len(contacts)
+            kind(limit).resolve_contacts(contacts, duration)
+
+    return resolve
+
+
+def without_rule(contacts: list[Contact], duration: float) -> None:
+    """Resolve contacts as impacts at a point of time: nothing that a frame built up counts."""
+    del duration
+    for contact in contacts:
+        contact.resolve_velocity()
+        contact.resolve_penetration()
+
+
+def no_bounce_below(speed: float) -> Resolve:
+    """Return a rule that is taken too far: what closes more slowly does not bounce at all."""
+
+    def resolve(contacts: list[Contact], duration: float) -> None:
+        for contact in contacts:
+            if contact.separating_velocity() > -speed:
+                contact.restitution = 0.0
+            contact.resolve(duration)
+
+    return resolve
+
+
+def ball(
+    step: Integrator,
+    height: float,
+    restitution: float,
+    frames: int,
+    resolve: Resolve | None = None,
+    generated: bool = False,
+) -> Track:
+    """Return the height of a ball that is let go above the ground.
+
+    Gravity is the constant acceleration of the particle, or comes from a generator. Without a
+    ``resolve`` the contacts are resolved by a ContactResolver.
+    """
+    down = Vector3(0.0, -GRAVITY)
+    particle = Particle(Vector3(0.0, height), acceleration=None if generated else down)
+    gravity = Gravity(down)
+
+    def apply_forces(duration: float) -> None:
+        if generated:
+            gravity.update_force(particle, duration)
+
+    ground = GroundPlane([particle], restitution=restitution)
+    move = resolving(step, [particle], [ground], resolve or by_resolver(), apply_forces)
+    return track(move, lambda: numbers(particle.position)[1], frames)
+
+
+def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
+    """Return the height of the same ball by time_division_step, to its last impact at most.
+
+    It ends with TooManyImpacts where the ball comes to rest, at the time that this tells.
+    """
+    particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
+    ground = GroundPlane([particle], restitution=restitution)
+    last = []
+
+    def move(duration: float) -> None:
+        try:
+            time_division_step([particle], ground, duration)
+        except TooManyImpacts as error:
+            last.append(error.time)
+            raise
+
+    run = track(move, lambda: numbers(particle.position)[1], frames)
+    if not last:
+        return run
+    times = [*run.times, run.times[-1] + last[0]]
+    return Track(times, [*run.values, numbers(particle.position)[1]], run.message)
+
+
+def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
+    """Return the height of the highest of a stack of spheres, and the largest overlap.
+
+    They begin where each just touches the next one, without a bounce. The height is that of the
+    middle; the overlap is a share of the diameter, of neighbours or with the ground.
+    """
+    spheres = [
+        Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
+        for i in range(count)
+    ]
+    detector = Detectors(GroundPlane(spheres, radius=RADIUS), ParticlePairs(spheres, RADIUS))
+    move = resolving(semi_implicit_euler, spheres, [detector], by_resolver(iterations))
+    overlaps = []
+
+    def measure() -> float:
+        places = [-RADIUS, *(numbers(sphere.position)[1] for sphere in spheres)]
+        overlaps.append(max(1.0 - (high - low) / (2.0 * RADIUS) for low, high in pairwise(places)))
+        return max(places)
+
+    run = track(move, measure, frames)
+    return run, Track(run.times, overlaps[: len(run.times)], run.message)
+
+
+def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[Contact]]:
+    """Return a pile of spheres in a plane that falls on the ground, and its contacts.
+
+    The lowest row has as many spheres as there are rows. All that is near overlaps, by a share of
+    the diameter, and all fall at the speed in m/s.
+    """
+    size = 2.0 * RADIUS * (1.0 - overlap)
+    spheres = [
+        Particle(
+            Vector3((i + 0.5 * row) * size, RADIUS * (1.0 - overlap) + row * size * 0.75**0.5),
+            Vector3(0.0, -speed),
+        )
+        for row in range(rows)
+        for i in range(rows - row)
+    ]
+    detector = Detectors(GroundPlane(spheres, radius=RADIUS), ParticlePairs(spheres, RADIUS))
+    return spheres, detector.contacts()
+
+
+def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
+    """Return what is left of a pile's closing velocities and depths after so many resolutions.
+
+    These are the largest closing velocity in m/s and the largest depth in m, of the places that the
+    spheres then have. Resolutions are those of a ContactResolver, the worst first, or those of
+    sweeps through the list, which leave out what needs none.
+    """
+    spheres, contacts = pile(rows, 0.01, 1.0)
+    if iterations and in_order:
+        _sweep(contacts, iterations, _closes, lambda contact: contact.resolve_velocity(FRAME))
+        _sweep(contacts, iterations, _is_deep, _resolve_depth)
+    elif iterations:
+        ContactResolver(iterations).resolve_contacts(contacts, FRAME)
+    closing = max((-contact.separating_velocity() for contact in contacts), default=math.nan)
+    places = [numbers(sphere.position) for sphere in spheres]
+    # From the places alone: the contacts may be wrong about how deep they are by now (E-8).
+    depths = [RADIUS - place[1] for place in places]
+    depths += [2 * RADIUS - math.dist(a, b) for i, a in enumerate(places) for b in places[:i]]
+    return max(closing, 0.0), max(0.0, *depths)
+
+
+def chain_particles(count: int, angle: float = 0.0) -> list[Particle]:
+    """Return an immovable particle and a straight chain below it, turned by an angle in degrees."""
+    x, y = LINK * math.sin(math.radians(angle)), -LINK * math.cos(math.radians(angle))
+    down = Vector3(0.0, -GRAVITY)
+    chain = [Particle(Vector3(i * x, i * y), acceleration=down) for i in range(1, count + 1)]
+    return [Particle(mass=math.inf), *chain]
+
+
+def chain(
+    count: int,
+    link: Link,
+    resolve: Resolve,
+    frames: int,
+    angle: float = 0.0,
+    substeps: int = 1,
+    step: Integrator = semi_implicit_euler,
+) -> tuple[Track, Track]:
+    """Let a chain of links go; return how much it is too long, and how much the worst link is off.
+
+    Too long is the sum of its links less what it should be; off is a link that is too long or, but
+    for cables, too short.
+    """
+    particles = chain_particles(count, angle)
+    links = [link(a, b, LINK) for a, b in pairwise(particles)]
+    move = resolving(step, particles[1:], links, resolve, substeps=substeps)
+    return _lengths(move, particles, frames, link is not Cable)
+
+
+def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
+    """Return the same of a chain by DirectChain."""
+    particles = chain_particles(count, angle)
+    return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames, True)
+
+
+def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
+    """Return the energy in J of a pendulum of 1 kg and 1 m that is let go where it is horizontal.
+
+    It is measured from the lowest point: 10 J at the start. The rod is an AnchoredRod, resolved
+    after the step, or without a step it is a DirectChain. Velocities of the latter are those of the
+    middle of a frame, so the mean of two is taken for the place between.
+    """
+    particle = Particle(Vector3(1.0), acceleration=Vector3(0.0, -GRAVITY))
+    frames = round(seconds * rate)
+    states: list[tuple[Numbers, Numbers]] = []
+
+    def measure() -> float:
+        states.append((numbers(particle.position), numbers(particle.velocity)))
+        return _energy(*states[-1])
+
+    if step is not None:
+        rod = AnchoredRod(particle, Vector3(), 1.0)
+        move = resolving(step, [particle], [rod], by_resolver())
+        return track(move, measure, frames, 1.0 / rate)
+    run = track(DirectChain([particle], Vector3()).step, measure, frames, 1.0 / rate)
+    energies = run.values[:1]
+    for (place, before), (_, after) in pairwise(states[1:]):
+        middle = [0.5 * (v + w) for v, w in zip(before, after, strict=True)]
+        energies.append(_energy(place, (middle[0], middle[1], middle[2])))
+    return Track(run.times[: len(energies)], energies[: len(run.times)], run.message)
+
+
+def _energy(place: Numbers, velocity: Numbers) -> float:
+    """Return the energy in J of 1 kg, seen from 1 m below the anchor."""
+    return GRAVITY * (1.0 + place[1]) + 0.5 * math.fsum(v * v for v in velocity)
+
+
+def _lengths(move: Move, particles: list[Particle], frames: int, rods: bool) -> tuple[Track, Track]:
+    worst = []
+
+    def measure() -> float:
+        places = [numbers(particle.position) for particle in particles]
+        off = [math.dist(a, b) - LINK for a, b in pairwise(places)]
+        worst.append(max(map(abs, off)) if rods else max(0.0, *off))
+        return math.fsum(off)
+
+    run = track(move, measure, frames)
+    return run, Track(run.times, worst[: len(run.times)], run.message)
+
+
+def _sweep(
+    contacts: list[Contact],
+    limit: int,
+    wants: Callable[[Contact], bool],
+    resolve: Callable[[Contact], object],
+) -> None:
+    """Resolve what wants it in the order of the list, again and again, up to limit times."""
+    used = 0
+    while True:
+        before = used
+        for contact in contacts:
+            if used < limit and wants(contact):
+                resolve(contact)
+                used += 1
+        if used in (before, limit):
+            return
+
+
+def _depth(contact: Contact) -> float:
+    """Return how deep a contact of spheres is where they are now, along the normal it has."""
+    place = contact.particle.position
+    if contact.other is None:
+        return RADIUS - place.y
+    return 2.0 * RADIUS - (place - contact.other.position).dot(contact.normal)
+
+
+def _closes(contact: Contact) -> bool:
+    return contact.separating_velocity() < -VELOCITY_TOLERANCE
+
+
+def _is_deep(contact: Contact) -> bool:
+    return _depth(contact) > DEPTH_TOLERANCE
+
+
+def _resolve_depth(contact: Contact) -> None:
+    contact.penetration = _depth(contact)
+    contact.resolve_penetration()

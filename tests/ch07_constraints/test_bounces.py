@@ -1,0 +1,244 @@
+"""Exercises 7.1, 7.3 and 7.4: measured bounces, two balls dropped at once, a short push."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch07_constraints.exercises import (
+    force_for_frame,
+    restitution_of_drop,
+    table_of_drops,
+    top_ball_speed,
+)
+from ch07_constraints.probes import entered_drops
+from draw import components, positive_number
+from expect import (
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_finite_numbers,
+    expect_unchanged,
+    expect_vector,
+    xyz,
+)
+
+DROP = "exercise 7.1, E-10, and the docstring of restitution_of_drop"
+TABLE = "the docstring of table_of_drops"
+DATA = "exercise 7.1, and the file drops.csv of this chapter"
+TWO = "exercise 7.3, and the docstring of top_ball_speed"
+PUSH = "exercise 7.4, and the docstring of force_for_frame"
+
+
+@pytest.mark.exercise("7.1")
+def test_restitution_is_a_root(rng: Random) -> None:
+    read = DROP
+    h, c = positive_number(rng), round(rng.uniform(0.1, 0.9), 3)
+    for initial, bounce, wanted in ((1.0, 0.64, 0.8), (h, c * c * h, c), (2.0, 2.0, 1.0)):
+        call = f"restitution_of_drop({initial}, {bounce})"
+        cause = (
+            "speeds go with the roots of heights: the root of bounce / initial; the book prints "
+        )
+        cause += "it without the root (E-10)"
+        got = restitution_of_drop(initial, bounce)
+        expect_close(call, got, wanted, cause=cause, read=read)
+    call = "restitution_of_drop(2.0, 0.0)"
+    cause = "what does not bounce at all has 0"
+    got = restitution_of_drop(2.0, 0.0)
+    expect_close(call, got, 0.0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("7.1")
+def test_a_drop_needs_heights_that_mean_something() -> None:
+    read = DROP
+    bad = [(0, 0.0), (0, -2.0), (1, -1.0), (1, 2.5)]
+    expect_finite_numbers("restitution_of_drop", restitution_of_drop, (2, 1), bad, read=read)
+
+
+@pytest.mark.exercise("7.1")
+def test_each_material_has_its_row(rng: Random) -> None:
+    read = TABLE
+    a = [round(rng.uniform(0.2, 0.9), 2) for _ in range(4)]
+    b = [round(rng.uniform(0.2, 0.9), 2) for _ in range(2)]
+    order = [("clay", a[0]), ("oak", b[0]), ("clay", a[1]), ("ash", 0.5), ("clay", a[2])]
+    order += [("oak", b[1]), ("clay", a[3])]
+    drops = [(name, 2.0, 2.0 * c * c) for name, c in order]
+    call = f"table_of_drops({[(name, h, round(bounce, 4)) for name, h, bounce in drops]})"
+    got = table_of_drops(drops)
+    cause = "a row for each material, in the order in which they come first"
+    names = [row[0] for row in got]
+    expect_exactly(f"{call}: materials", names, ["clay", "oak", "ash"], cause=cause, read=read)
+    counts = [row[1] for row in got]
+    expect_exactly(f"{call}: drops", counts, [4, 2, 1], cause=cause, read=read)
+    cause = "the mean of the drops' restitutions"
+    wanted = (math.fsum(a) / 4.0, math.fsum(b) / 2.0, 0.5)
+    means = [row[2] for row in got]
+    # Roots of the heights, a few roundings of 1.
+    expect_close(f"{call}: means", means, wanted, cause=cause, read=read, tolerance=1e-14)
+    cause = "s / sqrt(n), where s is the standard deviation with n - 1: statistics.stdev"
+    spread = math.fsum((c - wanted[0]) ** 2 for c in a)
+    errors = (math.sqrt(spread / 3.0 / 4.0), abs(b[0] - b[1]) / 2.0)
+    seen = [row[3] for row in got[:2]]
+    expect_close(f"{call}: standard errors", seen, errors, cause=cause, read=read, tolerance=1e-14)
+    cause = "one drop alone says nothing of its error: None"
+    expect_exactly(f"{call}: the last error", got[2][3], None, cause=cause, read=read)
+
+
+@pytest.mark.exercise("7.1")
+def test_a_table_refuses_what_a_drop_refuses() -> None:
+    read = TABLE
+    good = ("oak", 2.0, 1.0)
+    for bad, error in ((("oak", 0.0, 0.0), ValueError), (("ash", 1.0, "2"), TypeError)):
+        call = f"table_of_drops([{good}, {bad}])"
+        cause = "restitution_of_drop refuses it: let its error out"
+        expect_error(
+            call,
+            lambda bad=bad: table_of_drops([good, bad]),
+            error,
+            allowed=lambda: table_of_drops([good]),
+            cause=cause,
+            read=read,
+        )
+    call = "table_of_drops([])"
+    cause = "no drops give no rows"
+    got = table_of_drops([])
+    expect_exactly(call, len(got), 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("7.1", weight=2)
+def test_bounces_were_measured() -> None:
+    read = DATA
+    call = "your drops.csv, of at least three materials with at least three drops each: how many "
+    call += "materials are there with three"
+    cause = "enter your own drops, one a line, as in drops_sample.csv: material,initial_height,"
+    cause += "bounce_height, heights in m, no bounce higher than the drop"
+    drops = entered_drops()
+    materials = {name for name, _, _ in drops}
+    got = sum(sum(name == other for other, _, _ in drops) >= 3 for name in materials)
+    expect_exactly(call, max(0, 3 - got), 0, cause=cause, read=read)
+    call = "your drops.csv: drops with a bounce that is higher than the drop, or not above 0"
+    got = sum(not 0.0 < bounce <= initial for _, initial, bounce in drops)
+    expect_exactly(call, got, 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("7.3")
+def test_the_upper_ball_flies_off(rng: Random) -> None:
+    read = TWO
+    call = "top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)"
+    cause = (
+        "both arrive with sqrt(20) m/s; the lower one turns round with half of it, and the upper "
+    )
+    cause += "one leaves with 1.3625 times it: 6.0933 m/s"
+    got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
+    expect_close(call, got, 1.3625 * math.sqrt(20.0), cause=cause, read=read)
+    h, g, m = positive_number(rng), positive_number(rng), positive_number(rng)
+    v = math.sqrt(2.0 * g * h)
+    for lower, ground, pair, wanted, cause in (
+        (m, 1.0, 1.0, v, "equal masses, restitution 1: they exchange their velocities"),
+        (m, 0.0, 1.0, 0.0, "equal masses, and the lower one stands: it takes all of the motion"),
+        (3.0 * m, 1.0, 1.0, 2.0 * v, "three times the mass, restitution 1: twice as fast"),
+        (m, 1.0, 0.0, 0.0, "equal masses, restitution 0: their momenta cancel"),
+        (3.0 * m, 0.0, 0.0, -0.25 * v, "what sticks to a lower one at rest goes on downwards"),
+    ):
+        call = f"top_ball_speed({h}, {lower}, {m}, {ground}, {pair}, {g})"
+        got = top_ball_speed(h, lower, m, ground, pair, g)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("7.3")
+def test_two_balls_part_by_their_restitution(rng: Random) -> None:
+    read = TWO
+    h, g = positive_number(rng), positive_number(rng)
+    lower, upper = positive_number(rng), positive_number(rng)
+    ground, pair = (round(rng.uniform(0.1, 0.9), 3) for _ in range(2))
+    call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair}, {g})"
+    cause = "momentum is kept between the two, and they part at the pair's restitution times the "
+    cause += "speed at which they close: c_ground v + v"
+    got = top_ball_speed(h, lower, upper, ground, pair, g)
+    v = math.sqrt(2.0 * g * h)
+    momentum = (lower * ground - upper) * v
+    parting = pair * (1.0 + ground) * v
+    wanted = (momentum + lower * parting) / (lower + upper)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
+    call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair})"
+    cause = "without a gravity it is 10 m/s^2"
+    got = top_ball_speed(h, lower, upper, ground, pair)
+    wanted *= math.sqrt(10.0 / g)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("7.3")
+def test_two_balls_need_numbers_that_mean_something() -> None:
+    read = TWO
+    bad = [(0, -2.0), (1, 0.0), (1, -1.0), (2, 0.0), (2, -1.0), (3, -0.5), (3, 1.5), (4, -0.5)]
+    bad += [(4, 1.5), (5, -1.0)]
+    good = (2, 3, 4, 1, 0, 5)
+    expect_finite_numbers("top_ball_speed", top_ball_speed, good, bad, read=read)
+    call = "top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)"
+    cause = "from a height of 0 nothing moves"
+    got = top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)
+    expect_close(call, got, 0.0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("7.4")
+def test_a_short_push_is_a_weak_one(rng: Random) -> None:
+    read = PUSH
+    f, frame = components(rng), positive_number(rng, 0.1, 0.9)
+    for share in (0.25, 1.0, 0.0):
+        call = f"f = Vector3{f}; force_for_frame(f, {share * frame}, {frame})"
+        cause = "k t_s / t_f: the impulse, force times time, is the same"
+        force = Vector3(*f)
+        got = expect_vector(
+            call, force_for_frame(force, share * frame, frame), cause=cause, read=read
+        )
+        wanted = tuple(share * part for part in f)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-14)
+        expect_unchanged(call, "f", xyz(force), f, read=read)
+    call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
+    cause = "return a new vector, also where nothing is taken off"
+    force = Vector3(*f)
+    force_for_frame(force, 1.0, 1.0).x += 1.0
+    expect_unchanged(call, "f", xyz(force), f, cause=cause, read=read)
+
+
+@pytest.mark.exercise("7.4")
+def test_a_push_is_not_longer_than_its_frame() -> None:
+    read = PUSH
+    cause = "refuse what is negative, not finite, or longer than the frame"
+    for numbers, error in (
+        ((0.5, 0.25), ValueError),
+        ((-0.5, 1.0), ValueError),
+        ((0.5, 0.0), ValueError),
+        ((0.0, 0.0), ValueError),
+        ((0.5, -1.0), ValueError),
+        ((0.5, math.nan), ValueError),
+        ((math.nan, 0.5), ValueError),
+        ((0.5, math.inf), ValueError),
+        (("0.5", 1.0), TypeError),
+        ((0.5, "1.0"), TypeError),
+    ):
+        expect_error(
+            f"force_for_frame(Vector3(1, 2, 3), {numbers[0]!r}, {numbers[1]!r})",
+            lambda numbers=numbers: force_for_frame(Vector3(1.0, 2.0, 3.0), *numbers),
+            error,
+            allowed=lambda: force_for_frame(Vector3(1.0, 2.0, 3.0), 1, 2),
+            cause=cause,
+            read=read,
+        )
+    for bad, error in (
+        (Vector3(math.inf), ValueError),
+        (Vector3(math.nan), ValueError),
+        (3.0, TypeError),
+    ):
+        name = "3.0" if error is TypeError else "Vector3 that is not finite"
+        expect_error(
+            f"force_for_frame({name}, 1.0, 2.0)",
+            lambda bad=bad: force_for_frame(bad, 1.0, 2.0),
+            error,
+            allowed=lambda: force_for_frame(Vector3(1.0, 2.0, 3.0), 1.0, 2.0),
+            cause="refuse what is no vector, or not finite: finite_vector of arguments.py does",
+            read=read,
+        )

@@ -1,0 +1,271 @@
+"""Contacts: how fast they part, and how fast they should, build tasks B7.1 and B7.2."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import Contact
+from draw import Components, components, direction, dot, number, positive_number
+from expect import expect_close, expect_error, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+UP = (0.0, 1.0, 0.0)
+PART = "book 7.1.1, Eq. 7.2, and the docstring of Contact.separating_velocity"
+AFTER = "the docstring of Contact.velocity_after"
+REST = "book 7.2.3, E-26, and the docstring of Contact.velocity_after"
+G = 9.81
+
+
+def along(n: Components, speed: float, rng: Random) -> Components:
+    """Return a velocity whose part along a normal is the speed; the rest of it is random."""
+    v = components(rng)
+    part = speed - dot(v, n)
+    return (v[0] + part * n[0], v[1] + part * n[1], v[2] + part * n[2])
+
+
+@pytest.mark.exercise("B7.1")
+def test_two_part_as_one_sees_the_other(rng: Random) -> None:
+    read = PART
+    p, q, v, w = (components(rng) for _ in range(4))
+    n = direction(rng)
+    call = f"a at {p}, velocity {v}; b at {q}, velocity {w}; Contact(a, b, Vector3{n})"
+    call += ".separating_velocity()"
+    cause = "(va - vb) . n: velocities, a seen from b; positive where they part"
+    a, b = Particle(Vector3(*p), Vector3(*v), mass=2.0), Particle(Vector3(*q), Vector3(*w))
+    got = Contact(a, b, Vector3(*n), 0.5, 1.0).separating_velocity()
+    # A few roundings of numbers up to 20.
+    expect_close(call, got, dot(v, n) - dot(w, n), cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B7.1")
+def test_the_world_does_not_move(rng: Random) -> None:
+    read = PART
+    v = components(rng)
+    for n in (UP, direction(rng)):
+        call = f"a with velocity {v}; Contact(a, None, Vector3{n}).separating_velocity()"
+        cause = "without an other it is va . n: look whether other is None"
+        got = Contact(Particle(velocity=Vector3(*v)), None, Vector3(*n)).separating_velocity()
+        expect_close(call, got, dot(v, n), cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B7.1")
+def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
+    read = PART
+    v, w, n, m = components(rng), components(rng), direction(rng), direction(rng)
+    call = (
+        f"a with velocity {v}, b with {w}; c = Contact(a, b, Vector3{n}); c.separating_velocity()"
+    )
+    cause = "-= works in place: take a - b, which is new"
+    a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
+    c = Contact(a, b, Vector3(*n))
+    c.separating_velocity()
+    for name, now, before in (
+        ("a.velocity", xyz(a.velocity), v),
+        ("b.velocity", xyz(b.velocity), w),
+        ("c.normal", xyz(c.normal), n),
+    ):
+        expect_unchanged(call, name, now, before, cause=cause, read=read)
+    call += f"; c.normal = Vector3{m}; a.velocity = Vector3(); c.separating_velocity()"
+    cause = "it is that of now: keep nothing of an earlier call"
+    c.normal = Vector3(*m)
+    a.velocity = Vector3()
+    got = c.separating_velocity()
+    expect_close(call, got, -dot(w, m), cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B7.2")
+def test_what_closes_bounces(rng: Random) -> None:
+    read = AFTER
+    n = direction(rng)
+    for restitution in (0.0, round(rng.uniform(0.2, 0.8), 3), 1.0):
+        closing = -positive_number(rng)
+        w = components(rng)
+        v = along(n, closing + dot(w, n), rng)
+        call = f"a with velocity {v}, b with {w}; Contact(a, b, Vector3{n}, {restitution})"
+        call += ".velocity_after()"
+        cause = f"they close with {-closing} m/s, and part with the restitution times that: -c v_s"
+        a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w), mass=3.0)
+        got = Contact(a, b, Vector3(*n), restitution).velocity_after()
+        wanted = -restitution * closing
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B7.2")
+def test_what_parts_goes_on(rng: Random) -> None:
+    read = AFTER
+    n = direction(rng)
+    for duration in (0.0, 0.5):
+        v = along(n, positive_number(rng), rng)
+        call = f"a with velocity {v}; Contact(a, None, Vector3{n}, 0.5).velocity_after({duration})"
+        cause = "what parts already keeps its separating velocity, whatever pulls it"
+        down = Vector3(*n) * -G
+        a = Particle(velocity=Vector3(*v), acceleration=down)
+        got = Contact(a, None, Vector3(*n), 0.5).velocity_after(duration)
+        expect_close(call, got, dot(v, n), cause=cause, read=read, tolerance=1e-12)
+    call = "a at rest, pulled down; Contact(a, None, Vector3(0, 1, 0), 0.5).velocity_after(0.5)"
+    cause = "what neither closes nor parts has 0, and keeps it"
+    a = Particle(acceleration=Vector3(0.0, -G, 0.0))
+    got = Contact(a, None, Vector3(*UP), 0.5).velocity_after(0.5)
+    expect_close(call, got, 0.0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.2")
+def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
+    read = REST
+    n, h, c = direction(rng), 0.02, round(rng.uniform(0.3, 0.9), 3)
+    pull = tuple(-G * part for part in n)
+    for closing, wanted, cause in (
+        (G * h, 0.0, "it rests: all that it closes with is what the frame has accelerated it"),
+        (0.4 * G * h, 0.0, "the frame explains more than there is: 0, and never below"),
+        (
+            5.0,
+            c * (5.0 - G * h),
+            "c (-v_s + a . n h): what the frame has built up is left out of the bounce",
+        ),
+    ):
+        v = along(n, -closing, rng)
+        call = f"a with velocity {v}, acceleration {pull}; Contact(a, None, Vector3{n}, {c})"
+        call += f".velocity_after({h})"
+        a = Particle(velocity=Vector3(*v), acceleration=Vector3(*pull))
+        got = Contact(a, None, Vector3(*n), c).velocity_after(h)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    call = f"a with velocity (0, -5, 0), acceleration (0, -{G}, 0); "
+    call += "Contact(a, None, Vector3(0, 1, 0), 1.0).velocity_after(0.0)"
+    cause = "a duration of 0 is an impact: no frame has built up anything"
+    a = Particle(velocity=Vector3(0.0, -5.0, 0.0), acceleration=Vector3(0.0, -G, 0.0))
+    got = Contact(a, None, Vector3(*UP), 1.0).velocity_after(0.0)
+    expect_close(call, got, 5.0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.2")
+def test_an_acceleration_that_parts_explains_nothing(rng: Random) -> None:
+    read = REST
+    pull, c = positive_number(rng), round(rng.uniform(0.3, 0.9), 3)
+    call = f"a with velocity (0, -2, 0), acceleration (3, {pull}, 3); "
+    call += f"Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after(0.25)"
+    cause = "an acceleration away from the contact, a . n above 0, has not closed it: c times 2 m/s"
+    a = Particle(velocity=Vector3(0.0, -2.0, 0.0), acceleration=Vector3(3.0, pull, 3.0))
+    got = Contact(a, None, Vector3(*UP), c).velocity_after(0.25)
+    expect_close(call, got, 2.0 * c, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.2")
+def test_forces_build_up_as_well(rng: Random) -> None:
+    read = REST
+    mass, c, h = positive_number(rng), round(rng.uniform(0.3, 0.9), 3), 0.02
+    call = f"a of {mass} kg; a.add_force(Vector3(0, -{mass} * {G}, 0)); a.integrate({h}); "
+    call += f"Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
+    cause = "count all of the frame's acceleration, the forces too: last_acceleration has it. The "
+    cause += "book looks at the constant one alone, and then a generator's gravity bounces (E-26)"
+    a = Particle(mass=mass)
+    a.add_force(Vector3(0.0, -mass * G, 0.0))
+    a.integrate(h)
+    got = Contact(a, None, Vector3(*UP), c).velocity_after(h)
+    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-13)
+    call = f"a of {mass} kg with acceleration (0, {-G}, 0), held by a force of its weight; "
+    call += f"a.velocity.y = -1; Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
+    cause = "force and gravity cancel: nothing was built up, so all of 1 m/s bounces"
+    a = Particle(acceleration=Vector3(0.0, -G, 0.0), mass=mass)
+    a.add_force(Vector3(0.0, mass * G, 0.0))
+    a.integrate(h)
+    a.velocity.y = -1.0
+    got = Contact(a, None, Vector3(*UP), c).velocity_after(h)
+    expect_close(call, got, c, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B7.2")
+def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
+    read = REST
+    pull, other = number(rng), positive_number(rng)
+    c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
+    for pa, pb, mass_a, mass_b, wanted, cause in (
+        (pull, pull, 1.0, 2.0, c * 3.0, "the acceleration of a seen from b: both fall alike, so 0"),
+        (
+            0.0,
+            other,
+            1.0,
+            2.0,
+            c * (3.0 - other * h),
+            "(aa - ab) . n: an other that is accelerated along the normal closes the contact",
+        ),
+        (
+            0.0,
+            other,
+            1.0,
+            math.inf,
+            c * 3.0,
+            "what is immovable is not accelerated, whatever its acceleration says",
+        ),
+        (
+            -other,
+            0.0,
+            math.inf,
+            1.0,
+            c * 3.0,
+            "what is immovable is not accelerated, whatever its acceleration says",
+        ),
+    ):
+        call = f"a of {mass_a} kg, velocity (0, -1, 0), acceleration (0, {pa}, 0); b of {mass_b} "
+        call += f"kg, velocity (0, 2, 0), acceleration (0, {pb}, 0); "
+        call += f"Contact(a, b, Vector3(0, 1, 0), {c}).velocity_after({h})"
+        a = Particle(None, Vector3(0.0, -1.0, 0.0), Vector3(0.0, pa, 0.0), mass=mass_a)
+        b = Particle(None, Vector3(0.0, 2.0, 0.0), Vector3(0.0, pb, 0.0), mass=mass_b)
+        got = Contact(a, b, Vector3(*UP), c).velocity_after(h)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B7.2")
+def test_to_say_how_it_bounces_changes_nothing(rng: Random) -> None:
+    read = AFTER
+    v = components(rng)[0], -positive_number(rng), components(rng)[2]
+    call = f"a with velocity {v}, acceleration (0, -2, 0); c = Contact(a, b, Vector3(0, 1, 0), 0.5)"
+    call += "; c.velocity_after(0.5)"
+    cause = "resolve_velocity changes velocities; this only says what is wanted"
+    a = Particle(velocity=Vector3(*v), acceleration=Vector3(0.0, -2.0, 0.0))
+    b = Particle(acceleration=Vector3(0.0, -1.0, 0.0))
+    c = Contact(a, b, Vector3(*UP), 0.5)
+    c.velocity_after(0.5)
+    for name, now, before in (
+        ("a.velocity", xyz(a.velocity), v),
+        ("a.acceleration", xyz(a.acceleration), (0.0, -2.0, 0.0)),
+        ("b.acceleration", xyz(b.acceleration), (0.0, -1.0, 0.0)),
+        ("b.velocity", xyz(b.velocity), ZERO),
+        ("c.normal", xyz(c.normal), UP),
+    ):
+        expect_unchanged(call, name, now, before, cause=cause, read=read)
+    call += "; c.restitution = 0.25; c.velocity_after(0.0)"
+    cause = "read the attributes each time: 0.25 times what it closes with now"
+    c.restitution = 0.25
+    got = c.velocity_after(0.0)
+    expect_close(call, got, -0.25 * v[1], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.2")
+def test_a_bounce_needs_a_duration_that_means_something() -> None:
+    read = AFTER
+    for velocity in (-1.0, 1.0):
+        for duration, error in (
+            (-0.5, ValueError),
+            (math.nan, ValueError),
+            (math.inf, ValueError),
+            ("0.5", TypeError),
+        ):
+            call = f"Contact(a, None, Vector3(0, 1, 0)).velocity_after({duration!r}), "
+            call += f"a with velocity (0, {velocity}, 0)"
+            cause = "refuse what is negative or not finite: not_negative of arguments.py does, and "
+            cause += "what is no number as well; whether it closes or parts"
+            a = Particle(velocity=Vector3(0.0, velocity, 0.0))
+            contact = Contact(a, None, Vector3(*UP))
+            expect_error(
+                call,
+                lambda contact=contact, duration=duration: contact.velocity_after(duration),
+                error,
+                allowed=lambda contact=contact: contact.velocity_after(0),
+                cause=cause,
+                read=read,
+            )

@@ -1,0 +1,201 @@
+"""Detectors of what touches now: the ground and pairs of spheres, 7.5 and B7.9."""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import ContactResolver
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.probes import piled, thrown_down, told
+from draw import Components, components, direction, number, positive_number
+from expect import expect_close, expect_exactly
+
+UP = (0.0, 1.0, 0.0)
+GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"
+PAIRS = "the docstring of ParticlePairs.contacts"
+
+
+@pytest.mark.exercise("7.5")
+def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
+    read = GROUND
+    height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
+    for radius in (0.0, 0.25):
+        call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
+        # Eighths of a metre are exact beside a radius of a quarter.
+        for above, depths, cause in (
+            (0.125, [], "above the ground there is no contact"),
+            (0.0, [0.0], "what only just touches is in contact, with a penetration of 0"),
+            (-0.125, [0.125], "how far the lowest point, y less the radius, is below the height"),
+            (-80.0, [80.0], "all below the height is ground, however deep"),
+        ):
+            y = height + radius + above
+            x, z = number(rng), number(rng)
+            p = Particle(Vector3(x, y, z), Vector3(1.0, 2.0, 3.0), mass=3.0)
+            got = told(GroundPlane([p], height, radius, c).contacts(), [p])
+            name = f"p at ({x}, {y}, {z}); {call}"
+            expect_exactly(f"{name}: how many", len(got), len(depths), cause=cause, read=read)
+            for (a, b, normal, restitution, depth), wanted in zip(got, depths, strict=True):
+                # Rounding of heights up to 10 m.
+                shown = f"{name}: penetration"
+                expect_close(shown, depth, wanted, cause=cause, read=read, tolerance=2e-14)
+                seen = (a, b, *normal, restitution)
+                cause = "the particle, no other, the normal (0, 1, 0), and the restitution"
+                shown = f"{name}: particle by number, -1 for None, normal, restitution"
+                expect_close(shown, seen, (0, -1, *UP, c), cause=cause, read=read)
+
+
+@pytest.mark.exercise("7.5")
+def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
+    read = GROUND
+    heights = [number(rng) for _ in range(6)]
+    call = f"particles at the heights {heights}; g = GroundPlane(particles); g.contacts(): which"
+    cause = "each particle at or below the height, in the order of the list"
+    particles = [Particle(Vector3(1.0, y, 2.0)) for y in heights]
+    ground = GroundPlane(particles)
+    got = [contact[0] for contact in told(ground.contacts(), particles)]
+    wanted = [i for i, y in enumerate(heights) if y <= 0.0]
+    expect_exactly(call, got, wanted, cause=cause, read=read)
+    call += "; all moved to -1, the second one immovable, one more in the list; g.contacts(): which"
+    cause = "immovable particles have none; look at the list as it is now"
+    for particle in particles:
+        particle.position.y = -1.0
+    particles[1].mass = math.inf
+    particles.append(Particle(Vector3(0.0, -1.0, 0.0)))
+    ground = GroundPlane(particles)
+    got = [contact[0] for contact in told(ground.contacts(), particles)]
+    expect_close(call, got, (0, 2, 3, 4, 5, 6), cause=cause, read=read)
+    call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): how many"
+    cause = "read the attributes each time"
+    ground.height, ground.radius = -2.0, 0.5
+    got = [*ground.contacts()]
+    expect_exactly(call, len(got), 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("7.5")
+def test_nothing_is_too_fast_for_the_ground(rng: Random) -> None:
+    read = GROUND
+    speed = positive_number(rng, 500.0, 2000.0)
+    call = f"a particle 1 m above the ground, with {speed} m/s downwards; a frame of 1/60 s, "
+    call += "GroundPlane([p]).contacts(), and their penetration added to its height"
+    cause = (
+        "it is metres below the ground by then, and still in contact: the ground is all that is "
+    )
+    cause += "below, not a line to be crossed"
+    fallen, got = thrown_down(speed, 1.0 / 60.0)
+    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-12)
+    name = f"a particle 1 m above the ground, with {speed} m/s downwards, after 1/60 s: its height"
+    expect_close(name, fallen, 1.0 - speed / 60.0, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B7.9")
+def test_spheres_touch_at_two_radii(rng: Random) -> None:
+    read = PAIRS
+    n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
+    q = components(rng)
+    for radius, distance, wanted, cause in (
+        (0.75, 1.5001, None, "more than two radii apart there is no contact"),
+        (0.75, 1.25, 0.25, "the penetration is two radii less the distance of the middles"),
+        (4.0, 0.5, 7.5, "the penetration is two radii less the distance of the middles"),
+    ):
+        p = tuple(x + distance * part for x, part in zip(q, n, strict=True))
+        call = f"a at {p}, b at {q}; ParticlePairs([a, b], {radius}, {c}).contacts()"
+        pair = [Particle(Vector3(*p)), Particle(Vector3(*q))]
+        got = told(ParticlePairs(pair, radius, c).contacts(), pair)
+        expect_pairs(call, got, [] if wanted is None else [(0, 1, n, c, wanted)], cause, read)
+    call = "a at (3, 0, 0), b at (5, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
+    cause = "exactly two radii apart they touch, with a penetration of 0"
+    pair = [Particle(Vector3(3.0)), Particle(Vector3(5.0))]
+    got = told(ParticlePairs(pair, 1.0).contacts(), pair)
+    expect_pairs(call, got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)], cause, read)
+    call = f"a and b at {q}; ParticlePairs([a, b], 1.0).contacts()"
+    cause = "at one place there is no direction: the normal is +Y"
+    pair = [Particle(Vector3(*q)), Particle(Vector3(*q))]
+    got = told(ParticlePairs(pair, 1.0).contacts(), pair)
+    expect_pairs(call, got, [(0, 1, UP, 0.0, 2.0)], cause, read)
+
+
+def expect_pairs(call: str, got: list, wanted: list[tuple], cause: str, read: str) -> None:
+    """Expect these contacts, in this order: both numbers, normal, restitution, penetration."""
+    seen = [number for a, b, *_ in got for number in (a, b)]
+    pairs = [number for a, b, *_ in wanted for number in (a, b)]
+    name = f"{call}: the pairs, by number"
+    expect_exactly(name, seen, pairs, cause=cause, read=read)
+    for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
+        cause = "the normal leads to the first of the pair, from the second"
+        # Differences of places of up to 10 m, over a distance of half a metre or more.
+        expect_close(f"{call}: normal", normal, right[2], cause=cause, read=read, tolerance=1e-13)
+        expect_close(f"{call}: restitution", restitution, right[3], cause=cause, read=read)
+        cause = "two radii less the distance of the middles"
+        name = f"{call}: penetration"
+        expect_close(name, depth, right[4], cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B7.9")
+def test_every_pair_is_found_once(rng: Random) -> None:
+    read = PAIRS
+    for count, size, radius in ((40, 1.0, 0.25), (60, 9.0, 0.8), (30, 0.5, 2.0)):
+        places: list[Components] = [
+            (rng.uniform(-size, size), rng.uniform(-size, size), rng.uniform(-size, size))
+            for _ in range(count)
+        ]
+        walls = {3, 4, 5, 6}
+        call = f"{count} particles in a cube of {2 * size:g} m, 3 to 6 of them immovable; "
+        call += f"ParticlePairs(particles, {radius}).contacts()"
+        cause = "each pair that touches once, in the order of the list; none of two immovable ones"
+        particles = [
+            Particle(Vector3(*place), mass=math.inf if i in walls else 1.0)
+            for i, place in enumerate(places)
+        ]
+        got = told(ParticlePairs(particles, radius).contacts(), particles)
+        wanted = []
+        for i, j in combinations(range(count), 2):
+            distance = math.dist(places[i], places[j])
+            if distance <= 2.0 * radius and not {i, j} <= walls:
+                n = tuple((p - q) / distance for p, q in zip(places[i], places[j], strict=True))
+                wanted.append((i, j, n, 0.0, 2.0 * radius - distance))
+        expect_pairs(call, got, wanted, cause, read)
+
+
+@pytest.mark.exercise("B7.9")
+def test_a_grid_has_no_seams(rng: Random) -> None:
+    read = PAIRS
+    radius = positive_number(rng, 0.3, 0.9)
+    cause = "what touches may be in different cells, in any of the 26 around, also below 0"
+    for way in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, -1, 0), (1, 1, 1), (-1, 1, 1)):
+        length = math.hypot(*way)
+        step = tuple(1.8 * radius * part / length for part in way)
+        places = [tuple((i - 10) * part for part in step) for i in range(21)]
+        call = f"21 particles in a row through (0, 0, 0), {step} apart; ParticlePairs(particles, "
+        call += f"{radius}).contacts(): the pairs, by number"
+        particles = [Particle(Vector3(*place)) for place in places]
+        got = told(ParticlePairs(particles, radius).contacts(), particles)
+        seen = [number for a, b, *_ in got for number in (a, b)]
+        wanted = [number for i in range(20) for number in (i, i + 1)]
+        expect_exactly(call, seen, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.9")
+def test_a_pile_of_ten_holds() -> None:
+    read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
+    call = "ten spheres of 1 kg, radius 0.5 m, stacked on the ground; 40 frames of 1/60 s, "
+    call += "velocity first, ParticlePairs and ContactResolver with 50 iterations a contact"
+    cause = "each sphere touches the one below it, and is told so in every frame"
+    particles = [
+        Particle(Vector3(0.0, i + 0.5, 0.0), acceleration=Vector3(0.0, -9.81, 0.0))
+        for i in range(10)
+    ]
+    heights, overlap = piled(
+        particles, ParticlePairs(particles, 0.5), ContactResolver(500), 40, 1.0 / 60.0
+    )
+    wanted = tuple(i + 0.5 for i in range(10))
+    # Measured: 0.02 m of overlap at most; 6 % of the diameter is what such a stack may have.
+    name = f"{call}: heights"
+    expect_close(name, heights, wanted, cause=cause, read=read, tolerance=0.06)
+    name = f"{call}: the largest overlap after a frame, m"
+    expect_close(name, overlap, 0.0, cause=cause, read=read, tolerance=0.06)

@@ -1,0 +1,334 @@
+"""Detectors of what will touch: times of impact, B7.10 and B7.11."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.detectors import GroundPlane, ParticlePairs, time_to_close
+from ch07_constraints.probes import told
+from draw import components, direction, number, positive_number
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+
+UP = (0.0, 1.0, 0.0)
+CLOSE = "the docstring of time_to_close"
+GROUND = "the docstring of GroundPlane.next_impact"
+PAIRS = "the docstring of ParticlePairs.next_impact"
+
+
+@pytest.mark.exercise("B7.10")
+def test_when_a_gap_closes(rng: Random) -> None:
+    read = CLOSE
+    t, pull = positive_number(rng), positive_number(rng)
+    for gap, v, a, wanted, cause in (
+        (12.0, -4.0, 0.0, 3.0, "without an acceleration it is gap / -v"),
+        (5.0, 0.0, -10.0, 1.0, "from rest gap = -a t^2 / 2"),
+        (15.0, 10.0, -10.0, 3.0, "up first, and down again: of both solutions the later one"),
+        (40.0, -10.0, -10.0, 2.0, "of both solutions the one that is not before now"),
+        (6.0, -5.0, 2.0, 2.0, "it is slowed down, and gets there: of both solutions the first one"),
+        (
+            0.5 * pull * t * t,
+            0.0,
+            -pull,
+            t,
+            "from rest gap = -a t^2 / 2",
+        ),
+        (0.0, 10.0, -10.0, 2.0, "it touches and leaves: that is no impact, its return is one"),
+        (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998), "a little inside it leaves, and returns"),
+        (-5.0, 3.0, -10.0, 0.3, "too deep to get out: from where it turns round it closes on"),
+    ):
+        call = f"time_to_close({gap}, {v}, {a})"
+        got = time_to_close(gap, v, a)
+        expect_close(call, got, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.10")
+def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
+    read = CLOSE
+    x = positive_number(rng)
+    for gap, v, a, wanted, cause in (
+        (0.0, -x, 0.0, 0.0, "it touches and closes: now"),
+        (-x, -x, 3.0, 0.0, "it is inside, and goes on inwards: now"),
+        (0.0, 0.0, -x, 0.0, "it lies there, and is pulled inwards: now"),
+        (-1e-18, 0.0, -x, 0.0, "it lies there, and is pulled inwards: now"),
+        (x, 1.0, 0.0, math.inf, "it goes away, and nothing pulls it back"),
+        (x, 0.0, 0.0, math.inf, "nothing moves"),
+        (x, 0.0, 2.0, math.inf, "it is pulled away"),
+        (x, 2.0, 3.0, math.inf, "it goes away, and is pulled away"),
+        (x, -1.0, 1.0 / x, math.inf, "it turns round before it gets there: the root is negative"),
+        (0.0, 0.0, 0.0, math.inf, "it lies there, and nothing pulls it: there is no impact"),
+        (0.0, x, 0.0, math.inf, "it leaves"),
+        (-x, x, 1.0, math.inf, "it leaves, if it takes some time to get out"),
+        (0.0, -1e-13, 0.0, math.inf, "less than VELOCITY_TOLERANCE against nothing is rounding"),
+    ):
+        call = f"time_to_close({gap}, {v}, {a})"
+        got = time_to_close(gap, v, a)
+        expect_exactly(call, float(got), wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.10")
+def test_the_digits_of_a_time_are_kept() -> None:
+    read = CLOSE
+    for gap, v, a, wanted, cause in (
+        (1e-10, -1000.0, -10.0, 1e-13, "sqrt(v v - 2 a gap) - v, as a divisor, loses no digits: "),
+        (1e-10, -1000.0, 10.0, 1e-13, "sqrt(v v - 2 a gap) - v, as a divisor, loses no digits: "),
+    ):
+        cause += "as a difference of nearly equal numbers it loses them all"
+        call = f"time_to_close({gap}, {v}, {a})"
+        got = time_to_close(gap, v, a)
+        # The acceleration changes it by 1e-15 of it.
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-22)
+
+
+@pytest.mark.exercise("B7.10")
+def test_the_first_on_the_ground(rng: Random) -> None:
+    read = GROUND
+    height, radius, c = number(rng), 0.25, round(rng.uniform(0.1, 0.9), 3)
+    speeds = [positive_number(rng, 1.0, 2.0) for _ in range(4)]
+    falls = [3.0, 2.0, 1.0, 2.5]
+    places = [(number(rng), height + radius + fall, number(rng)) for fall in falls]
+    call = f"four spheres {falls} m above the ground, with the speeds {speeds} downwards; "
+    call += f"g = GroundPlane(particles, {height}, {radius}, {c}); g.next_impact(9.0)"
+    particles = [
+        Particle(Vector3(*place), Vector3(5.0, -speed, 5.0))
+        for place, speed in zip(places, speeds, strict=True)
+    ]
+    ground = GroundPlane(particles, height, radius, c)
+    times = [fall / speed for fall, speed in zip(falls, speeds, strict=True)]
+    first = min(times)
+    cause = "the smallest time of all particles, with a contact of penetration 0: its particle, no "
+    cause += "other, the normal (0, 1, 0) and the restitution"
+    impact = ground.next_impact(9.0)
+    expect_exactly(f"{call} is None", impact is None, False, cause=cause, read=read)
+    time, contact = impact[0], impact[1]
+    name = f"{call}: time"
+    expect_close(name, time, first, cause=cause, read=read, tolerance=1e-13)
+    ((a, b, normal, restitution, depth),) = told([contact], particles)
+    seen = (a, b, *normal, restitution, depth)
+    wanted = (times.index(first), -1, *UP, c, 0.0)
+    name = f"{call}: particle by number, -1 for None, normal, restitution, depth"
+    expect_close(name, seen, wanted, cause=cause, read=read)
+    cause = "what comes later than the duration is no impact of this frame"
+    name = f"{call}; g.next_impact({0.999 * first}) is None"
+    got = ground.next_impact(0.999 * first)
+    expect_exactly(name, got is None, True, cause=cause, read=read)
+    cause = "an impact at the very end of the duration is one"
+    got = ground.next_impact(float(time))
+    name = f"{call}; g.next_impact({time!r}) is None"
+    expect_exactly(name, got is None, False, cause=cause, read=read)
+    cause = "to look ahead moves nothing"
+    for i, particle in enumerate(particles):
+        now = (*xyz(particle.position), *xyz(particle.velocity))
+        before = (*places[i], 5.0, -speeds[i], 5.0)
+        expect_unchanged(call, f"particles[{i}]", now, before, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.10")
+def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
+    read = GROUND
+    t = positive_number(rng)
+    call = f"p of 2 kg at (0, {2.5 * t * t}, 0), at rest; p.add_force(Vector3(0, -14, 0)), and 2 "
+    call += "m/s^2 of its own upwards; p.integrate(1e-9); GroundPlane([p]).next_impact(100): time"
+    cause = "the acceleration is last_acceleration, forces and all: -14 / 2 + 2"
+    p = Particle(Vector3(0.0, 2.5 * t * t, 0.0), None, Vector3(0.0, 2.0, 0.0), mass=2.0)
+    p.add_force(Vector3(0.0, -14.0, 0.0))
+    p.integrate(1e-9)
+    impact = GroundPlane([p]).next_impact(100.0)
+    # Its speed of 5e-9 m/s by then makes it come sooner by 1e-9 s.
+    expect_close(call, impact[0], t, cause=cause, read=read, tolerance=1e-8)
+    call = "an immovable particle at height 1 and one of 1 kg at height 2, both with 2 m/s "
+    call += "downwards; GroundPlane(particles).next_impact(9): time"
+    cause = "what is immovable does not move, and does not impact"
+    down = Vector3(0.0, -2.0, 0.0)
+    particles = [
+        Particle(Vector3(0.0, 1.0), down, mass=math.inf),
+        Particle(Vector3(0.0, 2.0), down),
+    ]
+    impact = GroundPlane(particles).next_impact(9.0)
+    expect_close(call, impact[0], 1.0, cause=cause, read=read)
+    call = "two particles at height 2 with 2 m/s downwards; GroundPlane(particles).next_impact(1)"
+    cause = "of two at the same time the first in the list is taken"
+    particles = [Particle(Vector3(i, 2.0, 0.0), down) for i in range(2)]
+    impact = GroundPlane(particles).next_impact(1.0)
+    ((first, *_),) = told([impact[1]], particles)
+    expect_exactly(f"{call}: which", first, 0, cause=cause, read=read)
+    expect_close(f"{call}: time", impact[0], 1.0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.10")
+def test_the_ground_looks_ahead_for_a_duration() -> None:
+    read = GROUND
+    ground = GroundPlane([Particle(Vector3(0.0, 1.0, 0.0))])
+    expect_durations("GroundPlane(particles)", ground, read)
+
+
+def expect_durations(name: str, detector: object, read: str) -> None:
+    cause = "refuse what is negative or not finite: not_negative of arguments.py does, and what is "
+    cause += "no number as well"
+    for duration, error in (
+        (-0.5, ValueError),
+        (math.nan, ValueError),
+        (math.inf, ValueError),
+        ("1", TypeError),
+    ):
+        expect_error(
+            f"{name}.next_impact({duration!r})",
+            lambda duration=duration: detector.next_impact(duration),
+            error,
+            allowed=lambda: detector.next_impact(0),
+            cause=cause,
+            read=read,
+        )
+
+
+@pytest.mark.exercise("B7.11")
+def test_when_two_spheres_meet(rng: Random) -> None:
+    read = PAIRS
+    n, radius, t = direction(rng), positive_number(rng, 0.2, 0.9), positive_number(rng)
+    speed, side, c = positive_number(rng), components(rng), round(rng.uniform(0.1, 0.9), 3)
+    # Seen from b, a comes along a line; at the time t it is at two radii in the direction n.
+    u = components(rng)
+    if sum(p * q for p, q in zip(u, n, strict=True)) > 0.0:
+        u = (-u[0], -u[1], -u[2])
+    q, w = components(rng), side
+    p = tuple(x + 2.0 * radius * m - t * s for x, m, s in zip(q, n, u, strict=True))
+    v = tuple(x + y for x, y in zip(w, u, strict=True))
+    down = (1.0, -speed, 2.0)
+    call = f"a at {p}, velocity {v}; b at {q}, velocity {w}; both with acceleration {down}; "
+    call += f"ParticlePairs([a, b], {radius}, {c}).next_impact(10)"
+    cause = "of |d + u t| = 2 r, with d and u as a is seen from b, the first solution"
+    pair = [
+        Particle(Vector3(*p), Vector3(*v), Vector3(*down)),
+        Particle(Vector3(*q), Vector3(*w), Vector3(*down), mass=3.0),
+    ]
+    impact = ParticlePairs(pair, radius, c).next_impact(10.0)
+    expect_exactly(f"{call} is None", impact is None, False, cause=cause, read=read)
+    # Places of up to 90 m, rounded, over closing speeds of about 1 m/s; grazing ones lose more.
+    expect_close(f"{call}: time", impact[0], t, cause=cause, read=read, tolerance=1e-9)
+    ((first, second, normal, restitution, depth),) = told([impact[1]], pair)
+    cause = "the contact is that of the places at the time of impact: its normal leads from b to a "
+    cause += "as they are then, its penetration is 0"
+    name = f"{call}: normal"
+    expect_close(name, normal, n, cause=cause, read=read, tolerance=1e-8)
+    name = f"{call}: particle and other by number, restitution, penetration"
+    seen = (first, second, restitution, depth)
+    expect_close(name, seen, (0, 1, c, 0.0), cause=cause, read=read)
+    cause = "to look ahead moves nothing"
+    now = (
+        *xyz(pair[0].position),
+        *xyz(pair[0].velocity),
+        *xyz(pair[1].position),
+        *xyz(pair[1].velocity),
+    )
+    expect_unchanged(call, "a and b", now, (*p, *v, *q, *w), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.11")
+def test_spheres_that_touch_or_never_meet() -> None:
+    read = PAIRS
+    for x, y, speed, wanted, cause in (
+        (2.0, 0.0, -3.0, 0.0, "they touch, and close: now"),
+        (1.5, 0.0, -3.0, 0.0, "they overlap, and close: now"),
+        (1.5, 0.0, 3.0, None, "they overlap, but part"),
+        (5.0, 0.0, 3.0, None, "they part"),
+        (5.0, 0.0, 0.0, None, "neither moves, as the other sees it"),
+        (5.0, 2.5, -3.0, None, "they pass each other by: the root is negative"),
+        (5.0, 2.0, -3.0, None, "they graze each other: touching is no closing"),
+        (5.0, 0.0, -3.0, 1.0, "they are 5 m apart, and meet at 2 m"),
+        (-5.0, 0.0, 3.0, 1.0, "they are 5 m apart, and meet at 2 m"),
+        (5.0, 0.0, -0.125, None, "they meet after 24 s, and not within 10"),
+        (2.0, 0.0, -1e-13, None, "closing by less than VELOCITY_TOLERANCE is rounding"),
+        (0.0, 0.0, 3.0, None, "at one place they do not close"),
+    ):
+        call = f"a at ({x}, {y}, 0), velocity ({speed}, 0, 0); b at (0, 0, 0); "
+        call += "ParticlePairs([a, b], 1.0).next_impact(10.0)"
+        pair = [Particle(Vector3(x, y, 0.0), Vector3(speed)), Particle()]
+        impact = ParticlePairs(pair, 1.0).next_impact(10.0)
+        name = f"{call} is None"
+        expect_exactly(name, impact is None, wanted is None, cause=cause, read=read)
+        if wanted is not None:
+            expect_close(f"{call}: time", impact[0], wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.11")
+def test_the_first_pair_of_many(rng: Random) -> None:
+    read = PAIRS
+    speed = positive_number(rng, 1.0, 3.0)
+    places = [0.0, 30.0, 3.0, 7.0, 32.5, 9.5]
+    speeds = [0.0, speed, 0.0, 0.0, -speed, -speed]
+    call = f"six spheres of radius 1 at x = {places}, with {speeds} m/s along it; "
+    call += "p = ParticlePairs(particles, 1.0); p.next_impact(9.0)"
+    cause = "all pairs, and the smallest time: two are half a metre apart, and both move"
+    particles = [Particle(Vector3(x), Vector3(v)) for x, v in zip(places, speeds, strict=True)]
+    pairs = ParticlePairs(particles, 1.0)
+    impact = pairs.next_impact(9.0)
+    ((a, b, normal, _, _),) = told([impact[1]], particles)
+    name = f"{call}: particle and other by number"
+    expect_close(name, (a, b), (1, 4), cause=cause, read=read)
+    expect_close(f"{call}: time", impact[0], 0.25 / speed, cause=cause, read=read)
+    cause = "the normal leads to the first of the pair, from the second"
+    expect_close(f"{call}: normal", normal, (-1.0, 0.0, 0.0), cause=cause, read=read)
+    call += ", with numbers 1 and 4 immovable"
+    cause = "two that are immovable stay where they are, and do not meet"
+    particles[1].mass = particles[4].mass = math.inf
+    impact = pairs.next_impact(9.0)
+    ((a, b, *_),) = told([impact[1]], particles)
+    expect_close(f"{call}: particle and other", (a, b), (3, 5), cause=cause, read=read)
+    expect_close(f"{call}: time", impact[0], 0.5 / speed, cause=cause, read=read)
+    call = f"three spheres of radius 1 at 0, 3 and 6, with {speed}, 0 and -{speed} m/s; next_impact"
+    cause = "of two at the same time the first in the order of the list is taken"
+    particles = [Particle(Vector3(3.0 * i), Vector3(speed * (1 - i))) for i in range(3)]
+    impact = ParticlePairs(particles, 1.0).next_impact(9.0)
+    ((a, b, *_),) = told([impact[1]], particles)
+    expect_close(f"{call}: particle and other", (a, b), (0, 1), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.11")
+def test_pairs_fall_alike(rng: Random) -> None:
+    read = PAIRS
+    for ma, mb in ((1.1, 1.3), (3.3, 4.9), (positive_number(rng), positive_number(rng))):
+        call = f"a of {ma} kg, 5 m from b of {mb} kg at (0, 0, 0), with velocity (-3, 0, 0); their "
+        call += "weights added as forces, m * 9.81; integrate(1e-9); ParticlePairs([a, b], 1.0)"
+        call += ".next_impact(10): time"
+        cause = "both fall alike, whatever their masses: f / m is 9.81 for both but for rounding, "
+        cause += "so accelerations that differ by 1e-15 of them are no reason to refuse"
+        pair = [Particle(Vector3(5.0), Vector3(-3.0), mass=ma), Particle(mass=mb)]
+        for particle, mass in zip(pair, (ma, mb), strict=True):
+            particle.add_force(Vector3(0.0, -9.81 * mass, 0.0))
+            particle.integrate(1e-9)
+        impact = ParticlePairs(pair, 1.0).next_impact(10.0)
+        # 3e-9 m of the way are made already.
+        expect_close(call, impact[0], 1.0, cause=cause, read=read, tolerance=2e-9)
+    call = (
+        "a, immovable, with velocity (9, 9, 9) and acceleration (9, 9, 9), 5 m from b, which has "
+    )
+    call += "(3, 0, 0); ParticlePairs([a, b], 1.0).next_impact(10): time"
+    cause = "what is immovable stays where it is: it has neither velocity nor acceleration here"
+    nines = Vector3(9.0, 9.0, 9.0)
+    pair = [Particle(Vector3(5.0), nines, nines, mass=math.inf), Particle(None, Vector3(3.0))]
+    impact = ParticlePairs(pair, 1.0).next_impact(10.0)
+    expect_close(call, impact[0], 1.0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.11")
+def test_pairs_look_ahead_for_a_duration() -> None:
+    read = PAIRS
+    pair = [Particle(Vector3(5.0), Vector3(-1.0)), Particle()]
+    expect_durations("ParticlePairs([a, b], 1.0)", ParticlePairs(pair, 1.0), read)
+    call = (
+        "a with acceleration (0, -9, 0), b without one; ParticlePairs([a, b], 1.0).next_impact(1)"
+    )
+    cause = "seen from b, a does not move along a line: refuse it, or the time is a wrong one"
+    bad = [Particle(Vector3(5.0), Vector3(-1.0), Vector3(0.0, -9.0, 0.0)), Particle()]
+    expect_error(
+        call,
+        lambda: ParticlePairs(bad, 1.0).next_impact(1.0),
+        ValueError,
+        allowed=lambda: ParticlePairs(pair, 1.0).next_impact(1.0),
+        cause=cause,
+        read=read,
+    )

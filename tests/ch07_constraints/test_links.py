@@ -1,0 +1,256 @@
+"""Links: cables, rods, limits, and rods with two sides, B7.7, B7.8, 7.6 and G7.1."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod, TwoSidedRod
+from ch07_constraints.probes import swung, told
+from draw import Components, components, positive_number
+from expect import expect_close, expect_exactly, expect_unchanged, xyz
+
+UP = (0.0, 1.0, 0.0)
+CABLE = "book 7.4.1, and the docstring of Cable.contacts"
+ROD = "book 7.4.2, E-9, and the docstring of Rod.contacts"
+LIMITS = "exercise 7.6, and the docstring of Limits.contacts"
+TWO_SIDED = "the docstring of TwoSidedRod.contacts"
+# An end of (2, 3, 6) or (6, 2, 3) times a power of 2 away is 7 times that away, without rounding.
+WAYS = ((2.0, 3.0, 6.0), (-6.0, 2.0, 3.0), (3.0, -6.0, -2.0))
+
+
+def ends(rng: Random, anchored: bool) -> tuple[list[Any], Components, float, str]:
+    """Return both ends, 7 m or so apart, the way from the first to the second, and how far it is.
+
+    The second one is a particle, or a vector as an anchor. Their places are whole numbers, so that
+    the distance is exact.
+    """
+    way = rng.choice(WAYS)
+    size = rng.choice((0.5, 1.0, 2.0))
+    p = tuple(float(rng.randint(-9, 9)) for _ in range(3))
+    q = tuple(x + size * w for x, w in zip(p, way, strict=True))
+    a = Particle(Vector3(*p), Vector3(1.0, 2.0, 3.0), mass=2.0)
+    b = Vector3(*q) if anchored else Particle(Vector3(*q), Vector3(3.0, 2.0, 1.0), mass=3.0)
+    x, y, z = (part / 7.0 for part in way)
+    return [a, b], (x, y, z), 7.0 * size, f"a at {p}, {'the anchor' if anchored else 'b'} at {q}"
+
+
+def expect_contacts(
+    call: str, link: Any, particles: list[Any], wanted: list[tuple], cause: str, read: str
+) -> None:
+    """Expect these contacts, in this order: ends, normal, restitution, penetration."""
+    got = told(link.contacts(), particles)
+    expect_exactly(f"{call}: how many", len(got), len(wanted), cause=cause, read=read)
+    for seen, right in zip(got, wanted, strict=True):
+        a, b, normal, restitution, depth = seen
+        name = f"{call}: particle and other, by number, -1 for None"
+        expect_close(name, (a, b), right[:2], cause=cause, read=read)
+        expect_close(f"{call}: normal", normal, right[2], cause=cause, read=read, tolerance=1e-15)
+        expect_close(f"{call}: restitution", restitution, right[3], cause=cause, read=read)
+        # Lengths of up to 20 m, rounded a few times.
+        name = f"{call}: penetration"
+        expect_close(name, depth, right[4], cause=cause, read=read, tolerance=1e-14)
+
+
+@pytest.mark.exercise("B7.7")
+@pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
+def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
+    read = CABLE
+    pair, n, length, told_ends = ends(rng, anchored)
+    make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
+    c = round(rng.uniform(0.1, 0.9), 3)
+    other = -1 if anchored else 1
+    for max_length, cause in (
+        (
+            0.75 * length,
+            "a cable that is too long pulls its ends together: the normal leads to the ",
+        ),
+        (length, "a cable that is just as long as it may be is taut, with a penetration of 0: "),
+    ):
+        cause += "other end" if max_length < length else "depth >= 0"
+        call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, {max_length}, {c})"
+        call += ".contacts()"
+        wanted = [(0, other, n, c, length - max_length)]
+        expect_contacts(call, make(*pair, max_length, c), pair, wanted, cause, read)
+
+
+@pytest.mark.exercise("B7.7")
+@pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
+def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
+    read = CABLE
+    pair, n, length, told_ends = ends(rng, anchored)
+    make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
+    call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, {1.25 * length}); "
+    call += "c.contacts()"
+    cause = "a cable that is shorter than it may be has no contact"
+    cable = make(*pair, 1.25 * length)
+    expect_contacts(call, cable, pair, [], cause, read)
+    call += "; c.max_length, c.restitution changed to a quarter of it, and 0.5; c.contacts()"
+    cause = "read the attributes each time: a winch draws it in"
+    cable.max_length, cable.restitution = 0.3125 * length, 0.5
+    wanted = [(0, -1 if anchored else 1, n, 0.5, 0.6875 * length)]
+    expect_contacts(call, cable, pair, wanted, cause, read)
+    cause = "to look at a link changes nothing: take vectors of your own"
+    got = xyz(pair[0].position)
+    there = pair[1] if anchored else pair[1].position
+    way = tuple(p - q for p, q in zip(xyz(there), got, strict=True))
+    wanted_way = tuple(length * part for part in n)
+    expect_close(
+        f"{call}; the way from a to the other end", way, wanted_way, cause=cause, read=read
+    )
+    got = xyz(pair[0].velocity)
+    expect_unchanged(call, "a.velocity", got, (1.0, 2.0, 3.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.8")
+@pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
+def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
+    read = ROD
+    pair, n, length, told_ends = ends(rng, anchored)
+    make, name = (AnchoredRod, "AnchoredRod") if anchored else (Rod, "Rod")
+    other = -1 if anchored else 1
+    back = (-n[0], -n[1], -n[2])
+    for rod, wanted, cause in (
+        (
+            0.75 * length,
+            [(0, other, n, 0.0, 0.25 * length)],
+            "a rod that is too long is a cable: one contact, the normal to the other end",
+        ),
+        (
+            1.25 * length,
+            [(0, other, back, 0.0, 0.25 * length)],
+            "a rod that is too short pushes: one contact, the normal away from the other end, and "
+            "a penetration that is positive",
+        ),
+        (length, [], "a rod that is as long as it should be has no contact"),
+    ):
+        call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, {rod}).contacts()"
+        expect_contacts(call, make(*pair, rod), pair, wanted, cause, read)
+
+
+@pytest.mark.exercise("B7.8")
+def test_a_rod_without_a_direction_stands_up(rng: Random) -> None:
+    read = ROD
+    p, length = components(rng), positive_number(rng)
+    down = (0.0, -1.0, 0.0)
+    cause = "both ends at one place have no direction: +Y stands for the one from a to b, so a is "
+    cause += "pushed down; direction_of gives it, where normalized() stays zero"
+    call = f"a and b at {p}; Rod(a, b, {length}).contacts()"
+    pair = [Particle(Vector3(*p)), Particle(Vector3(*p))]
+    expect_contacts(call, Rod(*pair, length), pair, [(0, 1, down, 0.0, length)], cause, read)
+    call = f"a at {p}; r = AnchoredRod(a, Vector3{p}, {length}); r.contacts()"
+    rod = AnchoredRod(pair[0], Vector3(*p), length)
+    expect_contacts(call, rod, pair, [(0, -1, down, 0.0, length)], cause, read)
+    call += "; r.anchor moved up by twice the length; r.contacts()"
+    cause = "read the attributes each time: anchors are moved"
+    rod.anchor = Vector3(p[0], p[1] + 2.0 * length, p[2])
+    expect_contacts(call, rod, pair, [(0, -1, UP, 0.0, length)], cause, read)
+
+
+@pytest.mark.exercise("B7.8")
+def test_a_pendulum_swings_in_its_period() -> None:
+    read = "book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))"
+    for degrees, period in ((10.0, 1.99070708), (90.0, 2.34523957)):
+        angle = math.radians(degrees)
+        call = f"1 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), let go at {degrees:g} degrees, "
+        call += "g = 10; velocity first and contact.resolve, h = 1/1000: its period, s"
+        cause = "a rod of restitution 0 takes the velocity along it, and no other"
+        bob = Particle(
+            Vector3(math.sin(angle), -math.cos(angle), 0.0), acceleration=Vector3(0.0, -10.0, 0.0)
+        )
+        seen = swung(AnchoredRod(bob, Vector3(), 1.0), bob, 0.001, 1300)
+        sides = [place[0] for place, _, _ in seen]
+        turn = next((i for i in range(1, 1300) if sides[i - 1] > 0.0 >= sides[i]), 0)
+        # A quarter of the period; the error is of order h: 0.001 s of 0.5 s, with a margin of 5.
+        got = 4.0 * turn * 0.001
+        expect_close(call, got, period, cause=cause, read=read, tolerance=0.01 * period)
+        name = f"{call}; how far it is from the anchor in the end, m"
+        cause = "resolve_penetration brings it back to its length in each frame"
+        got = math.hypot(*seen[-1][0])
+        expect_close(name, got, 1.0, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B7.8")
+def test_a_string_bears_three_times_the_weight() -> None:
+    read = "book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L"
+    mass = 2.0
+    call = (
+        "2 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), let go at 90 degrees, g = 10; velocity "
+    )
+    call += "first and contact.resolve, h = 1/2000: the largest pull on the way down, in N"
+    cause = "a change of momentum of what the rod needs to keep its length: 3 m g at the bottom"
+    bob = Particle(Vector3(1.0, 0.0, 0.0), None, Vector3(0.0, -10.0, 0.0), mass=mass)
+    seen = swung(AnchoredRod(bob, Vector3(), 1.0), bob, 0.0005, 1173)  # a quarter of its period
+    got = max(pull for _, _, pull in seen[100:])
+    # Of order h: measured 59.9 N.
+    expect_close(call, got, 3.0 * mass * 10.0, cause=cause, read=read, tolerance=0.6)
+
+
+@pytest.mark.exercise("7.6")
+def test_limits_act_at_their_ends(rng: Random) -> None:
+    read = LIMITS
+    pair, n, length, told_ends = ends(rng, anchored=False)
+    back = (-n[0], -n[1], -n[2])
+    c = round(rng.uniform(0.1, 0.9), 3)
+    for low, high, wanted, cause in (
+        (0.5, 1.5, [], "between both limits it does nothing"),
+        (0.25, 0.5, [(0, 1, n, c, 0.5 * length)], "too long it is a cable of max_length"),
+        (0.5, 1.0, [(0, 1, n, c, 0.0)], "at max_length it is taut: penetration 0"),
+        (1.5, 2.0, [(0, 1, back, c, 0.5 * length)], "too short it pushes: the normal away from b"),
+        (1.0, 2.0, [(0, 1, back, c, 0.0)], "at min_length it touches: penetration 0"),
+        (0.0, 2.0, [], "a min_length of 0 is no limit"),
+    ):
+        call = f"{told_ends}; Limits(a, b, {low * length}, {high * length}, {c}).contacts()"
+        link = Limits(*pair, low * length, high * length, c)
+        expect_contacts(call, link, pair, wanted, cause, read)
+
+
+@pytest.mark.exercise("7.6")
+def test_equal_limits_both_act(rng: Random) -> None:
+    read = LIMITS
+    pair, n, length, told_ends = ends(rng, anchored=False)
+    call = f"{told_ends}; l = Limits(a, b, {length}, {length}, 0.5); l.contacts(), as a sum of the "
+    cause = "both limits are reached, so both contacts are there, with opposite normals"
+    link = Limits(*pair, length, length, 0.5)
+    got = told(link.contacts(), pair)
+    expect_exactly(f"{call}: how many", len(got), 2, cause=cause, read=read)
+    normals = sorted(contact[2] for contact in got)
+    wanted = sorted([n, (-n[0], -n[1], -n[2])])
+    for seen, right in zip(normals, wanted, strict=True):
+        expect_close(f"{call}normals", seen, right, cause=cause, read=read, tolerance=1e-15)
+    got = [number for contact in got for number in (contact[0], contact[1], contact[4])]
+    expect_close(f"{call}: ends and depths", got, (0, 1, 0.0) * 2, cause=cause, read=read)
+    call = "a and b at one place; l = Limits(a, b, 2, 3); l.contacts()"
+    cause = "ends at one place have no direction: +Y stands for the one from a to b"
+    same = [Particle(), Particle()]
+    link = Limits(*same, 2.0, 3.0)
+    wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, 2.0)]
+    expect_contacts(call, link, same, wanted, cause, read)
+    call += "; l.min_length = 0; l.contacts()"
+    cause = "a min_length of 0 is no limit, not even where there is no distance"
+    link.min_length = 0.0
+    expect_contacts(call, link, same, [], cause, read)
+
+
+@pytest.mark.exercise("G7.1")
+def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
+    read = TWO_SIDED
+    pair, n, length, told_ends = ends(rng, anchored=False)
+    back = (-n[0], -n[1], -n[2])
+    for share in (0.75, 1.0, 1.25):
+        depth = (1.0 - share) * length
+        call = f"{told_ends}; TwoSidedRod(a, b, {share * length}).contacts()"
+        cause = "one contact that pulls and one that pushes, always, with opposite normals and "
+        cause += "penetrations: the one of the side that is not reached is negative"
+        wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
+        expect_contacts(call, TwoSidedRod(*pair, share * length), pair, wanted, cause, read)
+    call = "a and b at one place; TwoSidedRod(a, b, 2).contacts()"
+    cause = "ends at one place have no direction: +Y stands for the one from a to b"
+    same = [Particle(), Particle()]
+    wanted = [(0, 1, UP, 0.0, -2.0), (0, 1, (0.0, -1.0, 0.0), 0.0, 2.0)]
+    expect_contacts(call, TwoSidedRod(*same, 2.0), same, wanted, cause, read)

@@ -1,0 +1,307 @@
+"""The contact resolver: the fastest first, and the deepest first, build tasks B7.5 and B7.6."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch07_constraints.probes import resolved, stacked
+from draw import Components, components, direction, dot, positive_number
+from expect import expect_close, expect_exactly
+
+ZERO = (0.0, 0.0, 0.0)
+RIGHT = (1.0, 0.0, 0.0)
+LEFT = (-1.0, 0.0, 0.0)
+UP = (0.0, 1.0, 0.0)
+FASTEST = "book 7.3.1, and the docstring of ContactResolver.resolve_velocities"
+DEEPEST = "book 7.3.1, E-8, and the docstring of ContactResolver.resolve_penetrations"
+Body = tuple[Components, Components, float]
+
+
+def row(*speeds: float, mass: float = 1.0) -> list[Body]:
+    """Return bodies along X that touch, with speeds along X."""
+    return [((float(i), 0.0, 0.0), (speed, 0.0, 0.0), mass) for i, speed in enumerate(speeds)]
+
+
+def touching(*pairs: tuple[int, int], restitution: float = 0.0) -> list:
+    """Return contacts of pairs in a row, without depth; the second body is to the left."""
+    return [(a, b, RIGHT, restitution, 0.0) for a, b in pairs]
+
+
+@pytest.mark.exercise("B7.5")
+def test_what_closes_fastest_is_first() -> None:
+    read = FASTEST
+    contacts = touching((1, 0), (2, 1), restitution=0.5)
+    call = "three balls of 1 kg in a row with 1, 0 and -3 m/s, restitution 0.5; "
+    call += "resolve_velocities([left pair, right pair], limit, 0.5), limit"
+    for limit, wanted, cause in (
+        (1, (1.0, -2.25, -0.75), "the right pair closes with 3 m/s, the left one with 1"),
+        (2, (-1.4375, 0.1875, -0.75), "then the left one, which closes with 3.25 m/s by now"),
+        (9, (-1.4375, -0.515625, -0.046875), "and the right pair once more; then all part"),
+    ):
+        cause += ": look at all contacts again before each resolution"
+        used, bodies, _ = resolved(row(1.0, 0.0, -3.0), contacts, "resolve_velocities", limit)
+        got = tuple(velocity[0] for _, velocity in bodies)
+        expect_close(f"{call} {limit}: velocities", got, wanted, cause=cause, read=read)
+        cause = "it returns how many contacts it has resolved, and ends when none closes"
+        expect_exactly(f"{call} {limit}: returned", used, min(limit, 3), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.5")
+def test_of_equal_ones_the_first_is_taken() -> None:
+    read = FASTEST
+    cause = "both close with 2 m/s: the first in the list is taken, as < keeps it"
+    for order, wanted in (
+        (((1, 0), (2, 1)), (0.0, 2.0, -2.0)),
+        (((2, 1), (1, 0)), (2.0, -2.0, 0.0)),
+    ):
+        call = "three balls of 1 kg in a row with 2, 0 and -2 m/s, restitution 1; "
+        call += f"resolve_velocities, limit 1, of the pairs {order}: velocities"
+        contacts = touching(*order, restitution=1.0)
+        used, bodies, _ = resolved(row(2.0, 0.0, -2.0), contacts, "resolve_velocities", 1)
+        got = tuple(velocity[0] for _, velocity in bodies)
+        expect_close(call, got, wanted, cause=cause, read=read)
+        expect_exactly(f"{call}; returned", used, 1, cause="one was resolved", read=read)
+
+
+@pytest.mark.exercise("B7.5")
+def test_a_push_goes_through_a_row(rng: Random) -> None:
+    read = FASTEST
+    speed, mass = positive_number(rng), positive_number(rng)
+    pairs = [(4, 3), (2, 1), (3, 2), (1, 0)]
+    call = f"five balls of {mass} kg in a row, the first with {speed} m/s, restitution 1; "
+    call += f"resolve_velocities of the pairs {pairs}, limit"
+    for limit, leaves, cause in (
+        (2, 2, "one pair closes at a time, and passes all of the motion on: end at the limit"),
+        (4, 4, "the last ball flies off, and the others stand"),
+        (50, 4, "then nothing closes: end before the limit"),
+    ):
+        bodies = row(speed, 0.0, 0.0, 0.0, 0.0, mass=mass)
+        contacts = touching(*pairs, restitution=1.0)
+        used, after, _ = resolved(bodies, contacts, "resolve_velocities", limit)
+        got = tuple(velocity[0] for _, velocity in after)
+        wanted = tuple(speed * (i == leaves) for i in range(5))
+        name = f"{call} {limit}: velocities"
+        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-13)
+        expect_exactly(f"{call} {limit}: returned", used, min(limit, 4), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.5")
+def test_only_what_closes_is_resolved(rng: Random) -> None:
+    read = FASTEST
+    n = direction(rng)
+    for closing, depth, wanted, cause in (
+        (1e-13, 1.0, 0, "slower than VELOCITY_TOLERANCE is rounding: leave it"),
+        (1e-11, 1.0, 1, "faster than VELOCITY_TOLERANCE is to be resolved"),
+        (0.5, -1.0, 1, "how deep a contact is does not matter here"),
+        (-0.5, 1.0, 0, "what parts is left alone, however deep it is"),
+        (0.0, 1.0, 0, "what neither closes nor parts is left alone"),
+    ):
+        v = tuple(-closing * part for part in n)
+        call = f"a with velocity {v}; resolve_velocities([Contact(a, None, Vector3{n}, 0, {depth})]"
+        call += ", 9, 0.5)"
+        bodies = [(ZERO, v, 2.0)]
+        used, after, depths = resolved(bodies, [(0, -1, n, 0.0, depth)], "resolve_velocities", 9)
+        expect_exactly(f"{call}: returned", used, wanted, cause=cause, read=read)
+        got = -dot(after[0][1], n)
+        left = 0.0 if wanted else closing
+        name = f"{call}: how fast it closes"
+        expect_close(name, got, left, cause=cause, read=read, tolerance=1e-15)
+        cause = "velocities only: places and depths are for the other phase"
+        expect_close(f"{call}: position", after[0][0], ZERO, cause=cause, read=read)
+        expect_close(f"{call}: penetration", depths[0], depth, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.5")
+def test_many_contacts_come_to_an_end(rng: Random) -> None:
+    read = FASTEST
+    bodies = [(components(rng), components(rng), positive_number(rng)) for _ in range(6)]
+    bodies.append((ZERO, ZERO, math.inf))
+    contacts = []
+    for a, b in [(0, 6), (1, 0), (2, 0), (2, 1), (3, 1), (3, 6), (4, 2), (5, 3), (5, 4)]:
+        n = direction(rng)
+        if dot(bodies[a][1], n) > dot(bodies[b][1], n):
+            n = (-n[0], -n[1], -n[2])
+        contacts.append((a, b, n, 0.5, 0.0))
+    call = "7 particles, one of them immovable, with 9 contacts that all close, restitution 0.5; "
+    call += "resolve_velocities, limit 2000"
+    cause = "it goes on until nothing closes faster than VELOCITY_TOLERANCE"
+    used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
+    got = max(dot(after[b][1], n) - dot(after[a][1], n) for a, b, n, _, _ in contacts)
+    name = f"{call}: how fast the worst one still closes, or parts if negative"
+    # VELOCITY_TOLERANCE is 1e-12; what parts is right, and none parts faster than 100 m/s.
+    expect_close(name, got, -50.0, cause=cause, read=read, tolerance=50.0 + 2e-12)
+    cause = "it returns how many it has resolved, which is more than 3 and less than the limit here"
+    expect_close(f"{call}: returned", used, 1000, cause=cause, read=read, tolerance=996)
+    before, now = (
+        sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:6], velocities, strict=False))
+        for velocities in ([v for _, v, _ in bodies], [v for _, v in after])
+    )
+    cause = "an impulse at restitution 0.5 takes energy out, and never puts some in"
+    name = f"{call}: the kinetic energy, as a share of that before"
+    expect_close(name, now / before, 0.5, cause=cause, read=read, tolerance=0.5)
+
+
+@pytest.mark.exercise("B7.5")
+def test_each_resolution_knows_the_duration() -> None:
+    read = FASTEST
+    call = "a with velocity (0, -4, 0), acceleration (0, -4, 0); resolve_velocities of its contact "
+    call += "with the ground, restitution 0.75, limit 9, duration"
+    cause = (
+        "give the duration on to Contact.resolve_velocity: what the frame has built up does not "
+    )
+    cause += "bounce"
+    for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
+        contacts, bodies = [(0, -1, UP, 0.75, 0.0)], [(ZERO, (0.0, -4.0, 0.0), 2.0)]
+        pull = (0.0, -4.0, 0.0)
+        _, after, _ = resolved(bodies, contacts, "resolve_velocities", 9, duration, pull)
+        name = f"{call} {duration}: velocity"
+        expect_close(name, after[0][1], (0.0, wanted, 0.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.6")
+def test_what_is_deepest_is_first() -> None:
+    read = DEEPEST
+    bodies = row(1.0, 0.0, -1.0)
+    call = "three balls of 1 kg in a row, with 1, 0 and -1 m/s; resolve_penetrations of the two "
+    call += (
+        "contacts of the middle one, 0.5 m deep with the left and 0.75 m with the right one, limit"
+    )
+    contacts = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.75)]
+    for limit, wanted, depths, cause in (
+        (1, (0.0, 0.625, 2.375), (0.875, 0.0), "the deepest first: both move by half of it"),
+        (
+            2,
+            (-0.4375, 1.0625, 2.375),
+            (0.0, 0.4375),
+            "then the left one, which is 0.875 m deep by now: the middle one was pushed into it",
+        ),
+        (
+            3,
+            (-0.4375, 0.84375, 2.59375),
+            (0.21875, 0.0),
+            "and so on: each move makes the other contact of the middle one deeper (E-8)",
+        ),
+    ):
+        used, after, got_depths = resolved(bodies, contacts, "resolve_penetrations", limit)
+        got = tuple(place[0] for place, _ in after)
+        expect_close(f"{call} {limit}: places", got, wanted, cause=cause, read=read)
+        expect_close(f"{call} {limit}: penetrations", got_depths, depths, cause=cause, read=read)
+        cause = "it returns how many contacts it has resolved"
+        expect_exactly(f"{call} {limit}: returned", used, limit, cause=cause, read=read)
+        got = tuple(velocity[0] for _, velocity in after)
+        cause = "places only: velocities are for the other phase"
+        name = f"{call} {limit}: velocities"
+        expect_close(name, got, (1.0, 0.0, -1.0), cause=cause, read=read)
+    call = "the same with 0.5 m each, limit 1: penetrations"
+    for order in ((0, 1), (1, 0)):
+        equal = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5)]
+        cause = "both are 0.5 m deep: the first in the list is taken"
+        _, _, got = resolved(bodies, [equal[i] for i in order], "resolve_penetrations", 1)
+        expect_close(f"{call}, order {order}", got, (0.0, 0.75), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.6")
+def test_one_contact_is_resolved_once(rng: Random) -> None:
+    read = DEEPEST
+    n, mass, depth = direction(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
+    for deep, wanted, cause in (
+        (depth, 1, "once it touches, it is done: the book's listing moves it again (E-8)"),
+        (2e-9, 1, "deeper than DEPTH_TOLERANCE is to be resolved"),
+        (5e-10, 0, "what is less deep than DEPTH_TOLERANCE touches: leave it"),
+        (-1.0, 0, "what is apart is left alone"),
+    ):
+        call = f"a of {mass} kg; resolve_penetrations([Contact(a, None, Vector3{n}, 0, {deep})], 9)"
+        used, after, depths = resolved(
+            [(ZERO, ZERO, mass)], [(0, -1, n, 0.0, deep)], "resolve_penetrations", 9
+        )
+        expect_exactly(f"{call}: returned", used, wanted, cause=cause, read=read)
+        moved = tuple(wanted * deep * part for part in n)
+        got = after[0][0]
+        expect_close(f"{call}: position", got, moved, cause=cause, read=read, tolerance=1e-15)
+        left = 0.0 if wanted else deep
+        expect_close(f"{call}: penetration", depths[0], left, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.6")
+def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
+    read = DEEPEST
+    n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
+    # a and b are the ones that move; c and d are theirs, e and f nobody's.
+    bodies = [(components(rng), ZERO, mass) for mass in (ma, mb, 3.0, 4.0, 5.0, 6.0)]
+    normals = [direction(rng) for _ in range(9)]
+    ends = [(0, 2), (2, 0), (1, 3), (3, 1), (0, -1), (1, -1), (0, 1), (1, 0), (4, 5)]
+    others = [(p, q, m, 0.0, -5.0) for (p, q), m in zip(ends, normals, strict=True)]
+    others.append((4, -1, normals[0], 0.0, -5.0))
+    names = {-1: "the world", 0: "a", 1: "b", 2: "c", 3: "d", 4: "e", 5: "f"}
+    between_two = {0: 0.5 * mb / (ma + mb), 1: -0.5 * ma / (ma + mb)}
+    for end, moves in ((1, between_two), (-1, {0: 0.5})):
+        call = (
+            f"a of {ma} kg and {names[end]} (b has {mb} kg) are 0.5 m deep in each other, normal "
+        )
+        call += (
+            f"{n}; resolve_penetrations, limit 1; the penetration of another contact, -5 before, "
+        )
+        call += "between"
+        contacts = [others[0], (0, end, n, 0.0, 0.5), *others[1:]]
+        _, _, depths = resolved(bodies, contacts, "resolve_penetrations", 1)
+        cause = "the contact itself touches"
+        name = f"{call[:-8]} itself"
+        expect_close(name, depths[1], 0.0, cause=cause, read=read)
+        for (p, q, m, _, _), got in zip(others, [depths[0], *depths[2:]], strict=True):
+            wanted = -5.0 - (moves.get(p, 0.0) - moves.get(q, 0.0)) * dot(n, m)
+            cause = (
+                "less by how far its particle moved along its normal, more by how far its other "
+            )
+            cause += "did; nothing where neither has moved, and the world never moves"
+            name = f"{call} {names[p]} and {names[q]}"
+            expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-14)
+
+
+@pytest.mark.exercise("B7.6")
+def test_both_phases_have_their_own_limit() -> None:
+    read = "the docstring of ContactResolver"
+    bodies = [*row(2.0, 0.0, -2.0), ((9.0, 0.0, 0.0), RIGHT, math.inf)]
+    pairs = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5), (3, -1, LEFT, 0.0, 9.0)]
+    call = (
+        "three balls of 1 kg in a row with 2, 0 and -2 m/s, two pairs 0.5 m deep, restitution 0; "
+    )
+    call += "an immovable one deep in the world; "
+    for iterations, wanted, cause in (
+        (None, 8, "twice the contacts for each phase: the immovable one does not count"),
+        (3, 6, "each phase may use the 3 iterations of its own"),
+        (1, 2, "each phase may use the one iteration of its own"),
+    ):
+        name = f"{call}ContactResolver({iterations}).resolve_contacts; iterations_used"
+        used, after, _ = resolved(bodies, pairs, "resolve_contacts", iterations or 0)
+        expect_exactly(name, used, wanted, cause=cause, read=read)
+        cause = "the places in the end are those of resolve_penetrations"
+        got = math.fsum(place[0] for place, _ in after[:3])
+        name = f"{call}ContactResolver({iterations}).resolve_contacts; the sum of the places"
+        expect_close(name, got, 3.0, cause=cause, read=read, tolerance=1e-14)
+    name = f"{call}the balls at rest and apart; iterations_used"
+    pairs = [(1, 0, RIGHT, 0.0, 0.0), (2, 1, RIGHT, 0.0, -0.5)]
+    cause = "where nothing closes and nothing is deep, nothing is used"
+    used, after, _ = resolved(row(0.0, 0.0, 0.0), pairs, "resolve_contacts", 0)
+    expect_exactly(name, used, 0, cause=cause, read=read)
+    got = tuple(place[0] for place, _ in after)
+    expect_close(f"{call}the balls at rest: places", got, (0.0, 1.0, 2.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.6")
+def test_a_stack_of_three_settles() -> None:
+    read = "book 7.3.1, and the docstring of ContactResolver"
+    call = "three spheres of 1 kg, radius 0.5 m, stacked on the ground; 5 s at h = 1/60, velocity "
+    call += "first, with ContactResolver()"
+    heights, overlap = stacked(3, 0.5, None, 300, 1.0 / 60.0)
+    cause = (
+        "twice the contacts are iterations enough for three: if it sinks, a phase leaves depths "
+    )
+    cause += "or speeds behind"
+    # Measured: at most 0.015 m of overlap, which is what two iterations a contact leave.
+    name = f"{call}: heights"
+    expect_close(name, heights, (0.5, 1.5, 2.5), cause=cause, read=read, tolerance=0.02)
+    name = f"{call}: the largest overlap after a frame, m"
+    expect_close(name, overlap, 0.0, cause=cause, read=read, tolerance=0.02)

@@ -1,0 +1,258 @@
+"""Frames that stop at each impact, build task B7.12."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.detectors import GroundPlane
+from ch07_constraints.flight_probes import flown, pushed
+from ch07_constraints.time_division import time_division_step
+from draw import positive_number
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+
+ZERO = (0.0, 0.0, 0.0)
+READ = "book 7.3, and the docstring of time_division_step"
+DOWN = (0.0, -10.0, 0.0)
+FRAME = 1.0 / 60.0
+
+
+@pytest.mark.exercise("B7.12")
+def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
+    read = READ
+    v, h = (positive_number(rng), positive_number(rng), -positive_number(rng)), 0.5
+    call = f"p at (0, 9, 0), velocity {v}, acceleration {DOWN}; one frame of {h} s, "
+    cause = "p + v t + a t^2 / 2 and v + a t: the term with t^2 is what makes it exact"
+    seen, _, _, _ = flown([((0.0, 9.0, 0.0), v, 2.0)], DOWN, 0.0, (0.5, None), h, 1)
+    place, velocity = seen[0][0]
+    wanted = (v[0] * h, 9.0 + v[1] * h - 5.0 * h * h, v[2] * h)
+    expect_close(f"{call}position", place, wanted, cause=cause, read=read)
+    wanted = (v[0], v[1] - 10.0 * h, v[2])
+    expect_close(f"{call}velocity", velocity, wanted, cause=cause, read=read)
+    call = "an immovable particle with velocity (1, 2, 3); one frame: position, velocity"
+    cause = "what is immovable stays where it is"
+    body = (ZERO, (1.0, 2.0, 3.0), math.inf)
+    seen, _, _, _ = flown([body], DOWN, 0.0, (0.5, None), h, 1)
+    expect_close(call, sum(seen[0][0], ()), (*ZERO, 1.0, 2.0, 3.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.12")
+def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
+    read = READ
+    e = round(rng.uniform(0.5, 0.9), 3)
+    for frames, h in ((1, 3.0), (180, FRAME)):
+        call = f"a ball falls 5 m, g = 10, restitution {e}; {frames} frames of {h:.6g} s: "
+        seen, found, asked, _ = flown(
+            [((0.0, 5.0, 0.0), ZERO, 2.0)], DOWN, 0.0, (e, None), h, frames
+        )
+        # It falls for 1 s, bounces at e times 10 m/s, and flies for 2 e, 2 e^2, ... seconds.
+        times, t = [], 1.0
+        while t <= 3.0:
+            times.append(t)
+            t += 2.0 * e ** len(times)
+        cause = (
+            "as many impacts as there are bounces in 3 s: fly to each, resolve its velocity, and "
+        )
+        cause += "ask for the next one in what is left of the frame"
+        expect_exactly(f"{call}impacts", len(found), len(times), cause=cause, read=read)
+        last, bounces = times[-1], len(times)
+        left = 3.0 - last
+        speed = 10.0 * e**bounces
+        wanted = (speed * left - 5.0 * left * left, speed - 10.0 * left)
+        place, velocity = seen[-1][0]
+        cause = (
+            "a bounce of restitution e, at the time of impact, and for a duration of 0: nothing "
+        )
+        cause += "of it was built up by a frame"
+        # Some 200 flights, each with a few roundings of 10 m.
+        name = f"{call}height and speed"
+        expect_close(name, (place[1], velocity[1]), wanted, cause=cause, read=read, tolerance=1e-11)
+        cause = "it asks for what is left of the frame: first for all of it"
+        name = f"{call}the longest that the detector was asked for"
+        expect_close(name, max(asked), h, cause=cause, read=read)
+        name = f"{call}how often the detector was asked"
+        cause = "once a frame, and once more after each impact"
+        expect_exactly(name, len(asked), frames + bounces, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.12")
+def test_nothing_is_lost_at_restitution_one() -> None:
+    read = READ
+    call = "a ball falls 2 m, g = 10, restitution 1; 20 s at 60 Hz: the energy for each kg and g, m"
+    cause = "steps with a resolver climb or sink; from impact to impact 2 m stay 2 m"
+    seen, found, _, _ = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (1.0, None), FRAME, 1200)
+    heights = [place[1] + velocity[1] ** 2 / 20.0 for ((place, velocity),) in seen]
+    got = (min(heights), max(heights))
+    # 1200 frames, each with a few roundings of 2 m.
+    expect_close(call, got, (2.0, 2.0), cause=cause, read=read, tolerance=1e-11)
+    name = "the same: impacts"
+    cause = "one each 2 sqrt(0.4) s, from sqrt(0.4) s on: 16 in 20 s"
+    expect_exactly(name, len(found), 16, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.12")
+def test_rest_is_told_with_its_time() -> None:
+    read = "the docstring of TooManyImpacts"
+    call = "a ball falls 2 m, g = 10, restitution 0.5; frames of 1/60 s until TooManyImpacts: "
+    cause = (
+        "it bounces ever lower, for sqrt(2 h / g) (1 + e) / (1 - e) s in all; then it rests, and "
+    )
+    cause += "impacts without an end: raise TooManyImpacts, with the time in the frame"
+    seen, _, _, ended = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 200)
+    expect_exactly(f"{call}was it raised?", ended is not None, True, cause=cause, read=read)
+    impacts, time = ended or (0, 0.0)
+    got = (len(seen) - 1) * FRAME + time
+    # The last bounces that a float can tell are 1e-9 s apart.
+    expect_close(f"{call}the time of it, s", got, 1.8973666, cause=cause, read=read, tolerance=1e-7)
+    cause = "where there is another impact after max_impacts of them, none more is resolved"
+    expect_exactly(f"{call}error.impacts", impacts, 1000, cause=cause, read=read)
+    for most in (3, 1):
+        call = "a ball falls 5 m, g = 10, restitution 0.5; one frame of 9 s, max_impacts "
+        seen, _, _, ended = flown(
+            [((0.0, 5.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (0.5, None), 9.0, 1, most
+        )
+        impacts, time = ended or (0, 0.0)
+        times = [1.0, 2.0, 2.5, 2.75]
+        name = f"{call}{most}: error.impacts, error.time"
+        wanted = (most, times[most])
+        expect_close(name, (impacts, time), wanted, cause=cause, read=read, tolerance=1e-12)
+        place, velocity = seen[0][0]
+        speed = -10.0 * 0.5**most
+        cause = "the particles are then where they are at the time of the next impact, unresolved"
+        name = f"{call}{most}: height and speed then"
+        expect_close(
+            name, (place[1], velocity[1]), (0.0, speed), cause=cause, read=read, tolerance=1e-12
+        )
+
+
+@pytest.mark.exercise("B7.12")
+def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
+    read = "book 7.3; simultaneous impacts are resolved one after the other"
+    speed = positive_number(rng)
+    for count in (1, 2, 3):
+        speeds = [speed if i < count else 0.0 for i in range(5)]
+        gap = speed  # 1 s away
+        places = [2.0 * i - (gap if i < count else 0.0) for i in range(5)]
+        call = f"five spheres of radius 1, mass 2, restitution 1; the first {count} arrive with "
+        call += f"{speed} m/s after 1 s, the others touch; 2 s in frames of 0.5 s: velocities"
+        cause = (
+            "each impact passes the motion on to the next sphere, at the same time: as many leave"
+        )
+        cause += " as have come"
+        bodies = [((x, 0.0, 0.0), (v, 0.0, 0.0), 2.0) for x, v in zip(places, speeds, strict=True)]
+        seen, found, _, _ = flown(bodies, ZERO, 1.0, (None, 1.0), 0.5, 4)
+        got = tuple(velocity[0] for _, velocity in seen[-1])
+        wanted = tuple(speed if i >= 5 - count else 0.0 for i in range(5))
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
+        name = f"{call[:-10]}impacts"
+        expect_exactly(name, len(found), count * (5 - count), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.12")
+def test_impacts_come_in_their_order(rng: Random) -> None:
+    read = READ
+    # Spheres of radius 1 along X; a small one in the middle is hit from both sides in turn.
+    late = positive_number(rng, 0.1, 0.9)
+    bodies = [
+        ((-3.0, 0.0, 0.0), (1.0, 0.0, 0.0), 3.0),
+        (ZERO, ZERO, 1.0),
+        ((3.0 + late, 0.0, 0.0), (-1.0, 0.0, 0.0), 3.0),
+    ]
+    call = (
+        f"spheres of radius 1 and 3, 1 and 3 kg at -3, 0 and {3.0 + late}, with 1, 0 and -1 m/s, "
+    )
+    call += "restitution 1; a frame of 5 s: "
+    cause = "the left one comes first, after 1 s; what it changes decides when the next impact is"
+    seen, found, _, _ = flown(bodies, ZERO, 1.0, (None, 1.0), 5.0, 1)
+    # After the first impact: 3 kg at 0.5, 1 kg at 1.5 m/s, which meets the right one at 2.5 m/s.
+    wanted_times = (1.0, late / 2.5)
+    got = tuple(time for _, _, time in found[:2])
+    name = f"{call}times of the first two impacts, each since the one before"
+    expect_close(name, got, wanted_times, cause=cause, read=read, tolerance=1e-13)
+    name = f"{call}which pairs"
+    pairs = [number for a, b, _ in found[:2] for number in (a, b)]
+    expect_exactly(name, pairs, [0, 1, 1, 2], cause=cause, read=read)
+    cause = "momentum and, at restitution 1, energy are what they were"
+    momentum = math.fsum(m * v[0] for (_, _, m), (_, v) in zip(bodies, seen[0], strict=True))
+    energy = math.fsum(
+        0.5 * m * v[0] ** 2 for (_, _, m), (_, v) in zip(bodies, seen[0], strict=True)
+    )
+    name = f"{call}momentum and kinetic energy"
+    expect_close(name, (momentum, energy), (0.0, 3.0), cause=cause, read=read, tolerance=1e-13)
+    cause = "spheres do not pass through each other"
+    gaps = [right[0][0] - left[0][0] - 2.0 for left, right in pairwise(seen[0])]
+    got = min(0.0, *gaps)
+    expect_close(f"{call}overlap", got, 0.0, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B7.12")
+def test_a_frame_uses_the_forces_up(rng: Random) -> None:
+    read = READ
+    mass, a, d = positive_number(rng), -positive_number(rng, 1.0, 3.0), 0.5
+    call = (
+        f"p of {mass} kg, damping {d}, at (0, 1, 0), velocity (3, -4, 0); p.add_force(Vector3(0, "
+    )
+    call += f"{a * mass}, 0)); a frame of 1 s, ground at 0, restitution 0.5; "
+    seen, left, last = pushed((0.0, a * mass, 0.0), mass, d, 1.0)
+    fall = 2.0 / (4.0 + math.sqrt(16.0 - 2.0 * a))  # of 1 + v t + a t^2 / 2 = 0
+    speed, rest = 0.5 * (4.0 - a * fall), 1.0 - fall
+    height = speed * rest + 0.5 * a * rest * rest
+    cause = "the force is one acceleration throughout the frame, f / m, before and after an impact"
+    place, velocity = seen[0]
+    # Some roundings of 5 m/s.
+    wanted = (3.0, height, 0.0)
+    expect_close(f"{call}position", place, wanted, cause=cause, read=read, tolerance=1e-13)
+    cause = "damping multiplies the velocity by d^h, once, at the end of the frame"
+    wanted = (1.5, 0.5 * (speed + a * rest), 0.0)
+    expect_close(f"{call}velocity", velocity, wanted, cause=cause, read=read, tolerance=1e-13)
+    cause = (
+        "the frame uses the forces up: let Particle.integrate do it, and put place and velocity "
+    )
+    cause += "back"
+    expect_close(f"{call}p.force_accumulator", left, ZERO, cause=cause, read=read)
+    cause = "last_acceleration is that of the frame"
+    wanted = (0.0, a, 0.0)
+    expect_close(f"{call}p.last_acceleration", last, wanted, cause=cause, read=read)
+    call += "another frame of 1 s; "
+    cause = "in the next frame the force is gone: it flies straight on"
+    place, velocity = seen[1]
+    wanted = (4.5, height + 0.5 * (speed + a * rest), 0.0)
+    expect_close(f"{call}position", place, wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B7.12")
+def test_a_frame_needs_numbers_that_mean_something() -> None:
+    read = READ
+    p = Particle(Vector3(0.0, 5.0, 0.0), Vector3(1.0, 2.0, 3.0))
+    p.add_force(Vector3(1.0, 0.0, 0.0))
+    cause = (
+        "refuse it before anything is moved: positive of arguments.py for the duration, and 1 or "
+    )
+    cause += "more, a whole number, for max_impacts"
+    bad: list[tuple[tuple, type[Exception]]] = [
+        ((duration, 10), ValueError) for duration in (0.0, -1.0, math.nan, math.inf)
+    ]
+    bad += [((0.5, 0), ValueError), ((0.5, -1), ValueError), ((0.5, 2.5), TypeError)]
+    bad += [(("0.5", 10), TypeError), ((0.5, True), TypeError)]
+    for numbers, error in bad:
+        call = "p with velocity (1, 2, 3) and a force of 1 N; time_division_step([p], ground, "
+        call += f"{numbers[0]!r}, {numbers[1]!r})"
+        expect_error(
+            call,
+            lambda numbers=numbers: time_division_step([p], GroundPlane([p]), *numbers),
+            error,
+            allowed=lambda: time_division_step(
+                [Particle(Vector3(0.0, 5.0, 0.0))], GroundPlane([]), 0.5, 1
+            ),
+            cause=cause,
+            read=read,
+        )
+        got = (*xyz(p.position), *xyz(p.velocity), *xyz(p.force_accumulator))
+        before = (0.0, 5.0, 0.0, 1.0, 2.0, 3.0, 1.0, 0.0, 0.0)
+        name = "place, velocity and force"
+        expect_unchanged(call, name, got, before, cause=cause, read=read)

@@ -1,0 +1,299 @@
+"""Collisions against their closed forms, and what lies on the ground against lying still."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry, Gravity
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
+from ch07_constraints.contacts import Contact, ContactResolver
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
+
+FRAME = 1.0 / 60.0
+ROUNDING = 2.0**-53
+UP = Vector3(0.0, 1.0, 0.0)
+
+
+def direction(a: float, b: float) -> Vector3:
+    return Vector3(math.cos(a) * math.cos(b), math.sin(a) * math.cos(b), math.sin(b))
+
+
+turn = st.floats(0.0, 2.0 * math.pi)
+normals = st.builds(direction, turn, turn)
+masses = st.floats(0.01, 100.0)
+velocities = st.builds(Vector3, *[st.floats(-50.0, 50.0)] * 3)
+restitutions = st.sampled_from([0.0, 0.5, 1.0]) | st.floats(0.0, 1.0)
+
+
+# What is refused
+
+
+@pytest.mark.parametrize("off", [-1.0, -1.1e-6, 1.1e-6, 1.0])
+def test_a_normal_that_is_not_of_unit_length_is_refused(off: float) -> None:
+    with pytest.raises(ValueError, match="normal must have length 1, to 1e-06, got"):
+        Contact(Particle(), None, direction(0.3, 0.7) * (1.0 + off))
+
+
+@pytest.mark.parametrize("off", [-0.9e-6, 0.0, 0.9e-6])
+def test_a_normal_within_a_millionth_of_unit_length_is_taken_and_copied(off: float) -> None:
+    normal = direction(0.3, 0.7) * (1.0 + off)
+    contact = Contact(Particle(), None, normal)
+    assert contact.normal == normal
+    assert contact.normal is not normal
+
+
+@pytest.mark.parametrize("other", [None, Particle()])
+@pytest.mark.parametrize(
+    ("name", "value", "error"),
+    [
+        ("restitution", -1e-300, ValueError),
+        ("restitution", 1.0 + 2.0**-52, ValueError),
+        ("restitution", math.nan, ValueError),
+        ("restitution", "0.5", TypeError),
+        ("penetration", math.nan, ValueError),
+        ("penetration", -math.inf, ValueError),
+        ("penetration", None, TypeError),
+        ("normal", (0.0, 1.0, 0.0), TypeError),
+        ("normal", Vector3(0.0, math.nan, 0.0), ValueError),
+        ("particle", None, TypeError),
+    ],
+)
+def test_what_a_contact_cannot_be_made_of_is_named(
+    other: Particle | None, name: str, value: Any, error: type[Exception]
+) -> None:
+    with pytest.raises(error, match=name):
+        Contact(**{"particle": Particle(), "other": other, "normal": UP, name: value})
+
+
+def test_a_particle_does_not_touch_itself_nor_something_that_is_no_particle() -> None:
+    particle = Particle()
+    with pytest.raises(ValueError, match="other must be another particle"):
+        Contact(particle, particle, UP)
+    with pytest.raises(TypeError, match="other must be a Particle"):
+        Contact(particle, UP, UP)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("value", [0.0, -FRAME, math.nan, math.inf])
+def test_a_frame_that_is_none_is_refused_before_anything_moves(value: float) -> None:
+    ball = Particle(velocity=Vector3(0.0, -1.0, 0.0))
+    contact = Contact(ball, None, UP, 0.5, 0.1)
+    with pytest.raises(ValueError, match="duration"):
+        contact.resolve(value)
+    with pytest.raises(ValueError, match="duration"):
+        ContactResolver().resolve_contacts([contact], value)
+    if value != 0.0:  # which is an impact at a point of time
+        with pytest.raises(ValueError, match="duration"):
+            contact.resolve_velocity(value)
+    assert (ball.position, ball.velocity.y, contact.penetration) == (Vector3(), -1.0, 0.1)
+
+
+# Collisions
+
+
+def test_the_sample_of_a_collision() -> None:
+    """1 and 2 kg, 3 and -1 m/s, c 0.5: -1 and 1 m/s, and mu (1 - c^2) dv^2 / 2 = 4 J are lost."""
+    a, b = Particle(velocity=Vector3(3.0)), Particle(Vector3(1.0), Vector3(-1.0), mass=2.0)
+    before = a.kinetic_energy() + b.kinetic_energy()
+    Contact(a, b, Vector3(-1.0), 0.5).resolve_velocity()
+    # One rounding of 1 / (1 + 1 / 2): 6 m/s times two roundings.
+    assert (a.velocity.x, b.velocity.x) == pytest.approx((-1.0, 1.0), abs=2e-15)
+    assert before - a.kinetic_energy() - b.kinetic_energy() == pytest.approx(4.0, abs=1e-14)
+
+
+@given(masses, masses, velocities, velocities, normals, restitutions)
+def test_any_collision_keeps_momentum_and_loses_what_the_closed_form_says(
+    m: float, n: float, va: Vector3, vb: Vector3, normal: Vector3, c: float
+) -> None:
+    a, b = Particle(velocity=va, mass=m), Particle(velocity=vb, mass=n)
+    closing = (va - vb).dot(normal)
+    before = a.kinetic_energy() + b.kinetic_energy()
+    Contact(a, b, normal, c).resolve_velocity()
+    if closing >= 0.0:
+        assert (a.velocity, b.velocity) == (va, vb)
+        return
+    # Each velocity is the sum of two numbers of at most 300 m/s, which are right to some 8
+    # roundings; times its mass, that is what the momentum may be off.
+    heavy = (m + n) * 300.0 * 8.0 * ROUNDING
+    for axis in range(3):
+        kept = m * tuple(va)[axis] + n * tuple(vb)[axis]
+        now = m * tuple(a.velocity)[axis] + n * tuple(b.velocity)[axis]
+        assert now == pytest.approx(kept, abs=heavy)
+    # The differences of velocities of 300 m/s, with as many roundings, and a normal of 1 to two.
+    slip = 300.0 * 24.0 * ROUNDING
+    apart = a.velocity - b.velocity
+    assert apart.dot(normal) == pytest.approx(-c * closing, abs=slip)
+    for particle, first in ((a, va), (b, vb)):
+        change = particle.velocity - first
+        along = change.dot(normal)
+        assert (change - normal * along).magnitude() <= slip  # nothing along the surface
+    reduced = m * n / (m + n)
+    lost = before - a.kinetic_energy() - b.kinetic_energy()
+    wanted = 0.5 * reduced * (1.0 - c * c) * closing**2
+    # Energies are right to m v times what the velocities are off.
+    assert lost == pytest.approx(wanted, abs=(m + n) * 300.0 * slip)
+
+
+@given(masses, velocities, normals, restitutions, st.sampled_from(["none", "other", "particle"]))
+def test_what_is_immovable_gives_all_of_the_change_to_its_partner(
+    m: float, v: Vector3, normal: Vector3, c: float, wall: str
+) -> None:
+    ball, fixed = Particle(velocity=v, mass=m), Particle(mass=math.inf)
+    if wall == "particle":  # seen from the ball the normal leads back
+        Contact(fixed, ball, -normal, c).resolve_velocity()
+    else:
+        Contact(ball, fixed if wall == "other" else None, normal, c).resolve_velocity()
+    closing = min(0.0, v.dot(normal))
+    wanted = v - normal * ((1.0 + c) * closing)
+    # Some roundings of at most 87 m/s times two, on each axis.
+    assert tuple(ball.velocity) == pytest.approx(tuple(wanted), abs=170.0 * 16.0 * ROUNDING)
+    assert tuple(fixed.velocity) == (0.0, 0.0, 0.0)
+
+
+def test_a_moving_wall_throws_twice_its_speed_back_and_is_not_slowed() -> None:
+    ball, wall = Particle(velocity=Vector3(-3.0)), Particle(velocity=Vector3(2.0), mass=math.inf)
+    Contact(ball, wall, Vector3(1.0), 1.0).resolve_velocity()
+    assert (ball.velocity.x, wall.velocity.x) == (2.0 * 2.0 + 3.0, 2.0)
+
+
+# Out of each other
+
+
+@given(masses, masses, normals, st.floats(1e-6, 10.0))
+def test_the_depth_is_shared_by_inverse_mass(
+    m: float, n: float, normal: Vector3, depth: float
+) -> None:
+    """They part by the depth, their centre of mass stays, and what is returned is what moved."""
+    a, b = Particle(Vector3(1.0, 2.0, 3.0), mass=m), Particle(mass=n)
+    contact = Contact(a, b, normal, 0.5, depth)
+    moves = contact.resolve_penetration()
+    assert contact.penetration == 0.0
+    off = (10.0 + 4.0) * 16.0 * ROUNDING  # of depths up to 10 m, and places of 4 m
+    for particle, place, move, share in (
+        (a, Vector3(1.0, 2.0, 3.0), moves[0], n / (m + n)),
+        (b, Vector3(), moves[1], -m / (m + n)),
+    ):
+        assert tuple(move) == pytest.approx(tuple(normal * (depth * share)), abs=off)
+        assert tuple(particle.position) == pytest.approx(tuple(place + move), abs=off)
+    assert tuple(moves[0] * m + moves[1] * n) == pytest.approx((0.0, 0.0, 0.0), abs=off * (m + n))
+    assert contact.resolve_penetration() == (Vector3(), Vector3())
+
+
+@pytest.mark.parametrize("depth", [0.0, -0.1])
+def test_what_touches_or_is_apart_is_not_moved(depth: float) -> None:
+    a, b = Particle(), Particle(UP)
+    assert Contact(a, b, UP, 0.0, depth).resolve_penetration() == (Vector3(), Vector3())
+    assert (a.position, b.position) == (Vector3(), UP)
+
+
+@pytest.mark.parametrize(("m", "n"), [(math.inf, 2.0), (2.0, math.inf), (math.inf, math.inf)])
+def test_the_one_that_can_be_moved_is_moved_all_the_way(m: float, n: float) -> None:
+    a, b = Particle(mass=m), Particle(mass=n)
+    contact = Contact(a, b, UP, 0.0, 0.25)
+    up, down = contact.resolve_penetration()
+    assert (up.y, down.y) == (0.25 * (m == 2.0), -0.25 * (n == 2.0))
+    assert contact.penetration == (0.0 if up.y or down.y else 0.25)
+    a.velocity.y = -3.0
+    contact.resolve_velocity()
+    assert a.velocity.y == (-3.0 if m == math.inf and n == math.inf else 0.0 if m == 2.0 else -3.0)
+
+
+# Rest
+
+
+@pytest.mark.parametrize("c", [0.0, 0.3, 1.0])
+@pytest.mark.parametrize(("share", "bounces"), [(0.5, 0.0), (1.0, 0.0), (3.0, 2.0)])
+def test_what_the_frame_itself_has_built_up_gets_no_bounce(
+    c: float, share: float, bounces: float
+) -> None:
+    """A frame of 10 m/s^2 explains 10 h: only what is above that bounces, and never below 0."""
+    ball = Particle(velocity=Vector3(0.0, -10.0 * FRAME * share), acceleration=UP * -10.0)
+    contact = Contact(ball, None, UP, c)
+    # Two roundings of half a metre a second.
+    assert contact.velocity_after(FRAME) == pytest.approx(c * bounces * 10.0 * FRAME, abs=1e-16)
+    assert contact.velocity_after() == c * -ball.velocity.y  # an impact: no frame
+    ball.acceleration.y = 10.0  # away from the ground: that has not made it close
+    assert contact.velocity_after(FRAME) == c * -ball.velocity.y
+
+
+@pytest.mark.parametrize("first", [True, False])
+def test_an_acceleration_of_what_is_immovable_counts_none(first: bool) -> None:
+    """A ball at 3 m/s, 10 m/s^2 for 0.1 s: 0.5 (3 - 1) = 1. The wall's would take that 1 away."""
+    ball = Particle(velocity=Vector3(0.0, -3.0), acceleration=UP * -10.0)
+    wall = Particle(acceleration=UP * -10.0, mass=math.inf)
+    contact = Contact(ball, wall, UP, 0.5) if first else Contact(wall, ball, -UP, 0.5)
+    assert contact.velocity_after(0.1) == pytest.approx(1.0, abs=1e-15)  # a rounding or two
+    wall.mass = 1.0  # now it falls as the ball does, and the frame has built up nothing
+    assert contact.velocity_after(0.1) == 1.5
+
+
+def fall(
+    step: Integrator, height: float, c: float, frames: int, *, built_in: bool, g: float = 9.81
+) -> list[float]:
+    """Return the height after every frame of a ball over level ground."""
+    ball = Particle(Vector3(0.0, height), acceleration=UP * (-g if built_in else 0.0))
+    registry, resolver = ForceRegistry(), ContactResolver()
+    if not built_in:
+        registry.add(ball, Gravity(UP * -g))
+    ground, heights = GroundPlane([ball], restitution=c), []
+    for _ in range(frames):
+        step([ball], registry.update_forces, FRAME)
+        resolver.resolve_contacts(ground.contacts(), FRAME)
+        heights.append(ball.position.y)
+    return heights
+
+
+@pytest.mark.parametrize("built_in", [True, False])
+@pytest.mark.parametrize("c", [0.0, 0.3, 0.5, 0.9])
+@pytest.mark.parametrize("height", [0.0, 1e-6, 5e-4])
+def test_what_rests_moves_less_than_a_millimetre_in_a_minute(
+    c: float, height: float, built_in: bool
+) -> None:
+    """The first frame closes with g h and no more, so it is stopped, put right, and stays."""
+    heights = fall(semi_implicit_euler, height, c, 3600, built_in=built_in)
+    # The depth of each frame is put right to a rounding of g h^2 = 3 mm.
+    assert max(abs(y) for y in heights) <= 1e-18
+    assert max(abs(y - height) for y in heights) < 1e-3
+
+
+@pytest.mark.parametrize(("c", "left"), [(0.5, 1.36e-3), (0.9, 2.70e-3)])
+def test_the_book_s_step_leaves_a_jitter_of_millimetres(c: float, left: float) -> None:
+    """Released 1e-6 m above the ground, under 9.81 m/s^2: g h^2 c, and its first bounces.
+
+    Explicit Euler lets the first frame pass, so the ball arrives with two frames' worth of speed,
+    and the rule takes off one.
+    """
+    heights = fall(explicit_euler, 1e-6, c, 3600, built_in=True)
+    assert max(heights) == pytest.approx(left, rel=0.01)  # three digits are known
+    # c bounces of one frame each: it leaves with c g h, is back within two, and so on for ever.
+    assert max(heights[-600:]) > 0.3 * left
+    assert max(fall(explicit_euler, 0.0, c, 600, built_in=True)) == 0.0  # placed exactly, it rests
+
+
+def test_a_ball_that_falls_from_a_height_comes_to_rest() -> None:
+    """The other side of the rule: above a millimetre it bounces, by about c^2 of the height."""
+    heights = fall(semi_implicit_euler, 1.0, 0.5, 600, built_in=False)
+    low = heights.index(min(heights[:40]))
+    # It leaves with c (v - g h), a part in 27 less: 8 % of the height. The step, velocity first,
+    # takes another v h / 2 off it, 18 mm of 250.
+    assert max(heights[low:]) == pytest.approx(0.25, rel=0.16)
+    assert max(map(abs, heights[-300:])) < 1e-15
+
+
+def test_two_balls_at_rest_on_each_other_stay() -> None:
+    """Four iterations do not end what goes to and fro between both contacts, but nearly so."""
+    balls = [Particle(Vector3(0.0, y), acceleration=UP * -9.81) for y in (0.5, 1.5)]
+    ground, pairs = GroundPlane(balls, radius=0.5), ParticlePairs(balls, 0.5)
+    resolver = ContactResolver()
+    for _ in range(3600):
+        semi_implicit_euler(balls, lambda _: None, FRAME)
+        resolver.resolve_contacts(ground.contacts() + pairs.contacts(), FRAME)
+        # Twice the fall of one frame, which is 2.7 mm.
+        wanted = pytest.approx([0.5, 1.5], abs=2.0 * 9.81 * FRAME**2)
+        assert [ball.position.y for ball in balls] == wanted

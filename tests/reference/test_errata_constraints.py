@@ -1,0 +1,149 @@
+"""Where chapter 7 of the printed book is wrong: the printed form, shown failing.
+
+Each test has the number of the erratum in errata.md in its name.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry, Gravity
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import explicit_euler, semi_implicit_euler
+from ch07_constraints.contacts import Contact, ContactResolver
+from ch07_constraints.exercises import restitution_of_drop
+from ch07_constraints.links import AnchoredRod, Rod
+
+FRAME = 1.0 / 60.0
+UP = Vector3(0.0, 1.0, 0.0)
+
+
+def test_e7_momentum_is_kept_at_any_restitution_and_energy_at_1_alone() -> None:
+    for c, lost in ((0.0, 16.0 / 3.0), (0.5, 4.0), (1.0, 0.0)):
+        a, b = Particle(velocity=Vector3(3.0)), Particle(velocity=Vector3(-1.0), mass=2.0)
+        Contact(a, b, Vector3(-1.0), c).resolve_velocity()
+        # A few roundings of some m/s, and of some J.
+        assert a.momentum().x + b.momentum().x == pytest.approx(1.0, abs=4e-15)
+        assert 5.5 - a.kinetic_energy() - b.kinetic_energy() == pytest.approx(lost, abs=2e-14)
+
+
+def test_e8_the_printed_resolver_moves_a_contact_out_again_and_again() -> None:
+    """One contact, 0.1 m deep, two iterations: as its depth is not updated, it ends 0.1 m up."""
+    for printed, end in ((True, 0.1), (False, 0.0)):
+        ball = Particle(Vector3(0.0, -0.1))
+        contact = Contact(ball, None, UP, 0.0, 0.1)
+        if printed:
+            for _ in range(2):  # worst by separating velocity, both parts at once
+                contact.resolve_velocity(FRAME)
+                ball.position.add_scaled(contact.normal, contact.penetration)
+        else:
+            ContactResolver().resolve_contacts([contact], FRAME)
+        assert ball.position.y == pytest.approx(end, abs=1e-17)
+
+
+@pytest.mark.parametrize("anchored", [True, False])
+def test_e9_one_contact_holds_a_rod_to_a_rounding(anchored: bool) -> None:
+    hook, bob = Particle(mass=math.inf), Particle(Vector3(1.0), acceleration=UP * -10.0)
+    rod = AnchoredRod(bob, Vector3(), 1.0) if anchored else Rod(hook, bob, 1.0)
+    resolver, worst = ContactResolver(), 0.0
+    for _ in range(600):
+        semi_implicit_euler([bob], lambda _: None, FRAME)
+        contacts = rod.contacts()
+        assert len(contacts) <= 1  # printed: always two
+        resolver.resolve_contacts(contacts, FRAME)
+        worst = max(worst, abs(bob.position.magnitude() - 1.0))
+    # 1 m to the roundings of two coordinates, of the length and of the move.
+    assert worst <= 2.0**-52 * 1.5
+    for length in (0.7, 1.3):  # too short is put right by one as well
+        bob.position = Vector3(0.6, 0.8, 0.0) * length
+        resolver.resolve_contacts(rod.contacts(), FRAME)
+        assert bob.position.magnitude() == pytest.approx(1.0, abs=4e-16)
+
+
+def test_e10_the_printed_restitution_of_a_drop_bounces_too_low() -> None:
+    """1 m, and 0.25 m: a ball of the printed 0.25 bounces 6.25 cm high; of the root, 25 cm."""
+    heights = []
+    for c in (0.25 / 1.0, restitution_of_drop(1.0, 0.25)):
+        ball = Particle(velocity=UP * -math.sqrt(20.0))
+        Contact(ball, None, UP, c).resolve_velocity()
+        heights.append(ball.velocity.y**2 / 20.0)
+    assert heights == pytest.approx([0.0625, 0.25], rel=1e-15)  # two roundings
+
+
+def test_e24_an_impulse_changes_velocities_by_its_share_of_the_mass() -> None:
+    """4 N s: printed as a change of velocity it is 4 m/s for both, and makes momentum."""
+    a, b = Particle(velocity=Vector3(3.0), mass=2.0), Particle(velocity=Vector3(-3.0), mass=1.0)
+    Contact(a, b, Vector3(-1.0), 0.0).resolve_velocity()
+    impulse = 2.0 / 3.0 * 6.0  # reduced mass, and closing speed
+    # Roundings of thirds.
+    assert (a.velocity.x, b.velocity.x) == pytest.approx((3.0 - impulse / 2.0, -3.0 + impulse))
+    assert a.momentum().x + b.momentum().x == pytest.approx(3.0, abs=1e-14)
+    printed = 2.0 * (3.0 - impulse) + (-3.0 + impulse)
+    assert printed == -1.0
+
+
+def test_e25_the_printed_sign_sends_a_ball_on_into_the_ground() -> None:
+    ball = Particle(velocity=Vector3(0.0, -4.0))
+    contact = Contact(ball, None, UP, 0.5)
+    printed = 0.5 * contact.separating_velocity()
+    assert printed == -2.0  # it still closes
+    assert contact.velocity_after() == 2.0
+
+
+def highest(*, printed: bool, built_in: bool) -> float:
+    """Return the highest place in 5 s that follow 5 s on the ground, c 0.9, g 10, the book's step.
+
+    The ball is released a hundredth of a millimetre above it.
+    """
+    ball = Particle(Vector3(0.0, 1e-5), acceleration=UP * (-10.0 if built_in else 0.0))
+    registry, top = ForceRegistry(), 0.0
+    if not built_in:
+        registry.add(ball, Gravity(UP * -10.0))
+    for frame in range(600):
+        explicit_euler([ball], registry.update_forces, FRAME)
+        if ball.position.y <= 0.0:
+            contact = Contact(ball, None, UP, 0.9, -ball.position.y)
+            if printed:
+                closing = contact.separating_velocity()
+                if closing < 0.0:
+                    bounce, built_up = -0.9 * closing, ball.acceleration.y * FRAME
+                    if built_up < 0.0:
+                        bounce = max(0.0, bounce + 0.9 * built_up)
+                    ball.velocity.y = bounce
+                contact.resolve_penetration()
+            else:
+                contact.resolve(FRAME)
+        if frame >= 300:
+            top = max(top, ball.position.y)
+    return top
+
+
+def test_e26_the_printed_rule_for_rest_shakes_what_a_generator_pulls_down() -> None:
+    """After 5 s: 2.6 mm under built-in gravity, and 198 mm under a generator's."""
+    assert highest(printed=True, built_in=True) == pytest.approx(2.6e-3, abs=5e-5)
+    assert highest(printed=True, built_in=False) == pytest.approx(0.198, abs=5e-4)
+    for built_in in (True, False):  # all of the acceleration: the two are one
+        assert highest(printed=False, built_in=built_in) == pytest.approx(2.6e-3, abs=5e-5)
+
+
+def test_e27_a_move_that_is_not_cleared_is_counted_twice() -> None:
+    """A contact that was moved, and is then asked again while it only touches.
+
+    The printed member keeps the first frame's 0.3 m, and takes it off the depth of the contact
+    beside it once more: that one then seems to be apart, and its ball stays in the ball.
+    """
+    for printed in (True, False):
+        ball, under = Particle(Vector3(0.0, -0.3)), Particle(Vector3(0.0, 0.9))
+        first, beside = Contact(ball, None, UP, 0.0, 0.3), Contact(under, ball, UP, 0.0, -0.2)
+        kept, _ = first.resolve_penetration()
+        beside.penetration += kept.y
+        assert beside.penetration == pytest.approx(0.1, abs=1e-16)  # 0.9 m apart, of 1 m
+        move, other_move = first.resolve_penetration()  # it touches: nothing moves
+        assert (move, other_move) == (Vector3(), Vector3())
+        beside.penetration += (kept if printed else move).y
+        apart = under.position.y - ball.position.y
+        wrong = beside.penetration - (1.0 - apart)
+        assert wrong == pytest.approx(0.3 if printed else 0.0, abs=2e-16)

@@ -1,0 +1,320 @@
+"""Time division against an own simulation of events, closed forms, and what mechanics keeps."""
+
+from __future__ import annotations
+
+import math
+import random
+from typing import Any
+
+import numpy
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import explicit_euler
+from ch07_constraints.contacts import ContactResolver
+from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs, time_to_close
+from ch07_constraints.exercises import top_ball_speed
+from ch07_constraints.time_division import TooManyImpacts, time_division_step
+
+FRAME = 1.0 / 60.0
+UP = Vector3(0.0, 1.0, 0.0)
+
+
+class Watch:
+    """A detector that notes each impact it finds: when in its frame, and the contact."""
+
+    def __init__(self, detector: Any, frame: float) -> None:
+        self.detector, self.frame = detector, frame
+        self.found: list[tuple[float, Any]] = []
+
+    def contacts(self) -> Any:
+        return self.detector.contacts()
+
+    def next_impact(self, duration: float) -> Any:
+        impact = self.detector.next_impact(duration)
+        if impact:
+            self.found.append((self.frame - duration + impact[0], impact[1]))
+        return impact
+
+
+# Billiards
+
+
+def events(
+    places: numpy.ndarray,
+    speeds: numpy.ndarray,
+    masses: numpy.ndarray,
+    radius: float,
+    c: float,
+    until: float,
+) -> list[tuple[float, int, int]]:
+    """Move discs from event to event by the roots of their quadratics, and return the events."""
+    now, found = 0.0, []
+    while True:
+        first = (until, -1, -1)
+        for i in range(len(masses)):
+            for j in range(i + 1, len(masses)):
+                d, v = places[i] - places[j], speeds[i] - speeds[j]
+                if d @ v >= 0.0:
+                    continue
+                roots = numpy.roots([v @ v, 2.0 * (d @ v), d @ d - 4.0 * radius**2])
+                if not numpy.iscomplexobj(roots) and now + min(roots) < first[0]:
+                    first = (now + min(roots), i, j)
+        time, i, j = first
+        places += speeds * (time - now)
+        now = time
+        if i < 0:
+            return found
+        found.append(first)
+        n = (places[i] - places[j]) / numpy.linalg.norm(places[i] - places[j])
+        reduced = masses[i] * masses[j] / (masses[i] + masses[j])
+        impulse = -(1.0 + c) * reduced * ((speeds[i] - speeds[j]) @ n)
+        speeds[i] += impulse / masses[i] * n
+        speeds[j] -= impulse / masses[j] * n
+
+
+@pytest.mark.parametrize("c", [1.0, 0.6])
+@pytest.mark.parametrize("seed", range(4))
+def test_billiard_balls_meet_in_the_order_of_another_simulation(seed: int, c: float) -> None:
+    """12 balls that run towards a middle, in one frame of 3 s and in frames of 1/60."""
+    for frames in (1, 180):
+        draw = numpy.random.default_rng(seed)
+        cells = draw.permutation(36)[:12]
+        places = numpy.stack([cells % 6 - 2.5, cells // 6 - 2.5], 1).astype(float)
+        speeds = -places * draw.uniform(0.3, 1.5, (12, 1)) + draw.normal(0.0, 0.3, (12, 2))
+        masses = draw.uniform(0.5, 3.0, 12)
+        balls = [
+            Particle(Vector3(x, y), Vector3(u, v), mass=m)
+            for (x, y), (u, v), m in zip(places, speeds, masses, strict=True)
+        ]
+        momentum = masses @ speeds
+        energy = 0.5 * masses @ (speeds**2).sum(1)
+        wanted = events(places, speeds, masses, 0.3, c, 3.0)
+        number, got, frame = {id(ball): i for i, ball in enumerate(balls)}, [], 3.0 / frames
+        for i in range(frames):
+            watch = Watch(ParticlePairs(balls, 0.3, c), frame)
+            time_division_step(balls, watch, frame)
+            got += [
+                (i * frame + t, number[id(x.particle)], number[id(x.other)]) for t, x in watch.found
+            ]
+        assert len(wanted) >= 8
+        assert [event[1:] for event in got] == [event[1:] for event in wanted]
+        times = [time for time, _, _ in wanted]
+        assert [time for time, _, _ in got] == pytest.approx(times, abs=1e-8)
+        # Each impact of balls multiplies an error by about the way over the radius: here 1e-9 or
+        # less of a metre, from 1e-16 through some ten of them.
+        for ball, place, speed in zip(balls, places, speeds, strict=True):
+            assert (ball.position.x, ball.position.y) == pytest.approx(tuple(place), abs=1e-8)
+            assert (ball.velocity.x, ball.velocity.y) == pytest.approx(tuple(speed), abs=1e-8)
+        # What is kept is kept to roundings, however the errors of the places grow.
+        now = [math.fsum(b.momentum().x for b in balls), math.fsum(b.momentum().y for b in balls)]
+        assert now == pytest.approx(list(momentum), abs=1e-12)
+        kept = math.fsum(ball.kinetic_energy() for ball in balls)
+        assert kept == pytest.approx(energy, rel=1e-13) if c == 1.0 else kept < 0.99 * energy
+
+
+@pytest.mark.parametrize("k", [1, 2, 3, 4])
+def test_as_many_balls_leave_a_cradle_as_come(k: int) -> None:
+    """Five in a row, k of them swung in at 2 m/s: the last k leave at 2 m/s, the others stand."""
+    balls = [Particle(Vector3(1.0 * i - (1.0 if i < k else 0.0))) for i in range(5)]
+    for ball in balls[:k]:
+        ball.velocity.x = 2.0
+    for _ in range(60):
+        time_division_step(balls, ParticlePairs(balls, 0.5, 1.0), FRAME)
+    # Equal masses change speeds: a rounding of 2 m/s each time.
+    assert [ball.velocity.x for ball in balls] == pytest.approx(
+        [0.0] * (5 - k) + [2.0] * k, abs=1e-14
+    )
+
+
+# A bouncing ball
+
+
+def test_a_ball_s_bounces_come_when_the_closed_form_has_them() -> None:
+    """h 2, g 10, c 0.5: after t = sqrt(2 h / g), and then after 2 c^n t each; all in 1.8974 s."""
+    first = math.sqrt(2.0 * 2.0 / 10.0)
+    ball = Particle(Vector3(0.0, 2.0), acceleration=UP * -10.0)
+    ground, times = GroundPlane([ball], restitution=0.5), []
+    for frame in range(1, 112):
+        watch = Watch(ground, FRAME)
+        time_division_step([ball], watch, FRAME)
+        times += [(frame - 1) * FRAME + t for t, _ in watch.found]
+    wanted = [first + sum(2.0 * 0.5**j * first for j in range(1, n + 1)) for n in range(len(times))]
+    assert len(times) >= 5
+    # Roundings of a second, over an impact's speed of 0.2 m/s, and frames that are no round number.
+    assert times == pytest.approx(wanted, abs=1e-12)
+    total = first * (1.0 + 0.5) / (1.0 - 0.5)
+    assert total == pytest.approx(1.89736660, abs=5e-9)
+    with pytest.raises(TooManyImpacts) as caught:
+        time_division_step([ball], ground, 1.0, max_impacts=25)
+    assert 111 * FRAME + caught.value.time == pytest.approx(total, abs=1e-6)
+
+
+def test_too_many_impacts_say_when_and_where_and_leave_the_state_there() -> None:
+    ball = Particle(Vector3(3.0, 2.0), Vector3(1.0), UP * -10.0, damping=0.5)
+    with pytest.raises(TooManyImpacts, match=r"more than 3 impacts by 1\.739.* resolver") as caught:
+        time_division_step([ball], GroundPlane([ball], restitution=0.5), 2.0, max_impacts=3)
+    first = math.sqrt(0.4)
+    fourth = first * (1.0 + 1.0 + 0.5 + 0.25)  # of which three were resolved
+    assert (caught.value.impacts, caught.value.contact.particle) == (3, ball)
+    assert caught.value.time == pytest.approx(fourth, abs=1e-14)  # some roundings of 2 s
+    # It is on the ground, not yet damped, and closes with what three bounces have left of 6.3 m/s.
+    assert tuple(ball.position) == pytest.approx((3.0 + fourth, 0.0, 0.0), abs=1e-13)
+    assert tuple(ball.velocity) == pytest.approx((1.0, -10.0 * first / 8.0, 0.0), abs=1e-13)
+    assert isinstance(caught.value, ArithmeticError)
+
+
+def test_restitution_1_keeps_its_height_for_20_s_where_the_book_s_way_climbs() -> None:
+    """2 m, g 10; frame after frame, the highest place of each bounce is seen to g h^2 / 8."""
+    tops = []
+    for book in (False, True):
+        ball = Particle(Vector3(0.0, 2.0), acceleration=UP * -10.0)
+        ground, resolver, top = GroundPlane([ball], restitution=1.0), ContactResolver(), 0.0
+        for frame in range(1200):
+            if book:
+                explicit_euler([ball], lambda _: None, FRAME)
+                resolver.resolve_contacts(ground.contacts(), FRAME)
+            else:
+                time_division_step([ball], ground, FRAME)
+                energy = 10.0 * ball.position.y + 0.5 * ball.velocity.squared_magnitude()
+                assert energy == pytest.approx(20.0, rel=1e-12)  # 1200 frames, some roundings each
+            if frame > 60:
+                top = max(top, ball.position.y)
+        tops.append(top)
+    assert tops[0] == pytest.approx(2.0, abs=0.001)
+    assert tops[1] == pytest.approx(2.75, abs=0.05)
+
+
+def test_a_rest_taken_too_far_kills_the_bounce() -> None:
+    """Resolved for a frame's duration, as a resolver does, each bounce would lose c g h."""
+    speeds = []
+    for duration in (0.0, FRAME):
+        ball = Particle(Vector3(0.0, 2.0), acceleration=UP * -10.0)
+        ground, rises = GroundPlane([ball], restitution=1.0), []
+        for _ in range(30):
+            time, contact = ground.next_impact(2.0)
+            ball.position.add_scaled(ball.velocity, time)
+            ball.position.add_scaled(ball.acceleration, 0.5 * time * time)
+            ball.velocity.add_scaled(ball.acceleration, time)
+            contact.resolve_velocity(duration)
+            rises.append(ball.velocity.y)
+        speeds.append(rises[-1])
+    # 30 bounces of sqrt(40) m/s; some roundings each, and 30 times 10 / 60 m/s.
+    assert speeds[0] == pytest.approx(math.sqrt(40.0), abs=1e-12)
+    assert speeds[1] == pytest.approx(math.sqrt(40.0) - 5.0, abs=1e-12)
+
+
+def test_the_top_one_of_two_balls_dropped_at_once() -> None:
+    """Exercise 7.3: 1.3625 sqrt(20) = 6.0933 m/s, for a gap between them that goes to 0."""
+    for gap in (1e-3, 1e-6):
+        lower = Particle(Vector3(0.0, 1.1), acceleration=UP * -10.0, mass=9.0)
+        upper = Particle(Vector3(0.0, 1.3 + gap), acceleration=UP * -10.0)
+        balls = [lower, upper]
+        both = Detectors(GroundPlane([lower], 0.0, 0.1, 0.5), ParticlePairs(balls, 0.1, 0.75))
+        fall = math.sqrt(0.2) + gap  # past both impacts: the gap closes at 6.7 m/s
+        time_division_step(balls, both, fall)
+        speed = upper.velocity.y + 10.0 * gap
+        assert speed == pytest.approx(1.3625 * math.sqrt(20.0), abs=10.0 * gap)
+        assert top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75) == pytest.approx(speed, abs=10.0 * gap)
+
+
+# The frame
+
+
+def test_forces_by_hand_act_for_one_frame_and_damping_once() -> None:
+    """8 N on 2 kg, g 10: 6 m/s^2 down for a frame of 0.6 s, with a bounce; then 10 m/s^2."""
+    ball = Particle(Vector3(0.0, 0.75), acceleration=UP * -10.0, mass=2.0, damping=0.81)
+    ground = GroundPlane([ball], restitution=0.5)
+    ball.add_force(UP * 8.0)
+    time_division_step([ball], ground, 0.6)
+    # sqrt(2 * 0.75 / 6) = 0.5 s down to 3 m/s, up at 1.5 m/s for the 0.1 s that is left.
+    assert ball.position.y == pytest.approx(1.5 * 0.1 - 3.0 * 0.01, abs=1e-15)
+    assert ball.velocity.y == pytest.approx((1.5 - 6.0 * 0.1) * 0.81**0.6, abs=1e-15)
+    assert ball.last_acceleration.y == -6.0
+    assert ball.force_accumulator == Vector3()
+    ball.position.y, speed = 9.0, ball.velocity.y
+    time_division_step([ball], ground, 0.5)
+    assert ball.position.y == pytest.approx(9.0 + 0.5 * speed - 5.0 * 0.25, abs=1e-14)
+    assert ball.velocity.y == pytest.approx((speed - 5.0) * 0.9, abs=1e-14)
+
+
+def test_what_is_immovable_stays_and_is_hit() -> None:
+    wall = Particle(Vector3(3.0), Vector3(5.0), UP * 7.0, mass=math.inf)
+    wall.acceleration.clear()
+    wall.velocity.clear()
+    ball = Particle(velocity=Vector3(2.0))
+    wall.add_force(UP)
+    time_division_step([ball, wall], ParticlePairs([ball, wall], 0.5, 0.5), 2.0)
+    assert tuple(wall.position) == (3.0, 0.0, 0.0)
+    assert tuple(wall.velocity) == (0.0, 0.0, 0.0)
+    assert (ball.position.x, ball.velocity.x) == (2.0 - 1.0, -1.0)
+
+
+@pytest.mark.parametrize(
+    ("duration", "most", "error"),
+    [(0.0, 9, ValueError), (math.nan, 9, ValueError), (1.0, 0, ValueError), (1.0, True, TypeError)],
+)
+def test_a_refused_frame_leaves_all_as_it_was(
+    duration: float, most: int, error: type[Exception]
+) -> None:
+    ball = Particle(Vector3(0.0, 1.0), acceleration=UP * -10.0)
+    ball.add_force(UP)
+    with pytest.raises(error):
+        time_division_step([ball], GroundPlane([ball]), duration, most)
+    assert (ball.position.y, ball.velocity.y, ball.force_accumulator) == (1.0, 0.0, UP)
+
+
+def test_two_under_different_accelerations_are_beyond_the_pairs() -> None:
+    balls = [Particle(acceleration=UP), Particle(Vector3(9.0))]
+    with pytest.raises(ValueError, match="same acceleration"):
+        ParticlePairs(balls, 0.5).next_impact(1.0)
+
+
+# When a gap closes
+
+
+def first_closing(gap: float, velocity: float, acceleration: float) -> float:
+    """Return it by NumPy's roots: the first at which the gap goes from above 0 to below."""
+    roots = numpy.roots([0.5 * acceleration, velocity, gap])
+    found = [
+        float(root.real)
+        for root in roots
+        if abs(root.imag) == 0.0 and root.real >= 0.0 and velocity + acceleration * root.real < 0.0
+    ]
+    return min(found, default=math.inf)
+
+
+def test_a_gap_closes_when_numpy_s_roots_have_it() -> None:
+    draw, never = random.Random(78), 0
+    for _ in range(5000):
+        gap, v = draw.uniform(1e-3, 10.0), draw.uniform(-10.0, 10.0)
+        a = draw.choice([0.0, draw.uniform(-10.0, 10.0)])
+        wanted = first_closing(gap, v, a)
+        assert time_to_close(gap, v, a) == pytest.approx(wanted, rel=1e-9)  # NumPy's are less good
+        never += wanted == math.inf
+    assert 1000 < never < 4000
+
+
+@pytest.mark.parametrize(
+    ("gap", "velocity", "acceleration", "wanted"),
+    [
+        (0.0, -1.0, 0.0, 0.0),
+        (-1.0, -1.0, 10.0, 0.0),
+        (0.0, 0.0, -10.0, 0.0),
+        (0.0, 0.0, 0.0, math.inf),
+        (0.0, 1.0, 0.0, math.inf),
+        (1.0, 0.0, 0.0, math.inf),
+        (1.0, -1e-13, 0.0, math.inf),
+        (1.0, -2.0, 2.0, math.inf),  # it just grazes
+        (1.0, -2.0, 1.999, 2.0 / (2.0 + math.sqrt(4.0 - 2.0 * 1.999))),
+        (0.0, 5.0, -10.0, 1.0),  # a throw from the ground
+        (-0.1, 5.0, -10.0, (5.0 + math.sqrt(25.0 - 2.0)) / 10.0),  # from in it
+        (5.0, 0.0, -10.0, 1.0),
+        (1e-300, -1.0, -10.0, 1e-300),
+    ],
+)
+def test_the_edges_of_a_closing_gap(
+    gap: float, velocity: float, acceleration: float, wanted: float
+) -> None:
+    assert time_to_close(gap, velocity, acceleration) == pytest.approx(wanted, rel=1e-14)

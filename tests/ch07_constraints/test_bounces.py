@@ -67,8 +67,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
     order += [("oak", b[1]), ("clay", a[3])]
     drops = [(name, 2.0, 2.0 * c * c) for name, c in order]
     call = f"table_of_drops({[(name, h, round(bounce, 4)) for name, h, bounce in drops]})"
-    got = table_of_drops(drops)
     cause = "a row for each material, in the order in which they come first"
+    got = table_of_drops(drops)
     names = [row[0] for row in got]
     expect_exactly(f"{call}: materials", names, ["clay", "oak", "ash"], cause=cause, read=read)
     counts = [row[1] for row in got]

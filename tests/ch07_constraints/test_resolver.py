@@ -246,8 +246,8 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
         )
         call += "between"
         contacts = [others[0], (0, end, n, 0.0, 0.5), *others[1:]]
-        _, _, depths = resolved(bodies, contacts, "resolve_penetrations", 1)
         cause = "the contact itself touches"
+        _, _, depths = resolved(bodies, contacts, "resolve_penetrations", 1)
         name = f"{call[:-8]} itself"
         expect_close(name, depths[1], 0.0, cause=cause, read=read)
         for (p, q, m, _, _), got in zip(others, [depths[0], *depths[2:]], strict=True):
@@ -295,11 +295,9 @@ def test_a_stack_of_three_settles() -> None:
     read = "book 7.3.1, and the docstring of ContactResolver"
     call = "three spheres of 1 kg, radius 0.5 m, stacked on the ground; 5 s at h = 1/60, velocity "
     call += "first, with ContactResolver()"
+    cause = "twice the contacts are iterations enough for three: if it sinks, a phase leaves "
+    cause += "depths or speeds behind"
     heights, overlap = stacked(3, 0.5, None, 300, 1.0 / 60.0)
-    cause = (
-        "twice the contacts are iterations enough for three: if it sinks, a phase leaves depths "
-    )
-    cause += "or speeds behind"
     # Measured: at most 0.015 m of overlap, which is what two iterations a contact leave.
     name = f"{call}: heights"
     expect_close(name, heights, (0.5, 1.5, 2.5), cause=cause, read=read, tolerance=0.02)

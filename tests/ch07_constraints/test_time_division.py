@@ -47,9 +47,6 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
     e = round(rng.uniform(0.5, 0.9), 3)
     for frames, h in ((1, 3.0), (180, FRAME)):
         call = f"a ball falls 5 m, g = 10, restitution {e}; {frames} frames of {h:.6g} s: "
-        seen, found, asked, _ = flown(
-            [((0.0, 5.0, 0.0), ZERO, 2.0)], DOWN, 0.0, (e, None), h, frames
-        )
         # It falls for 1 s, bounces at e times 10 m/s, and flies for 2 e, 2 e^2, ... seconds.
         times, t = [], 1.0
         while t <= 3.0:
@@ -59,6 +56,9 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
             "as many impacts as there are bounces in 3 s: fly to each, resolve its velocity, and "
         )
         cause += "ask for the next one in what is left of the frame"
+        seen, found, asked, _ = flown(
+            [((0.0, 5.0, 0.0), ZERO, 2.0)], DOWN, 0.0, (e, None), h, frames
+        )
         expect_exactly(f"{call}impacts", len(found), len(times), cause=cause, read=read)
         last, bounces = times[-1], len(times)
         left = 3.0 - last
@@ -198,11 +198,11 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
         f"p of {mass} kg, damping {d}, at (0, 1, 0), velocity (3, -4, 0); p.add_force(Vector3(0, "
     )
     call += f"{a * mass}, 0)); a frame of 1 s, ground at 0, restitution 0.5; "
-    seen, left, last = pushed((0.0, a * mass, 0.0), mass, d, 1.0)
     fall = 2.0 / (4.0 + math.sqrt(16.0 - 2.0 * a))  # of 1 + v t + a t^2 / 2 = 0
     speed, rest = 0.5 * (4.0 - a * fall), 1.0 - fall
     height = speed * rest + 0.5 * a * rest * rest
     cause = "the force is one acceleration throughout the frame, f / m, before and after an impact"
+    seen, left, last = pushed((0.0, a * mass, 0.0), mass, d, 1.0)
     place, velocity = seen[0]
     # Some roundings of 5 m/s.
     wanted = (3.0, height, 0.0)

@@ -94,7 +94,7 @@ def _modules(chapter: Chapter, chapters: list[Chapter], engine: list[Path]) -> l
     files = {c.name: c.edited_files for c in chapters}
     listed = set(files)
     for file in sorted(f for folder in engine for f in folder.glob("ch??_*/*.py")):
-        name = file.parent.name
-        if name < chapter.name and name not in listed and file.name != "plots.py":
+        name, drawing = file.parent.name, file.name.startswith(("plots", "demos"))
+        if name < chapter.name and name not in listed and not drawing:
             files.setdefault(name, []).append(file.name)
     return [f"{name}.{file[:-3]}" for name in sorted(files) for file in files[name]]

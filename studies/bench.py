@@ -21,10 +21,20 @@ def main(arguments: list[str]) -> int:
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = Console(highlight=False)
     # These import chapters.
-    from studies.benchmarks import check, forces, grading, particles, sparks, springs, vectors
+    from studies.benchmarks import (
+        check,
+        constraints,
+        forces,
+        grading,
+        particles,
+        sparks,
+        springs,
+        vectors,
+    )
 
     lines = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    lines += [*forces.lines(), *springs.lines(), *grading.lines(console)]
+    lines += [*forces.lines(), *springs.lines(), *constraints.lines()]
+    lines += grading.lines(console)
     table = Table("what", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("ratio", "spread", "target"):
         table.add_column(heading, justify="right", no_wrap=True)

@@ -8,7 +8,7 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
-from ch07_constraints.probes import Components, moving, number_of
+from ch07_constraints.probes import Components, moving, number_of, xyz
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 
 Impacts = list[tuple[int, int, float]]
@@ -42,6 +42,7 @@ def flown(
     duration: float,
     frames: int,
     most: int = 1000,
+    damping: float = 1.0,
 ) -> tuple[
     list[list[tuple[Components, Components]]], Impacts, list[float], tuple[int, float] | None
 ]:
@@ -52,7 +53,9 @@ def flown(
     its impacts and time.
     """
     pull = Vector3(*acceleration)
-    spheres = [Particle(Vector3(*p), Vector3(*v), pull, mass=m) for p, v, m in bodies]
+    spheres = [
+        Particle(Vector3(*p), Vector3(*v), pull, mass=m, damping=damping) for p, v, m in bodies
+    ]
     ground, pair = restitutions
     detectors: list[Any] = []
     if ground is not None:
@@ -73,18 +76,28 @@ def flown(
 
 
 def pushed(
-    force: Components, mass: float, damping: float, duration: float
-) -> tuple[list[tuple[Components, Components]], Components, Components]:
-    """Push a particle, 1 m above ground of restitution 0.5, by a force, for one frame of two.
+    pushes: Sequence[tuple[Components, Components, Components, Components, float]],
+    damping: float,
+    duration: float,
+) -> list[list[Components]]:
+    """Push particles over ground of restitution 0.5, by forces for the first one of two frames.
 
-    Return place and velocity after that frame and after the next one, the force that is left, and
-    its last_acceleration after the first.
+    A push is place, velocity, acceleration, force and mass. Return of each particle its place and
+    velocity after the first frame, its last_acceleration and the force that is left then, and its
+    place and velocity after the second frame.
     """
-    particle = Particle(Vector3(0.0, 1.0, 0.0), Vector3(3.0, -4.0, 0.0), mass=mass, damping=damping)
-    particle.add_force(Vector3(*force))
-    ground = GroundPlane([particle], restitution=0.5)
-    time_division_step([particle], ground, duration)
-    seen = moving([particle])
-    left, last = particle.force_accumulator, particle.last_acceleration
-    time_division_step([particle], ground, duration)
-    return seen + moving([particle]), (left.x, left.y, left.z), (last.x, last.y, last.z)
+    particles = []
+    for place, velocity, acceleration, force, mass in pushes:
+        vectors = (Vector3(*place), Vector3(*velocity), Vector3(*acceleration))
+        particles.append(Particle(*vectors, mass=mass, damping=damping))
+        particles[-1].add_force(Vector3(*force))
+    ground = GroundPlane(particles, restitution=0.5)
+    time_division_step(particles, ground, duration)
+    seen = [
+        [xyz(p.position), xyz(p.velocity), xyz(p.last_acceleration), xyz(p.force_accumulator)]
+        for p in particles
+    ]
+    time_division_step(particles, ground, duration)
+    for numbers, p in zip(seen, particles, strict=True):
+        numbers += [xyz(p.position), xyz(p.velocity)]
+    return seen

@@ -6,6 +6,7 @@ back with their own.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import Any
@@ -13,7 +14,7 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.detectors import GroundPlane
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch07_constraints.drops import find_drops, read_drops
 
 Components = tuple[float, float, float]
@@ -172,6 +173,37 @@ def thrown_down(speed: float, duration: float) -> tuple[float, float]:
     fallen = particle.position.y
     depths = [contact.penetration for contact in GroundPlane([particle]).contacts()]
     return fallen, fallen + sum(depths)
+
+
+def ground_of_a_list(heights: Sequence[float]) -> list[list[int]]:
+    """Return which particles touch the ground: at the heights, and after two changes."""
+    particles = [Particle(Vector3(1.0, y, 2.0)) for y in heights]
+    ground = GroundPlane(particles)
+    seen = [numbers_of(ground, particles, 1)]
+    for particle in particles:
+        particle.position.y = -1.0
+    particles[1].mass = math.inf
+    particles.append(Particle(Vector3(0.0, -1.0, 0.0)))
+    seen.append(numbers_of(ground, particles, 1))
+    ground.height, ground.radius = -2.0, 0.5
+    return [*seen, numbers_of(ground, particles, 1)]
+
+
+def pairs_of_a_list(radius: float) -> list[list[int]]:
+    """Return which of four particles in a row touch: at first, and after two changes."""
+    particles = [Particle(Vector3(3.0 * radius * i)) for i in range(4)]
+    pairs = ParticlePairs(particles, radius)
+    seen = [numbers_of(pairs, particles, 2)]
+    particles[3].position = Vector3(-1.5 * radius)
+    particles.append(Particle(Vector3(4.5 * radius)))
+    seen.append(numbers_of(pairs, particles, 2))
+    pairs.radius = 2.0 * radius
+    return [*seen, numbers_of(pairs, particles, 2)]
+
+
+def numbers_of(detector: Any, particles: Sequence[Particle], ends: int) -> list[int]:
+    """Return the numbers of the particles, or of both ends, of the contacts that it finds."""
+    return [end for contact in told(detector.contacts(), particles) for end in contact[:ends]]
 
 
 def swung(

@@ -31,15 +31,20 @@ def along(n: Components, speed: float, rng: Random) -> Components:
 @pytest.mark.exercise("B7.1")
 def test_two_part_as_one_sees_the_other(rng: Random) -> None:
     read = PART
-    p, q, v, w = (components(rng) for _ in range(4))
+    p, q, one, two = (components(rng) for _ in range(4))
     n = direction(rng)
-    call = f"a at {p}, velocity {v}; b at {q}, velocity {w}; Contact(a, b, Vector3{n})"
-    call += ".separating_velocity()"
-    cause = "(va - vb) . n: velocities, a seen from b; positive where they part"
-    a, b = Particle(Vector3(*p), Vector3(*v), mass=2.0), Particle(Vector3(*q), Vector3(*w))
-    got = Contact(a, b, Vector3(*n), 0.5, 1.0).separating_velocity()
-    # A few roundings of numbers up to 20.
-    expect_close(call, got, dot(v, n) - dot(w, n), cause=cause, read=read, tolerance=1e-13)
+    for v, w, mass in ((one, two, 3.0), (two, one, 3.0), (one, two, math.inf)):
+        call = f"a at {p}, velocity {v}; b of {mass} kg at {q}, velocity {w}; "
+        call += f"Contact(a, b, Vector3{n}, 0.5, -1.0).separating_velocity()"
+        cause = (
+            "(va - vb) . n: velocities, a seen from b; positive where they part, negative where "
+        )
+        cause += "they close, whatever their masses and the penetration"
+        a = Particle(Vector3(*p), Vector3(*v), mass=2.0)
+        b = Particle(Vector3(*q), Vector3(*w), mass=mass)
+        got = Contact(a, b, Vector3(*n), 0.5, -1.0).separating_velocity()
+        # A few roundings of numbers up to 20.
+        expect_close(call, got, dot(v, n) - dot(w, n), cause=cause, read=read, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B7.1")
@@ -82,13 +87,22 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
 def test_what_closes_bounces(rng: Random) -> None:
     read = AFTER
     n = direction(rng)
-    for restitution in (0.0, round(rng.uniform(0.2, 0.8), 3), 1.0):
-        closing = -positive_number(rng)
+    middle = round(rng.uniform(0.2, 0.8), 3)
+    for restitution, closing in (
+        (0.0, -positive_number(rng)),
+        (middle, -positive_number(rng)),
+        (1.0, -positive_number(rng)),
+        (middle, -0.01),
+        (middle, -1e-9),
+    ):
         w = components(rng)
         v = along(n, closing + dot(w, n), rng)
         call = f"a with velocity {v}, b with {w}; Contact(a, b, Vector3{n}, {restitution})"
         call += ".velocity_after()"
-        cause = f"they close with {-closing} m/s, and part with the restitution times that: -c v_s"
+        cause = (
+            f"they close with {-closing} m/s, and part with the restitution times that: -c v_s, "
+        )
+        cause += "however slow that is"
         a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w), mass=3.0)
         got = Contact(a, b, Vector3(*n), restitution).velocity_after()
         wanted = -restitution * closing
@@ -118,7 +132,9 @@ def test_what_parts_goes_on(rng: Random) -> None:
 def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
     read = REST
     n, h, c = direction(rng), 0.02, round(rng.uniform(0.3, 0.9), 3)
-    pull = tuple(-G * part for part in n)
+    side = Vector3(*n).cross(Vector3(*direction(rng)))  # at right angles to n
+    x, y, z = xyz(side)
+    pull = (5.0 * x - G * n[0], 5.0 * y - G * n[1], 5.0 * z - G * n[2])
     for closing, wanted, cause in (
         (G * h, 0.0, "it rests: all that it closes with is what the frame has accelerated it"),
         (0.4 * G * h, 0.0, "the frame explains more than there is: 0, and never below"),
@@ -129,9 +145,10 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
         ),
     ):
         v = along(n, -closing, rng)
-        call = f"a with velocity {v}, acceleration {pull}; Contact(a, None, Vector3{n}, {c})"
+        call = f"a of 3 kg with velocity {v}, acceleration {pull}, damping 0.25; "
+        call += f"Contact(a, None, Vector3{n}, {c})"
         call += f".velocity_after({h})"
-        a = Particle(velocity=Vector3(*v), acceleration=Vector3(*pull))
+        a = Particle(None, Vector3(*v), Vector3(*pull), mass=3.0, damping=0.25)
         got = Contact(a, None, Vector3(*n), c).velocity_after(h)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
     call = f"a with velocity (0, -5, 0), acceleration (0, -{G}, 0); "
@@ -167,6 +184,27 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     a.integrate(h)
     got = Contact(a, None, Vector3(*UP), c).velocity_after(h)
     expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-13)
+    call = (
+        f"a of {mass} kg with acceleration (0, -4, 0), a.add_force(Vector3(0, {-5.0 * mass}, 0)); "
+    )
+    call += f"a.integrate({h}); a.velocity.y = -1; Contact(a, None, Vector3(0, 1, 0), {c})"
+    call += f".velocity_after({h})"
+    cause = "both count, the constant acceleration and that of the forces: -9 m/s^2"
+    a = Particle(acceleration=Vector3(0.0, -4.0, 0.0), mass=mass)
+    a.add_force(Vector3(0.0, -5.0 * mass, 0.0))
+    a.integrate(h)
+    a.velocity.y = -1.0
+    got = Contact(a, None, Vector3(*UP), c).velocity_after(h)
+    expect_close(call, got, c * (1.0 - 9.0 * h), cause=cause, read=read, tolerance=1e-12)
+    call = f"b of {mass} kg, pushed up by {7.0 * mass} N; b.integrate({h}); b.velocity.y = 1; "
+    call += f"Contact(a, b, Vector3(0, 1, 0), {c}).velocity_after({h}), a at rest"
+    cause = "the forces on the other close the contact as well"
+    b = Particle(mass=mass)
+    b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
+    b.integrate(h)
+    b.velocity.y = 1.0
+    got = Contact(Particle(), b, Vector3(*UP), c).velocity_after(h)
+    expect_close(call, got, c * (1.0 - 7.0 * h), cause=cause, read=read, tolerance=1e-12)
     call = f"a of {mass} kg with acceleration (0, {-G}, 0), held by a force of its weight; "
     call += f"a.velocity.y = -1; Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
     cause = "force and gravity cancel: nothing was built up, so all of 1 m/s bounces"
@@ -200,6 +238,14 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
             math.inf,
             c * 3.0,
             "what is immovable is not accelerated, whatever its acceleration says",
+        ),
+        (
+            -other,
+            0.0,
+            1.0,
+            math.inf,
+            c * (3.0 - other * h),
+            "beside an immovable other the acceleration of a counts as it is",
         ),
         (
             -other,

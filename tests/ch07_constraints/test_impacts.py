@@ -37,6 +37,8 @@ def test_when_a_gap_closes(rng: Random) -> None:
             t,
             "from rest gap = -a t^2 / 2",
         ),
+        (1e-6, -1e-6, 0.0, 1.0, "what is slow gets there too"),
+        (5e-7, 0.0, -1e-6, 1.0, "what is pulled weakly gets there too"),
         (0.0, 10.0, -10.0, 2.0, "it touches and leaves: that is no impact, its return is one"),
         (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998), "a little inside it leaves, and returns"),
         (-5.0, 3.0, -10.0, 0.3, "too deep to get out: from where it turns round it closes on"),
@@ -53,6 +55,8 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     for gap, v, a, wanted, cause in (
         (0.0, -x, 0.0, 0.0, "it touches and closes: now"),
         (-x, -x, 3.0, 0.0, "it is inside, and goes on inwards: now"),
+        (0.0, -1e-9, 0.0, 0.0, "it touches and closes, if slowly: now"),
+        (2.0, -2.0, 1.0, math.inf, "it only just gets there, and turns round: the root is 0"),
         (0.0, 0.0, -x, 0.0, "it lies there, and is pulled inwards: now"),
         (-1e-18, 0.0, -x, 0.0, "it lies there, and is pulled inwards: now"),
         (x, 1.0, 0.0, math.inf, "it goes away, and nothing pulls it back"),
@@ -120,6 +124,14 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     got = ground.next_impact(float(time))
     name = f"{call}; g.next_impact({time!r}) is None"
     expect_exactly(name, got is None, False, cause=cause, read=read)
+    call += f"; g.height -= 1, g.radius = 0, g.restitution = 0.5; g.next_impact({first!r} + 9)"
+    cause = "read the attributes each time: all of them fall 1.25 m further"
+    ground.height -= 1.0
+    ground.radius, ground.restitution = 0.0, 0.5
+    impact = ground.next_impact(first + 9.0)
+    later = min((fall + 1.25) / speed for fall, speed in zip(falls, speeds, strict=True))
+    seen = (impact[0], impact[1].restitution)
+    expect_close(f"{call}: time, restitution", seen, (later, 0.5), cause=cause, read=read)
     cause = "to look ahead moves nothing"
     for i, particle in enumerate(particles):
         now = (*xyz(particle.position), *xyz(particle.velocity))
@@ -157,6 +169,17 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     ((first, *_),) = told([impact[1]], particles)
     expect_exactly(f"{call}: which", first, 0, cause=cause, read=read)
     expect_close(f"{call}: time", impact[0], 1.0, cause=cause, read=read)
+    call = (
+        "p 1 m below the ground with 2 m/s downwards; GroundPlane([p]).next_impact(0): time, depth"
+    )
+    cause = "it closes: now, which is within a duration of 0, and with a penetration of 0"
+    impact = GroundPlane([Particle(Vector3(0.0, -1.0, 0.0), down)]).next_impact(0.0)
+    seen = (impact[0], impact[1].penetration)
+    expect_close(call, seen, (0.0, 0.0), cause=cause, read=read)
+    call = "p immovable; GroundPlane([p]).next_impact(9) is None"
+    cause = "where nothing can move there is no impact, and no error"
+    impact = GroundPlane([Particle(mass=math.inf)]).next_impact(9.0)
+    expect_exactly(call, impact is None, True, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B7.10")
@@ -241,6 +264,8 @@ def test_spheres_that_touch_or_never_meet() -> None:
         (5.0, 0.0, -3.0, 1.0, "they are 5 m apart, and meet at 2 m"),
         (-5.0, 0.0, 3.0, 1.0, "they are 5 m apart, and meet at 2 m"),
         (5.0, 0.0, -0.125, None, "they meet after 24 s, and not within 10"),
+        (2.0, 0.0, -1e-9, 0.0, "they touch, and close, if slowly: now"),
+        (32.0, 0.0, -3.0, 10.0, "they meet at the very end of the duration"),
         (2.0, 0.0, -1e-13, None, "closing by less than VELOCITY_TOLERANCE is rounding"),
         (0.0, 0.0, 3.0, None, "at one place they do not close"),
     ):
@@ -252,6 +277,22 @@ def test_spheres_that_touch_or_never_meet() -> None:
         expect_exactly(name, impact is None, wanted is None, cause=cause, read=read)
         if wanted is not None:
             expect_close(f"{call}: time", impact[0], wanted, cause=cause, read=read)
+            cause = "the contact of an impact has a penetration of 0"
+            got = impact[1].penetration
+            expect_close(f"{call}: penetration", got, 0.0, cause=cause, read=read)
+    call = "ParticlePairs([a], 1.0).next_impact(10.0) is None"
+    cause = "one alone meets nobody, and that is no error"
+    impact = ParticlePairs([Particle()], 1.0).next_impact(10.0)
+    expect_exactly(call, impact is None, True, cause=cause, read=read)
+    call = "a at (5, 0, 0), velocity (-3, 0, 0), b at (0, 0, 0); p = ParticlePairs([a, b], 1.0); "
+    call += "p.next_impact(1.0); p.radius, p.restitution = 1.75, 0.5; p.next_impact(1.0)"
+    cause = "read the attributes each time"
+    pairs = ParticlePairs([Particle(Vector3(5.0), Vector3(-3.0)), Particle()], 1.0)
+    pairs.next_impact(1.0)
+    pairs.radius, pairs.restitution = 1.75, 0.5
+    impact = pairs.next_impact(1.0)
+    seen = (impact[0], impact[1].restitution)
+    expect_close(f"{call}: time, restitution", seen, (0.5, 0.5), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B7.11")
@@ -312,6 +353,8 @@ def test_pairs_fall_alike(rng: Random) -> None:
     pair = [Particle(Vector3(5.0), nines, nines, mass=math.inf), Particle(None, Vector3(3.0))]
     impact = ParticlePairs(pair, 1.0).next_impact(10.0)
     expect_close(call, impact[0], 1.0, cause=cause, read=read)
+    ((_, _, normal, _, _),) = told([impact[1]], pair)
+    expect_close(f"{call[:-4]}normal", normal, (1.0, 0.0, 0.0), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B7.11")
@@ -319,16 +362,35 @@ def test_pairs_look_ahead_for_a_duration() -> None:
     read = PAIRS
     pair = [Particle(Vector3(5.0), Vector3(-1.0)), Particle()]
     expect_durations("ParticlePairs([a, b], 1.0)", ParticlePairs(pair, 1.0), read)
-    call = (
-        "a with acceleration (0, -9, 0), b without one; ParticlePairs([a, b], 1.0).next_impact(1)"
-    )
-    cause = "seen from b, a does not move along a line: refuse it, or the time is a wrong one"
-    bad = [Particle(Vector3(5.0), Vector3(-1.0), Vector3(0.0, -9.0, 0.0)), Particle()]
-    expect_error(
-        call,
-        lambda: ParticlePairs(bad, 1.0).next_impact(1.0),
-        ValueError,
-        allowed=lambda: ParticlePairs(pair, 1.0).next_impact(1.0),
-        cause=cause,
-        read=read,
-    )
+    cause = "seen from b, a does not move along a line: refuse it, or the time is a wrong one; "
+    cause += "whether they close or not, and whichever way they differ"
+    for velocity, one, other, force, mass in (
+        (-1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
+        (1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
+        (-1.0, (0.0, 0.0, -9.0), (0.0, -9.0, 0.0), 0.0, 1.0),
+        (-1.0, (0.0, -9.0, 0.0), (0.0, -9.000001, 0.0), 0.0, 1.0),
+        (-1.0, (0.0, -9.0, 0.0), (0.0, -9.0, 0.0), 1.0, 1.0),
+        (-1.0, (0.0, -9.0, 0.0), (0.0, -9.0, 0.0), 0.0, math.inf),
+    ):
+        call = (
+            f"a at (5, 0, 0), velocity ({velocity}, 0, 0), acceleration {one}; b of {mass} kg at "
+        )
+        call += (
+            f"(0, 0, 0), acceleration {other}, and a force of {force} N along X, used by a step; "
+        )
+        call += "ParticlePairs([a, b], 1.0).next_impact(1.0)"
+        bad = [
+            Particle(Vector3(5.0), Vector3(velocity), Vector3(*one)),
+            Particle(None, None, Vector3(*other), mass=mass),
+        ]
+        if force:
+            bad[1].add_force(Vector3(force))
+            bad[1].integrate(1e-9)
+        expect_error(
+            call,
+            lambda bad=bad: ParticlePairs(bad, 1.0).next_impact(1.0),
+            ValueError,
+            allowed=lambda: ParticlePairs(pair, 1.0).next_impact(1.0),
+            cause=cause,
+            read=read,
+        )

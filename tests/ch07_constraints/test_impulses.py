@@ -123,12 +123,23 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
         expect_unchanged(call, "a.velocity", got, first, cause=cause, read=read)
         got = xyz(b.velocity)
         expect_unchanged(call, "b.velocity", got, second, cause=cause, read=read)
-    call = f"a with velocity {w}, b with {v}; Contact(a, b, Vector3{n}).resolve_velocity(0.5)"
-    cause = "at restitution 0 what closes does not part: the separating velocity is 0"
+    call = f"a with velocity {w}, b with {v}; c = Contact(a, b, Vector3{n}, 0.0, -1.0); "
+    call += "a.add_force(Vector3(1, 2, 3)); c.resolve_velocity(0.5)"
+    cause = "at restitution 0 what closes does not part, whatever the penetration: the separating "
+    cause += "velocity is 0"
     a, b = (Particle(velocity=Vector3(*u)) for u in (w, v))
-    Contact(a, b, Vector3(*n)).resolve_velocity(0.5)
+    a.add_force(Vector3(1.0, 2.0, 3.0))
+    c = Contact(a, b, Vector3(*n), 0.0, -1.0)
+    c.resolve_velocity(0.5)
     got = dot(xyz(a.velocity), n) - dot(xyz(b.velocity), n)
     expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-13)
+    for name, now, before in (
+        ("c.normal", xyz(c.normal), n),
+        ("c.restitution and c.penetration", (c.restitution, c.penetration), (0.0, -1.0)),
+        ("a.force_accumulator", xyz(a.force_accumulator), (1.0, 2.0, 3.0)),
+    ):
+        cause = "velocities, and nothing else"
+        expect_unchanged(call, name, now, before, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B7.3")
@@ -183,6 +194,8 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         (wall, mb, 0.0, "a is immovable: b moves all the way"),
         (ma, None, 1.0, "there is no other: a moves all the way, whatever its mass"),
     ):
+        if second == mb and first == wall:
+            depth = 1e-10  # every depth is resolved here: it is the resolver that has a tolerance
         call = f"a of {first} kg at {p}, b {'None' if second is None else f'of {second} kg'}; "
         call += f"moves = Contact(a, b, Vector3{n}, 0.5, {depth}).resolve_penetration()"
         a = Particle(Vector3(*p), mass=first)
@@ -231,6 +244,10 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
         got = c.penetration
         cause = "nothing was moved, so the penetration stays"
         expect_close(f"{call}; c.penetration", got, depth, cause=cause, read=read)
+        moves[0].x += 1.0
+        cause = "two vectors, not one twice"
+        got = xyz(moves[1])
+        expect_close(f"{call}; moves[0].x += 1; moves[1]", got, ZERO, cause=cause, read=read)
     call = f"a and b of 2 kg; c = Contact(a, b, Vector3{n}, 0.5, 0.5); c.resolve_penetration()"
     a, b = Particle(Vector3(*p), mass=2.0), Particle(Vector3(*q), mass=2.0)
     c = Contact(a, b, Vector3(*n), 0.5, 0.5)
@@ -249,6 +266,20 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
 def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
+    call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); "
+    call += "moves = c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
+    cause = "the normal, the position and the moves are three things: work on vectors of your own"
+    a = Particle(Vector3(*p))
+    c = Contact(a, None, Vector3(*n), 0.5, 1.0)
+    moves = c.resolve_penetration()
+    moves[0].x += 1.0
+    moves[1].x += 1.0
+    got = xyz(c.normal)
+    expect_unchanged(call, "c.normal", got, n, cause=cause, read=read)
+    got = xyz(a.position)
+    wanted = tuple(x + part for x, part in zip(p, n, strict=True))
+    shown = f"{call}; a.position"
+    expect_close(shown, got, wanted, cause=cause, read=read, tolerance=1e-14 * 8)
     call = f"a at {p}, b at {q}; c = Contact(a, b, Vector3{n}, 0.5, 0.5); "
     call += "moves = c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
     cause = "the normal, the positions and the moves are three things: work on vectors of your own"

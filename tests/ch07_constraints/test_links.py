@@ -65,11 +65,14 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
     c = round(rng.uniform(0.1, 0.9), 3)
     other = -1 if anchored else 1
+    if not anchored:
+        pair[0].mass = math.inf
+        told_ends = told_ends.replace("a at", "a, immovable, at")
+    to_the_end = "a cable that is too long, also by a little, pulls its ends together: the normal "
+    to_the_end += "leads to the "
     for max_length, cause in (
-        (
-            0.75 * length,
-            "a cable that is too long pulls its ends together: the normal leads to the ",
-        ),
+        (0.75 * length, to_the_end),
+        (1023.0 / 1024.0 * length, to_the_end),
         (length, "a cable that is just as long as it may be is taut, with a penetration of 0: "),
     ):
         cause += "other end" if max_length < length else "depth >= 0"
@@ -90,14 +93,28 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     cause = "a cable that is shorter than it may be has no contact"
     cable = make(*pair, 1.25 * length)
     expect_contacts(call, cable, pair, [], cause, read)
+    cable.max_length = 1025.0 / 1024.0 * length
+    expect_contacts(f"{call}, {cable.max_length} long", cable, pair, [], cause, read)
     call += "; c.max_length, c.restitution changed to a quarter of it, and 0.5; c.contacts()"
     cause = "read the attributes each time: a winch draws it in"
     cable.max_length, cable.restitution = 0.3125 * length, 0.5
     wanted = [(0, -1 if anchored else 1, n, 0.5, 0.6875 * length)]
     expect_contacts(call, cable, pair, wanted, cause, read)
+    call += "; the other end moved to the other side of a; c.contacts()"
+    cause = "look where the ends are each time"
+    x, y, z = xyz(pair[0].position)
+    back = (-n[0], -n[1], -n[2])
+    there = Vector3(x - length * n[0], y - length * n[1], z - length * n[2])
+    if anchored:
+        cable.anchor = there
+    else:
+        pair[1].position = there
+    wanted = [(0, -1 if anchored else 1, back, 0.5, 0.6875 * length)]
+    expect_contacts(call, cable, pair, wanted, cause, read)
+    n = back
     cause = "to look at a link changes nothing: take vectors of your own"
     got = xyz(pair[0].position)
-    there = pair[1] if anchored else pair[1].position
+    there = cable.anchor if anchored else pair[1].position
     way = tuple(p - q for p, q in zip(xyz(there), got, strict=True))
     wanted_way = tuple(length * part for part in n)
     expect_close(
@@ -127,10 +144,26 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
             "a rod that is too short pushes: one contact, the normal away from the other end, and "
             "a penetration that is positive",
         ),
+        (
+            1023.0 / 1024.0 * length,
+            [(0, other, n, 0.0, length / 1024.0)],
+            "a little too long is too long",
+        ),
+        (
+            1025.0 / 1024.0 * length,
+            [(0, other, back, 0.0, length / 1024.0)],
+            "a little too short is too short",
+        ),
         (length, [], "a rod that is as long as it should be has no contact"),
     ):
-        call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, {rod}).contacts()"
-        expect_contacts(call, make(*pair, rod), pair, wanted, cause, read)
+        call = f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, {rod}); r.contacts()"
+        link = make(*pair, rod)
+        expect_contacts(call, link, pair, wanted, cause, read)
+        call += f"; r.length = {0.5 * length}; r.contacts()"
+        cause = "read the attributes each time"
+        link.length = 0.5 * length
+        wanted = [(0, other, n, 0.0, 0.5 * length)]
+        expect_contacts(call, link, pair, wanted, cause, read)
 
 
 @pytest.mark.exercise("B7.8")
@@ -199,6 +232,7 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     c = round(rng.uniform(0.1, 0.9), 3)
     for low, high, wanted, cause in (
         (0.5, 1.5, [], "between both limits it does nothing"),
+        (1023.0 / 1024.0, 1025.0 / 1024.0, [], "between both limits it does nothing"),
         (0.25, 0.5, [(0, 1, n, c, 0.5 * length)], "too long it is a cable of max_length"),
         (0.5, 1.0, [(0, 1, n, c, 0.0)], "at max_length it is taut: penetration 0"),
         (1.5, 2.0, [(0, 1, back, c, 0.5 * length)], "too short it pushes: the normal away from b"),
@@ -207,6 +241,11 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     ):
         call = f"{told_ends}; Limits(a, b, {low * length}, {high * length}, {c}).contacts()"
         link = Limits(*pair, low * length, high * length, c)
+        expect_contacts(call, link, pair, wanted, cause, read)
+        call += "; all of its attributes changed to 1, 2 and 0.5; l.contacts()"
+        cause = "read the attributes each time"
+        link.min_length, link.max_length, link.restitution = 1.0, 2.0, 0.5
+        wanted = [(0, 1, n, 0.5, length - 2.0)]
         expect_contacts(call, link, pair, wanted, cause, read)
 
 
@@ -242,13 +281,19 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     read = TWO_SIDED
     pair, n, length, told_ends = ends(rng, anchored=False)
     back = (-n[0], -n[1], -n[2])
-    for share in (0.75, 1.0, 1.25):
+    for share in (0.75, 1023.0 / 1024.0, 1.0, 1.25):
         depth = (1.0 - share) * length
         call = f"{told_ends}; TwoSidedRod(a, b, {share * length}).contacts()"
         cause = "one contact that pulls and one that pushes, always, with opposite normals and "
         cause += "penetrations: the one of the side that is not reached is negative"
         wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
-        expect_contacts(call, TwoSidedRod(*pair, share * length), pair, wanted, cause, read)
+        rod = TwoSidedRod(*pair, share * length)
+        expect_contacts(call, rod, pair, wanted, cause, read)
+        call += f"; its length changed to {0.5 * length}; contacts()"
+        cause = "read the attributes each time"
+        rod.length = 0.5 * length
+        wanted = [(0, 1, n, 0.0, 0.5 * length), (0, 1, back, 0.0, -0.5 * length)]
+        expect_contacts(call, rod, pair, wanted, cause, read)
     call = "a and b at one place; TwoSidedRod(a, b, 2).contacts()"
     cause = "ends at one place have no direction: +Y stands for the one from a to b"
     same = [Particle(), Particle()]

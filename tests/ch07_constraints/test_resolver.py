@@ -50,6 +50,43 @@ def test_what_closes_fastest_is_first() -> None:
 
 
 @pytest.mark.exercise("B7.5")
+def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
+    read = FASTEST
+    side = positive_number(rng, 20.0, 90.0)
+    bodies = [
+        (ZERO, (0.0, -2.0, 0.0), 100.0),
+        (ZERO, (side, -1.0, side), 100.0),
+        (ZERO, ZERO, 1.0),
+        (ZERO, (0.0, 3.0, 0.0), math.inf),
+    ]
+    contacts = [
+        (0, -1, UP, 1.0, 0.5),
+        (1, -1, UP, 1.0, 0.75),
+        (2, 3, UP, 0.0, -0.25),
+    ]
+    call = (
+        f"a of 100 kg with (0, -2, 0), b of 100 kg with ({side}, -1, {side}), both with the ground "
+    )
+    call += (
+        "and restitution 1; c of 1 kg at rest over a wall with (0, 3, 0), restitution 0, 0.25 m "
+    )
+    call += "apart; resolve_velocities of a, b and c, limit 1"
+    cause = "what closes fastest is resolved, c with 3 m/s: not what is heaviest, bounces most, is "
+    cause += "fastest along the ground, or is deepest; and an immovable other may have a velocity"
+    used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
+    got = tuple(velocity[1] for _, velocity in after[:3])
+    expect_close(f"{call}: velocities upwards", got, (-2.0, -1.0, 3.0), cause=cause, read=read)
+    expect_exactly(f"{call}; returned", used, 1, cause="one was resolved", read=read)
+    cause = "the list stays in its order"
+    name = f"{call}; penetrations of the contacts"
+    expect_close(name, depths, (0.5, 0.75, -0.25), cause=cause, read=read)
+    call = "resolve_velocities([], 9, 0.5)"
+    cause = "without contacts there is nothing to resolve: 0, and no error"
+    used, _, _ = resolved([], [], "resolve_velocities", 9)
+    expect_exactly(call, used, 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B7.5")
 def test_of_equal_ones_the_first_is_taken() -> None:
     read = FASTEST
     cause = "both close with 2 m/s: the first in the list is taken, as < keeps it"
@@ -147,18 +184,20 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
 @pytest.mark.exercise("B7.5")
 def test_each_resolution_knows_the_duration() -> None:
     read = FASTEST
-    call = "a with velocity (0, -4, 0), acceleration (0, -4, 0); resolve_velocities of its contact "
-    call += "with the ground, restitution 0.75, limit 9, duration"
+    call = "a and b with velocity (0, -4, 0), acceleration (0, -4, 0); resolve_velocities of their "
+    call += "contacts with the ground, restitution 0.75, limit 9, duration"
     cause = (
         "give the duration on to Contact.resolve_velocity: what the frame has built up does not "
     )
     cause += "bounce"
     for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
-        contacts, bodies = [(0, -1, UP, 0.75, 0.0)], [(ZERO, (0.0, -4.0, 0.0), 2.0)]
+        contacts = [(0, -1, UP, 0.75, 0.0), (1, -1, UP, 0.75, 0.0)]
+        bodies = [(ZERO, (0.0, -4.0, 0.0), 2.0), (ZERO, (0.0, -4.0, 0.0), 3.0)]
         pull = (0.0, -4.0, 0.0)
         _, after, _ = resolved(bodies, contacts, "resolve_velocities", 9, duration, pull)
-        name = f"{call} {duration}: velocity"
-        expect_close(name, after[0][1], (0.0, wanted, 0.0), cause=cause, read=read)
+        name = f"{call} {duration}: velocities upwards"
+        got = (after[0][1][1], after[1][1][1])
+        expect_close(name, got, (wanted, wanted), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B7.6")
@@ -223,14 +262,19 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
         expect_close(f"{call}: position", got, moved, cause=cause, read=read, tolerance=1e-15)
         left = 0.0 if wanted else deep
         expect_close(f"{call}: penetration", depths[0], left, cause=cause, read=read)
+    call = "resolve_penetrations([], 9)"
+    cause = "without contacts there is nothing to resolve: 0, and no error"
+    used, _, _ = resolved([], [], "resolve_penetrations", 9)
+    expect_exactly(call, used, 0, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B7.6")
 def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
     read = DEEPEST
     n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
-    # a and b are the ones that move; c and d are theirs, e and f nobody's.
-    bodies = [(components(rng), ZERO, mass) for mass in (ma, mb, 3.0, 4.0, 5.0, 6.0)]
+    # a and b are the ones that move; c and d are theirs, e and f nobody's. e is where a is.
+    bodies = [(components(rng), ZERO, mass) for mass in (ma, mb, math.inf, 4.0, 5.0, 6.0)]
+    bodies[4] = (bodies[0][0], ZERO, 5.0)
     normals = [direction(rng) for _ in range(9)]
     ends = [(0, 2), (2, 0), (1, 3), (3, 1), (0, -1), (1, -1), (0, 1), (1, 0), (4, 5)]
     others = [(p, q, m, 0.0, -5.0) for (p, q), m in zip(ends, normals, strict=True)]
@@ -255,7 +299,10 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             cause = (
                 "less by how far its particle moved along its normal, more by how far its other "
             )
-            cause += "did; nothing where neither has moved, and the world never moves"
+            cause += (
+                "did, whatever the mass of its other end; nothing where neither has moved, and "
+            )
+            cause += "the world never moves; particles are told apart by `is`"
             name = f"{call} {names[p]} and {names[q]}"
             expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-14)
 

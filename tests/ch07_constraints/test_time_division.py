@@ -111,11 +111,16 @@ def test_rest_is_told_with_its_time() -> None:
     expect_close(f"{call}the time of it, s", got, 1.8973666, cause=cause, read=read, tolerance=1e-7)
     cause = "where there is another impact after max_impacts of them, none more is resolved"
     expect_exactly(f"{call}error.impacts", impacts, 1000, cause=cause, read=read)
+    call = "a particle lies on the ground, g = 10, restitution 0.5; a frame: error.impacts and time"
+    cause = "what rests impacts at 0, time and again: say so, and do not give up silently"
+    _, _, _, ended = flown([(ZERO, ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 1)
+    expect_close(call, ended or (0, -1.0), (1000, 0.0), cause=cause, read=read)
     for most in (3, 1):
-        call = "a ball falls 5 m, g = 10, restitution 0.5; one frame of 9 s, max_impacts "
-        seen, _, _, ended = flown(
-            [((0.0, 5.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (0.5, None), 9.0, 1, most
-        )
+        call = "a ball of damping 0.5 falls 5 m, g = 10, restitution 0.5; one frame of 9 s, "
+        call += "max_impacts "
+        body = ((0.0, 5.0, 0.0), ZERO, 1.0)
+        cause = "where there is another impact after max_impacts of them, none more is resolved"
+        seen, _, _, ended = flown([body], DOWN, 0.0, (0.5, None), 9.0, 1, most, 0.5)
         impacts, time = ended or (0, 0.0)
         times = [1.0, 2.0, 2.5, 2.75]
         name = f"{call}{most}: error.impacts, error.time"
@@ -123,7 +128,8 @@ def test_rest_is_told_with_its_time() -> None:
         expect_close(name, (impacts, time), wanted, cause=cause, read=read, tolerance=1e-12)
         place, velocity = seen[0][0]
         speed = -10.0 * 0.5**most
-        cause = "the particles are then where they are at the time of the next impact, unresolved"
+        cause = "the particles are then where they are at the time of the next impact, unresolved, "
+        cause += "and not yet damped"
         name = f"{call}{most}: height and speed then"
         expect_close(
             name, (place[1], velocity[1]), (0.0, speed), cause=cause, read=read, tolerance=1e-12
@@ -193,36 +199,74 @@ def test_impacts_come_in_their_order(rng: Random) -> None:
 @pytest.mark.exercise("B7.12")
 def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     read = READ
-    mass, a, d = positive_number(rng), -positive_number(rng, 1.0, 3.0), 0.5
-    call = (
-        f"p of {mass} kg, damping {d}, at (0, 1, 0), velocity (3, -4, 0); p.add_force(Vector3(0, "
-    )
-    call += f"{a * mass}, 0)); a frame of 1 s, ground at 0, restitution 0.5; "
+    mass, a, d, h = positive_number(rng), -positive_number(rng, 1.0, 3.0), 0.25, 0.5
+    # The first one bounces; the second only falls; the third is immovable.
+    own, force = (0.0, 0.25 * a, 0.0), (0.0, 0.75 * a * mass, 0.0)
+    pushes = [
+        ((0.0, 1.0, 0.0), (3.0, -4.0, 0.0), own, force, mass),
+        ((9.0, 90.0, 0.0), ZERO, ZERO, (8.0, 0.0, 0.0), 2.0),
+        ((9.0, 9.0, 9.0), (1.0, 2.0, 3.0), ZERO, (1.0, 2.0, 3.0), math.inf),
+    ]
+    call = f"p of {mass} kg, damping {d}, at (0, 1, 0), velocity (3, -4, 0), acceleration {own}, "
+    call += f"and a force {force}; a frame of {h} s, ground at 0, restitution 0.5; "
     fall = 2.0 / (4.0 + math.sqrt(16.0 - 2.0 * a))  # of 1 + v t + a t^2 / 2 = 0
-    speed, rest = 0.5 * (4.0 - a * fall), 1.0 - fall
+    speed, rest = 0.5 * (4.0 - a * fall), h - fall
     height = speed * rest + 0.5 * a * rest * rest
-    cause = "the force is one acceleration throughout the frame, f / m, before and after an impact"
-    seen, left, last = pushed((0.0, a * mass, 0.0), mass, d, 1.0)
-    place, velocity = seen[0]
+    end = 0.5 * (speed + a * rest)
+    cause = (
+        "the acceleration is the constant one and f / m, throughout the frame, before and after "
+    )
+    cause += "an impact"
+    bouncing, falling, fixed = pushed(pushes, d, h)
     # Some roundings of 5 m/s.
-    wanted = (3.0, height, 0.0)
-    expect_close(f"{call}position", place, wanted, cause=cause, read=read, tolerance=1e-13)
+    name = f"{call}position"
+    wanted = (3.0 * h, height, 0.0)
+    expect_close(name, bouncing[0], wanted, cause=cause, read=read, tolerance=1e-13)
     cause = "damping multiplies the velocity by d^h, once, at the end of the frame"
-    wanted = (1.5, 0.5 * (speed + a * rest), 0.0)
-    expect_close(f"{call}velocity", velocity, wanted, cause=cause, read=read, tolerance=1e-13)
+    name = f"{call}velocity"
+    expect_close(name, bouncing[1], (1.5, end, 0.0), cause=cause, read=read, tolerance=1e-13)
     cause = (
         "the frame uses the forces up: let Particle.integrate do it, and put place and velocity "
     )
-    cause += "back"
-    expect_close(f"{call}p.force_accumulator", left, ZERO, cause=cause, read=read)
-    cause = "last_acceleration is that of the frame"
+    cause += "back; last_acceleration is that of the frame"
     wanted = (0.0, a, 0.0)
-    expect_close(f"{call}p.last_acceleration", last, wanted, cause=cause, read=read)
-    call += "another frame of 1 s; "
-    cause = "in the next frame the force is gone: it flies straight on"
-    place, velocity = seen[1]
-    wanted = (4.5, height + 0.5 * (speed + a * rest), 0.0)
-    expect_close(f"{call}position", place, wanted, cause=cause, read=read, tolerance=1e-13)
+    name = f"{call}p.last_acceleration"
+    expect_close(name, bouncing[2], wanted, cause=cause, read=read, tolerance=1e-14)
+    expect_close(f"{call}p.force_accumulator", bouncing[3], ZERO, cause=cause, read=read)
+    cause = "each particle has its own forces: 8 N on 2 kg, without an impact"
+    got = falling[0] + falling[1]
+    name = f"{call}another one, at (9, 90, 0) at rest, 8 N along X: position, velocity"
+    wanted = (9.5, 90.0, 0.0, 1.0, 0.0, 0.0)
+    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-13)
+    cause = "what is immovable stays as it is, and loses its forces"
+    got = fixed[0] + fixed[1] + fixed[3]
+    name = f"{call}an immovable one, velocity (1, 2, 3): position, velocity, force"
+    wanted = (9.0, 9.0, 9.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0)
+    expect_close(name, got, wanted, cause=cause, read=read)
+    call += "another frame; "
+    cause = "in the next frame the force is gone"
+    wanted = (2.25, height + end * h + 0.125 * a * h * h, 0.0)
+    name = f"{call}position"
+    expect_close(name, bouncing[4], wanted, cause=cause, read=read, tolerance=1e-13)
+
+
+@pytest.mark.exercise("B7.12")
+def test_depths_are_not_looked_at() -> None:
+    read = READ
+    call = (
+        "a particle 1 m below the ground, velocity (0, 3, 0); a frame of 0.5 s: position, velocity"
+    )
+    cause = "velocities of impacts are resolved, and nothing else: it is on its way out"
+    body = ((0.0, -1.0, 0.0), (0.0, 3.0, 0.0), 2.0)
+    seen, _, _, _ = flown([body], ZERO, 0.0, (0.5, None), 0.5, 1)
+    got = seen[0][0][0] + seen[0][0][1]
+    expect_close(call, got, (0.0, 0.5, 0.0, 0.0, 3.0, 0.0), cause=cause, read=read)
+    call = "the same with velocity (0, -3, 0), restitution 0.5: position, velocity"
+    body = ((0.0, -1.0, 0.0), (0.0, -3.0, 0.0), 2.0)
+    cause = "it closes, so it bounces at once, where it is"
+    seen, _, _, _ = flown([body], ZERO, 0.0, (0.5, None), 0.5, 1)
+    got = seen[0][0][0] + seen[0][0][1]
+    expect_close(call, got, (0.0, -0.25, 0.0, 0.0, 1.5, 0.0), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B7.12")

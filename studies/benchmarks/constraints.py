@@ -1,0 +1,126 @@
+"""What contacts cost: a heap beside the plain scan, pairs of many spheres, a chain of rods."""
+
+from __future__ import annotations
+
+import math
+import random
+import timeit
+from itertools import pairwise
+
+import pymunk
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import semi_implicit_euler
+from ch07_constraints.contacts import ContactResolver
+from ch07_constraints.detectors import ParticlePairs
+from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.links import Cable
+from studies.constraints import FRAME, GRAVITY, LINK, chain_particles, no_forces
+from studies.timing import Line, Timer, ratio, timer
+
+LINKS = 30
+ANGLE = 30.0  # degrees, at which the chain is let go
+SECONDS = 1
+RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
+
+
+def lines() -> list[Line]:
+    """Return every line about contacts."""
+    found = [
+        Line(
+            f"{count} contacts of a rope by the plain scan / by a heap",
+            *ratio(resolving(ContactResolver, count), resolving(HeapResolver, count), 11, "a rope"),
+            f"at least {least}",
+        )
+        for count, least in ((100, 4), (300, 11))
+    ]
+    found.append(
+        Line(
+            "300 contacts of a rope / 30, both by a heap",
+            *ratio(resolving(HeapResolver, 300), resolving(HeapResolver, 30), 31, "a heap"),
+            "at most 14",
+        )
+    )
+    many, few = spread(1000), spread(100)
+    found.append(
+        Line(
+            "pairs among 1,000 spread spheres / among 100",
+            *ratio(timer(many.contacts), timer(few.contacts), 41, "pairs"),
+            "at most 15",
+        )
+    )
+    rate = matching_rate()
+    found.append(
+        Line(
+            f"{LINKS} rods by pymunk's pin joints at {rate:,} Hz / by DirectChain at {RATE} Hz, "
+            "whose tip is as near the true place",
+            *ratio(timer(lambda: by_pymunk(rate)), timer(lambda: by_direct_solve(RATE)), 7, "rods"),
+            "at least 2.5",
+        )
+    )
+    return found
+
+
+def resolving(kind: type[ContactResolver], count: int) -> Timer:
+    """Return what times how one resolver takes the contacts of a rope that has just been pulled."""
+
+    def once() -> float:
+        down = Vector3(0.0, -GRAVITY)
+        rope = [Particle(Vector3(1.02 * LINK * i), acceleration=down) for i in range(count + 1)]
+        rope[0].mass = math.inf
+        semi_implicit_euler(rope, no_forces, FRAME)
+        links = [Cable(a, b, LINK) for a, b in pairwise(rope)]
+        contacts = [contact for link in links for contact in link.contacts()]
+        resolver = kind()
+        return timeit.timeit(lambda: resolver.resolve_contacts(contacts, FRAME), number=1)
+
+    return once
+
+
+def spread(count: int) -> ParticlePairs:
+    """Return spheres of radius 0.5 m in a cube, one in each 8 m^3 on average."""
+    rng = random.Random(1)
+    size = 2.0 * count ** (1.0 / 3.0)
+    places = [[rng.uniform(0.0, size) for _ in range(3)] for _ in range(count)]
+    return ParticlePairs([Particle(Vector3(*place)) for place in places], 0.5)
+
+
+def by_direct_solve(rate: int) -> tuple[float, float]:
+    """Let a chain go; return where its tip is after a second."""
+    particles = chain_particles(LINKS, ANGLE)
+    chain = DirectChain(particles[1:], Vector3())
+    for _ in range(SECONDS * rate):
+        chain.step(1.0 / rate)
+    tip = particles[-1].position
+    return tip.x, tip.y
+
+
+def by_pymunk(rate: int) -> tuple[float, float]:
+    """Return the same of pymunk's pin joints, at its default of 10 iterations."""
+    space = pymunk.Space()
+    space.gravity = (0.0, -GRAVITY)
+    before = space.static_body
+    for particle in chain_particles(LINKS, ANGLE)[1:]:
+        body = pymunk.Body(1.0, math.inf)
+        body.position = (particle.position.x, particle.position.y)
+        joint = pymunk.PinJoint(before, body)
+        space.add(body, joint)
+        before = body
+    for _ in range(SECONDS * rate):
+        space.step(1.0 / rate)
+    return before.position.x, before.position.y
+
+
+def matching_rate() -> int:
+    """Return the frame rate from which on pymunk's tip is as near the true place as ours.
+
+    The true place is that of DirectChain at 16 times its rate, whose error is 256 times smaller.
+    """
+    true = by_direct_solve(16 * RATE)
+    ours = math.dist(by_direct_solve(RATE), true)
+    rate = 4 * RATE
+    while rate < 100_000 and math.dist(by_pymunk(rate), true) > ours:
+        rate *= 2
+    return rate

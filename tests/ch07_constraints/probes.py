@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from itertools import combinations, pairwise
+from random import Random
 from typing import Any
 
 from ch02_vectors.vector import Vector3
@@ -199,6 +200,29 @@ def pairs_of_a_list(radius: float) -> list[list[int]]:
     seen.append(numbers_of(pairs, particles, 2))
     pairs.radius = 2.0 * radius
     return [*seen, numbers_of(pairs, particles, 2)]
+
+
+def looked(count: int, size: float) -> tuple[int, int, int]:
+    """Find pairs among spheres of radius 0.5 m in a cube; count what is asked of their positions.
+
+    Return that, how many contacts were found, and how many pairs touch.
+    """
+    rng = Random(1)
+    places = [tuple(rng.uniform(0.0, size) for _ in range(3)) for _ in range(count)]
+    asked = [0]
+
+    class Counting(Vector3):
+        def __getattribute__(self, name: str) -> Any:
+            asked[0] += 1
+            return super().__getattribute__(name)
+
+    particles = [Particle() for _ in places]
+    for particle, place in zip(particles, places, strict=True):
+        object.__setattr__(particle, "position", Counting(*place))  # no copy
+    asked[0] = 0
+    found = len([*ParticlePairs(particles, 0.5).contacts()])
+    counted = asked[0]
+    return counted, found, sum(math.dist(p, q) <= 1.0 for p, q in combinations(places, 2))
 
 
 def numbers_of(detector: Any, particles: Sequence[Particle], ends: int) -> list[int]:

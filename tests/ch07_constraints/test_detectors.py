@@ -14,6 +14,7 @@ from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch07_constraints.probes import (
     ground_of_a_list,
+    looked,
     pairs_of_a_list,
     piled,
     thrown_down,
@@ -110,6 +111,14 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     pair = [Particle(Vector3(3.0)), Particle(Vector3(5.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(call, got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)], cause, read)
+    call = "a at (-1e-17, 0, 0), b at (2, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
+    cause = (
+        "to rounding they are two radii apart: cells must be a little larger than that, or there "
+    )
+    cause += "is one between the two"
+    pair = [Particle(Vector3(-1e-17)), Particle(Vector3(2.0))]
+    got = told(ParticlePairs(pair, 1.0).contacts(), pair)
+    expect_pairs(call, got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)], cause, read)
     call = f"a and b at {q}; ParticlePairs([a, b], 1.0).contacts()"
     cause = "at one place there is no direction: the normal is +Y"
     pair = [Particle(Vector3(*q)), Particle(Vector3(*q))]
@@ -121,8 +130,11 @@ def expect_pairs(call: str, got: list, wanted: list[tuple], cause: str, read: st
     """Expect these contacts, in this order: both numbers, normal, restitution, penetration."""
     seen = [number for a, b, *_ in got for number in (a, b)]
     pairs = [number for a, b, *_ in wanted for number in (a, b)]
-    name = f"{call}: the pairs, by number"
-    expect_exactly(name, seen, pairs, cause=cause, read=read)
+    name = f"{call}: the pairs, each by its two numbers"
+    pairs_cause = "each pair that touches once, in the order of the list, the first of two before "
+    pairs_cause += f"the second; twice is once too often, from both of its cells; and {cause}"
+    expect_exactly(f"{call}: how many pairs", len(got), len(wanted), cause=pairs_cause, read=read)
+    expect_exactly(name, seen, pairs, cause=pairs_cause, read=read)
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
         cause = "the normal leads to the first of the pair, from the second"
         # Differences of places of up to 10 m, over a distance of half a metre or more.
@@ -157,6 +169,22 @@ def test_every_pair_is_found_once(rng: Random) -> None:
                 n = tuple((p - q) / distance for p, q in zip(places[i], places[j], strict=True))
                 wanted.append((i, j, n, 0.0, 2.0 * radius - distance))
         expect_pairs(call, got, wanted, cause, read)
+
+
+@pytest.mark.exercise("B7.9")
+def test_not_every_pair_is_looked_at() -> None:
+    read = PAIRS
+    call = "400 spheres of radius 0.5 m in a cube of 40 m; ParticlePairs(spheres, 0.5).contacts(): "
+    call += "how often their positions were asked for a coordinate or a method"
+    cause = (
+        "79,800 pairs ask their two places more than 400,000 times: look only at what is near, in "
+    )
+    cause += "a grid or along an axis"
+    asked, found, wanted = looked(400, 40.0)
+    # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
+    expect_close(call, asked, 50_000, cause=cause, read=read, tolerance=50_000)
+    name = "the same: how many pairs touch"
+    expect_exactly(name, found, wanted, cause="the pairs that touch", read=read)
 
 
 @pytest.mark.exercise("B7.9")

@@ -66,6 +66,9 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
         (x, -1.0, 1.0 / x, math.inf, "it turns round before it gets there: the root is negative"),
         (0.0, 0.0, 0.0, math.inf, "it lies there, and nothing pulls it: there is no impact"),
         (0.0, x, 0.0, math.inf, "it leaves"),
+        (-x, 0.0, 0.0, math.inf, "it is inside, and stays where it is"),
+        (-x, 0.0, 2.0, math.inf, "it is inside, and pulled out"),
+        (1.0, -1e-13, 0.0, math.inf, "less than VELOCITY_TOLERANCE against nothing is rounding"),
         (-x, x, 1.0, math.inf, "it leaves, if it takes some time to get out"),
         (0.0, -1e-13, 0.0, math.inf, "less than VELOCITY_TOLERANCE against nothing is rounding"),
     ):
@@ -78,10 +81,10 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
 def test_the_digits_of_a_time_are_kept() -> None:
     read = CLOSE
     for gap, v, a, wanted, cause in (
-        (1e-10, -1000.0, -10.0, 1e-13, "sqrt(v v - 2 a gap) - v, as a divisor, loses no digits: "),
-        (1e-10, -1000.0, 10.0, 1e-13, "sqrt(v v - 2 a gap) - v, as a divisor, loses no digits: "),
+        (1e-10, -1000.0, -10.0, 1e-13, "2 gap / (sqrt(v v - 2 a gap) - v) keeps its digits: "),
+        (1e-10, -1000.0, 10.0, 1e-13, "2 gap / (sqrt(v v - 2 a gap) - v) keeps its digits: "),
     ):
-        cause += "as a difference of nearly equal numbers it loses them all"
+        cause += "(-v - sqrt(...)) / a takes nearly equal numbers apart, and loses them"
         call = f"time_to_close({gap}, {v}, {a})"
         got = time_to_close(gap, v, a)
         # The acceleration changes it by 1e-15 of it.
@@ -104,8 +107,8 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ground = GroundPlane(particles, height, radius, c)
     times = [fall / speed for fall, speed in zip(falls, speeds, strict=True)]
     first = min(times)
-    cause = "the smallest time of all particles, with a contact of penetration 0: its particle, no "
-    cause += "other, the normal (0, 1, 0) and the restitution"
+    cause = "a tuple (time, contact): the smallest time of all particles, and a contact of "
+    cause += "penetration 0 with its particle, no other, the normal (0, 1, 0) and the restitution"
     impact = ground.next_impact(9.0)
     expect_exactly(f"{call} is None", impact is None, False, cause=cause, read=read)
     time, contact = impact[0], impact[1]

@@ -20,6 +20,9 @@ IMPULSE = "book 7.1.4, and the docstring of Contact.resolve_velocity"
 MOVE = "book 7.2.2, and the docstring of Contact.resolve_penetration"
 
 
+NORMAL = "the normal is only read, and the penetration is 0 afterwards"
+
+
 @pytest.mark.exercise("B7.3")
 def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
     read = IMPULSE
@@ -200,7 +203,11 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         call += f"moves = Contact(a, b, Vector3{n}, 0.5, {depth}).resolve_penetration()"
         a = Particle(Vector3(*p), mass=first)
         b = None if second is None else Particle(Vector3(*q), mass=second)
-        moves = Contact(a, b, Vector3(*n), 0.5, depth).resolve_penetration()
+        contact = Contact(a, b, Vector3(*n), 0.5, depth)
+        moves = contact.resolve_penetration()
+        got = (*xyz(contact.normal), contact.penetration)
+        shown = "normal and penetration"
+        expect_unchanged(call, shown, got, (*n, 0.0), cause=NORMAL, read=read)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
         wanted = tuple(x + m for x, m in zip(p, move, strict=True))

@@ -73,9 +73,12 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     for max_length, cause in (
         (0.75 * length, to_the_end),
         (1023.0 / 1024.0 * length, to_the_end),
-        (length, "a cable that is just as long as it may be is taut, with a penetration of 0: "),
+        (
+            length,
+            "a cable that is just as long as it may be is taut, with a penetration of 0: >=, not >",
+        ),
     ):
-        cause += "other end" if max_length < length else "depth >= 0"
+        cause += "other end" if max_length < length else ""
         call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, {max_length}, {c})"
         call += ".contacts()"
         wanted = [(0, other, n, c, length - max_length)]

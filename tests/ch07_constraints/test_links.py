@@ -256,7 +256,7 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
 def test_equal_limits_both_act(rng: Random) -> None:
     read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
-    call = f"{told_ends}; l = Limits(a, b, {length}, {length}, 0.5); l.contacts(), as a sum of the "
+    call = f"{told_ends}; l = Limits(a, b, {length}, {length}, 0.5); l.contacts()"
     cause = "both limits are reached, so both contacts are there, with opposite normals"
     link = Limits(*pair, length, length, 0.5)
     got = told(link.contacts(), pair)
@@ -264,7 +264,7 @@ def test_equal_limits_both_act(rng: Random) -> None:
     normals = sorted(contact[2] for contact in got)
     wanted = sorted([n, (-n[0], -n[1], -n[2])])
     for seen, right in zip(normals, wanted, strict=True):
-        expect_close(f"{call}normals", seen, right, cause=cause, read=read, tolerance=1e-15)
+        expect_close(f"{call}: normals", seen, right, cause=cause, read=read, tolerance=1e-15)
     got = [number for contact in got for number in (contact[0], contact[1], contact[4])]
     expect_close(f"{call}: ends and depths", got, (0, 1, 0.0) * 2, cause=cause, read=read)
     call = "a and b at one place; l = Limits(a, b, 2, 3); l.contacts()"

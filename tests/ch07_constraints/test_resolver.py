@@ -318,7 +318,11 @@ def test_both_phases_have_their_own_limit() -> None:
     )
     call += "an immovable one deep in the world; "
     for iterations, wanted, cause in (
-        (None, 8, "twice the contacts for each phase: the immovable one does not count"),
+        (
+            None,
+            8,
+            "each phase goes on while something closes, or is deep, up to twice the contacts",
+        ),
         (3, 6, "each phase may use the 3 iterations of its own"),
         (1, 2, "each phase may use the one iteration of its own"),
     ):

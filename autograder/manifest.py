@@ -53,6 +53,11 @@ class Chapter:
         """What students fill with data of their own, such as drops.csv."""
         return [name for exercise in self.exercises for name in exercise.files]
 
+    @property
+    def handed_in(self) -> list[str]:
+        """All that is taken of what students hand in: their modules, and their data."""
+        return [*self.edited_files, *self.data_files]
+
     def exercise(self, exercise_id: str) -> Exercise:
         """Return the exercise of that id. Raises ValueError where the chapter has none."""
         for exercise in self.exercises:

@@ -25,7 +25,7 @@ from ch07_constraints.contacts import (
 )
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from ch07_constraints.direct_chain import DirectChain
-from ch07_constraints.links import AnchoredRod, Cable
+from ch07_constraints.links import AnchoredRod
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
 from studies.drawing import Numbers, numbers
 from studies.stability import stopped
@@ -45,7 +45,7 @@ Resolve = Callable[[list[Contact], float], object]
 
 
 class Link(Protocol):
-    """How a link between two particles is made: Rod, TwoSidedRod or Cable."""
+    """How a link between two particles is made: Rod or TwoSidedRod."""
 
     def __call__(self, a: Particle, b: Particle, length: float, /) -> ContactGenerator: ...
 
@@ -258,23 +258,22 @@ def chain(
     frames: int,
     angle: float = 0.0,
     substeps: int = 1,
-    step: Integrator = semi_implicit_euler,
 ) -> tuple[Track, Track]:
     """Let a chain of links go; return how much it is too long, and how much the worst link is off.
 
-    Too long is the sum of its links less what it should be; off is a link that is too long or, but
-    for cables, too short.
+    Too long is the sum of its links less what it should be; off is a link that is too long or too
+    short.
     """
     particles = chain_particles(count, angle)
     links = [link(a, b, LINK) for a, b in pairwise(particles)]
-    move = resolving(step, particles[1:], links, resolve, substeps=substeps)
-    return _lengths(move, particles, frames, link is not Cable)
+    move = resolving(semi_implicit_euler, particles[1:], links, resolve, substeps=substeps)
+    return _lengths(move, particles, frames)
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
     """Return the same of a chain by DirectChain."""
     particles = chain_particles(count, angle)
-    return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames, True)
+    return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 
 
 def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
@@ -309,13 +308,13 @@ def _energy(place: Numbers, velocity: Numbers) -> float:
     return GRAVITY * (1.0 + place[1]) + 0.5 * math.fsum(v * v for v in velocity)
 
 
-def _lengths(move: Move, particles: list[Particle], frames: int, rods: bool) -> tuple[Track, Track]:
+def _lengths(move: Move, particles: list[Particle], frames: int) -> tuple[Track, Track]:
     worst = []
 
     def measure() -> float:
         places = [numbers(particle.position) for particle in particles]
         off = [math.dist(a, b) - LINK for a, b in pairwise(places)]
-        worst.append(max(map(abs, off)) if rods else max(0.0, *off))
+        worst.append(max(map(abs, off)))
         return math.fsum(off)
 
     run = track(move, measure, frames)

@@ -48,7 +48,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
             _write(target / name, (root / "chapters" / chapter.name / name).read_bytes())
         files, more_notes = _choose(chapter, found)
         notes += more_notes
-        for name in (*chapter.edited_files, *chapter.data_files):
+        for name in chapter.handed_in:
             if name not in files:
                 continue
             content, reason = b"", ""
@@ -64,7 +64,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
     """Return the chapters' files in a submission, of whatever kind, and notes."""
-    wanted = {chapter.name: [*chapter.edited_files, *chapter.data_files] for chapter in chapters}
+    wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
         mode = submission.lstat().st_mode
         if stat.S_ISLNK(mode):

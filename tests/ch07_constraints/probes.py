@@ -63,11 +63,10 @@ def velocity_first(particle: Particle, duration: float) -> None:
 def lying(
     restitution: float, generated: bool, frames: int, duration: float
 ) -> tuple[list[float], float]:
-    """Let a body lie on the ground, under 9.81 m/s^2; return its heights after each frame.
+    """Let a body lie on the ground, under 9.81 m/s^2.
 
-    And the fastest that it was then, up or down.
-
-    Generated gravity is a force, added by hand in every frame; the other one is built in.
+    Return its heights after each frame, and the fastest that it was then, up or down. Generated
+    gravity is a force, added by hand in every frame; the other one is built in.
     """
     down = Vector3(0.0, -9.81, 0.0)
     body = Particle(acceleration=None if generated else down, mass=2.0)
@@ -94,8 +93,8 @@ def resolved(
     """Resolve contacts by one of the resolver's methods, or by resolve_contacts with a limit.
 
     A body is a place, a velocity and a mass, and all have the same acceleration; a contact is told
-    as above. Return how many iterations
-    were used, places and velocities of the bodies, and the penetrations of the contacts.
+    as above. Return how many iterations were used, places and velocities of the bodies, and the
+    penetrations of the contacts.
     """
     pull = Vector3(*acceleration)
     particles = [Particle(Vector3(*p), Vector3(*v), pull, mass=m) for p, v, m in bodies]
@@ -165,10 +164,8 @@ def piled(
             if sphere.position.y <= radius
         ]
         resolver.resolve_contacts([*contacts, *pairs.contacts()], duration)
-        heights = [sphere.position.y for sphere in spheres]
-        gaps = [upper - lower - radius for lower, upper in pairwise([0.0, *heights])]
-        gaps[1:] = [gap - radius for gap in gaps[1:]]
-        largest = max(largest, -min(gaps))
+        places = [-radius, *(sphere.position.y for sphere in spheres)]
+        largest = max(largest, *(2.0 * radius - (b - a) for a, b in pairwise(places)))
     return [sphere.position.y for sphere in spheres], largest
 
 

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import csv
 import itertools
 import math
-import os
 import shutil
-import subprocess
-import sys
 from pathlib import Path
+from subprocess import CompletedProcess
 
 import pytest
 
 from autograder.manifest import ROOT
 from autograder.stubs import make_stubs
+from drawn_plots import plot, table
 
 NAMES = (
     "ch02_vectors/addition",
@@ -50,30 +48,10 @@ NAMES = (
 )
 
 
-def plot(engine: str | Path, out: Path, chapters: str = "2") -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "studies", "plot", "--chapter", chapters]
-    command += ["--engine", str(engine)]
-    return subprocess.run(
-        [*command, "--out", str(out)],
-        cwd=ROOT,
-        env=os.environ | {"MPLBACKEND": "Agg"},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
-
-
-def table(out: Path, name: str, chapter: str = "ch02_vectors") -> list[list[str]]:
-    with (out / chapter / f"{name}.csv").open(encoding="utf-8", newline="") as file:
-        return list(csv.reader(file))
-
-
 @pytest.fixture(scope="module")
-def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def reference(drawn: tuple[Path, CompletedProcess[str]]) -> Path:
     """Where the reference's plots were drawn to."""
-    out = tmp_path_factory.mktemp("plots")
-    done = plot("solutions", out, "2-7")
-    assert done.returncode == 0, done.stdout + done.stderr
+    out, done = drawn
     assert all(f"{name}.png" in done.stdout and f"{name}.csv" in done.stdout for name in NAMES)
     return out
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import csv
 import math
-import os
 import shutil
-import subprocess
-import sys
 from pathlib import Path
+from subprocess import CompletedProcess
 
 import pytest
 
+import drawn_plots
 from autograder.manifest import ROOT
 from autograder.stubs import make_stubs
 
@@ -19,30 +17,14 @@ CHAPTER = "ch07_constraints"
 PLOTS = 8
 
 
-def plot(engine: str | Path, out: Path) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "studies", "plot", "--chapter", "7", "--engine", str(engine)]
-    return subprocess.run(
-        [*command, "--out", str(out)],
-        cwd=ROOT,
-        env=os.environ | {"MPLBACKEND": "Agg"},
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
-    )
-
-
 def table(out: Path, name: str) -> list[list[str]]:
-    with (out / CHAPTER / f"{name}.csv").open(encoding="utf-8", newline="") as file:
-        return [*csv.reader(file)][1:]
+    return drawn_plots.table(out, name, CHAPTER)[1:]
 
 
 @pytest.fixture(scope="module")
-def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def reference(drawn: tuple[Path, CompletedProcess[str]]) -> Path:
     """Where the reference's plots were drawn to."""
-    out = tmp_path_factory.mktemp("plots")
-    done = plot("solutions", out)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return out
+    return drawn[0]
 
 
 def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
@@ -159,7 +141,7 @@ def test_stubs_are_said(tmp_path: Path) -> None:
         _, chapter, name = path.split("/")
         if chapter == CHAPTER:
             (tmp_path / "engine" / chapter / name).write_text(text, encoding="utf-8")
-    done = plot(tmp_path / "engine", tmp_path)
+    done = drawn_plots.plot(tmp_path / "engine", tmp_path, "7")
     assert done.returncode == 1
     # The direct solve is ready: a rope and a pendulum by it are drawn.
     assert done.stdout.count("not drawn, not written yet: Exercise ") == PLOTS - 2, done.stdout
@@ -170,7 +152,7 @@ def test_stubs_are_said(tmp_path: Path) -> None:
 def test_without_drops_of_one_s_own_the_sample_is_drawn(tmp_path: Path) -> None:
     engine = copied(tmp_path, {})
     (engine / CHAPTER / "drops.csv").write_text("material,initial_height,bounce_height\n")
-    done = plot(engine, tmp_path)
+    done = drawn_plots.plot(engine, tmp_path, "7")
     assert done.returncode == 0, done.stdout
     rows = table(tmp_path, "restitution_of_materials")
     assert sum(row[0] == "drop" for row in rows) == 13
@@ -195,6 +177,6 @@ def test_without_drops_of_one_s_own_the_sample_is_drawn(tmp_path: Path) -> None:
     ],
 )
 def test_a_wrong_engine_gives_pictures_all_the_same(wrong: dict[str, str], tmp_path: Path) -> None:
-    done = plot(copied(tmp_path, wrong), tmp_path)
+    done = drawn_plots.plot(copied(tmp_path, wrong), tmp_path, "7")
     assert done.returncode == 0, done.stdout + done.stderr
     assert not done.stderr

@@ -19,6 +19,7 @@ from autograder.runner import Verdict, run_checks, with_needs
 from autograder.scores import results_of, total
 from autograder.stubs import make_stubs
 from walls import behind_walls
+from warm import run_checks_warm
 from wrong import Wrong, read_wrong, write_all, write_wrong
 
 CHAPTERS = load_chapters()
@@ -116,7 +117,7 @@ def test_an_exercise_needs_no_other_than_it_says(
     """With all other bodies unwritten, its checks pass."""
     body = "raise NotImplementedError('no')"
     write_all(chapter, body, tmp_path, but=with_needs(chapter, [exercise]))
-    verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED, exercises=[exercise])
+    verdicts = run_checks_warm(chapter, engine_with(tmp_path), seed=SEED, exercises=[exercise])
     assert lost([verdict for verdict in verdicts if verdict.exercise == exercise]) == {}
 
 
@@ -129,7 +130,7 @@ def test_a_wrong_submission_loses_exactly_its_checks(
     write_wrong(chapter, wrong, tmp_path)
     exercise = exercise_of(chapter, wrong)
     reached = built_on(chapter, exercise)
-    verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED, exercises=reached)
+    verdicts = run_checks_warm(chapter, engine_with(tmp_path), seed=SEED, exercises=reached)
     failed = [verdict for verdict in verdicts if verdict.status != "passed"]
     assert {verdict.name for verdict in failed} == set(wrong.loses)
     first = next(verdict for verdict in failed if verdict.exercise == exercise.id)

@@ -19,8 +19,9 @@ from ch05_forces.particle import Particle
 class DirectChain:
     """A chain of rods from an anchor through particles, in their order, that makes their steps.
 
-    Each rod keeps the length in m that it has when the chain is made. ValueError where a rod has no
-    length, or a particle is immovable.
+    Each rod keeps the length in m that it has when the chain is made. The last particle may be
+    immovable: it holds the other end. ValueError where a rod has no length, or another particle is
+    immovable.
     """
 
     def __init__(self, particles: Sequence[Particle], anchor: Vector3) -> None:
@@ -28,7 +29,7 @@ class DirectChain:
         self.anchor = finite_vector("anchor", anchor)
         self.lengths: list[float] = []
         for i, (start, end) in enumerate(pairwise(self._places())):
-            if not self.particles[i].inverse_mass:
+            if not self.particles[i].inverse_mass and i < len(self.particles) - 1:
                 raise ValueError(f"particles[{i}] must be one that can move, got mass inf")
             self.lengths.append(positive(f"the length of rod {i}", (end - start).magnitude()))
         # N/m: what each rod pulled with in the last frame, for each m of its length
@@ -63,7 +64,7 @@ class DirectChain:
             particle.integrate(duration)
             place = particle.position
             place.x, place.y, place.z = x, y, z
-            if first:
+            if first and particle.inverse_mass:
                 particle.velocity.add_scaled(particle.last_acceleration, time - duration)
         self._pull(rods, [pull * time for pull in pulls])
 

@@ -105,7 +105,7 @@ class BallGame:
         self.start_ball()
 
     def start_ball(self) -> None:
-        """Put the ball over the first row, as high as it was at first, and at rest."""
+        """Put the ball over where the first row is, as high as at first, and at rest."""
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()
 

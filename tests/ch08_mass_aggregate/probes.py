@@ -1,0 +1,249 @@
+"""Worlds of one frame or of many, told as numbers; the autograder runs it beside the student.
+
+Nothing in here is secret, and nothing in here decides: the checks compare the numbers that come
+back with their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs import integrators
+from ch07_constraints.contacts import Contact
+from ch07_constraints.detectors import GroundPlane
+from ch08_mass_aggregate.fixed_step import FixedStep
+from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
+
+Components = tuple[float, float, float]
+# place, velocity, acceleration, mass
+Body = tuple[Components, Components, Components, float]
+
+UP = (0.0, 1.0, 0.0)
+
+
+def xyz(v: Any) -> Components:
+    return (v.x, v.y, v.z)
+
+
+def particles_of(bodies: Sequence[Body]) -> list[Particle]:
+    return [Particle(Vector3(*p), Vector3(*v), Vector3(*a), mass=m) for p, v, a, m in bodies]
+
+
+def states(particles: Sequence[Particle]) -> list[tuple[Components, Components]]:
+    """Return place and velocity of each particle."""
+    return [(xyz(particle.position), xyz(particle.velocity)) for particle in particles]
+
+
+def energy_of(bodies: Sequence[Body], force: Components = (0.0, 0.0, 0.0)) -> Any:
+    """Return the mechanical energy of bodies, on each of which a force acts."""
+    particles = particles_of(bodies)
+    for particle in particles:
+        particle.add_force(Vector3(*force))
+    return mechanical_energy(particle for particle in particles)
+
+
+class Pull:
+    """A generator of the force -k x - f, which writes down when it was asked, and where."""
+
+    def __init__(self, k: float, f: Components, diary: list[Any]) -> None:
+        self.k, self.f, self.diary = k, f, diary
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        self.diary.append(("force", duration, xyz(particle.position)))
+        particle.add_force(particle.position * -self.k - Vector3(*self.f))
+
+
+class Floor:
+    """A level floor for some particles; it writes down when it was asked, and where they were."""
+
+    def __init__(self, particles: Sequence[Particle], height: float, diary: list[Any]) -> None:
+        self.particles, self.height, self.diary = particles, height, diary
+
+    def contacts(self) -> Any:
+        """Return a generator's contacts one after the other: any iterable is allowed."""
+        self.diary.append(("contacts", self.height, [xyz(p.position) for p in self.particles]))
+        for particle in self.particles:
+            depth = self.height - particle.position.y
+            if depth >= 0.0:
+                yield Contact(particle, None, Vector3(*UP), 0.0, depth)
+
+
+class Record:
+    """Stands for a resolver, and writes down what it is to resolve."""
+
+    def __init__(self, diary: list[Any]) -> None:
+        self.diary = diary
+
+    def resolve_contacts(self, contacts: Any, duration: float) -> None:
+        depths = [contact.penetration for contact in contacts]
+        self.diary.append(("resolve", duration, depths))
+
+
+def frame(
+    bodies: Sequence[Body],
+    method: str,
+    duration: float,
+    *,
+    integrator: str = "semi_implicit_euler",
+    k: float = 0.0,
+    f: Components = (0.0, 0.0, 0.0),
+    floors: Sequence[float] = (),
+    early: Components | None = None,
+    late: Components | None = None,
+    record: bool = False,
+) -> dict[str, Any]:
+    """Let one frame pass in a world with a Pull on each body and floors under all of them.
+
+    ``early`` is a force that is added by hand before start_frame, ``late`` one before run_physics;
+    the method is "step" or "run_physics". With ``record`` contacts are written down, not resolved.
+    Return states, the accumulators, last accelerations, and the diary.
+    """
+    diary: list[Any] = []
+    particles = particles_of(bodies)
+    step = getattr(integrators, integrator)
+
+    def told_step(those: Sequence[Particle], apply_forces: Any, time: float) -> None:
+        diary.append(("integrator", time, len(those)))
+        step(those, apply_forces, time)
+
+    world = ParticleWorld(particles, integrator=told_step)
+    world.contact_generators.extend(Floor(particles, height, diary) for height in floors)
+    if record:
+        world.resolver = Record(diary)  # type: ignore[assignment]
+    for particle in particles:
+        if k or any(f):
+            world.registry.add(particle, Pull(k, f, diary))
+        if early is not None:
+            particle.add_force(Vector3(*early))
+    if method == "run_physics":
+        world.start_frame()
+    for particle in particles:
+        if late is not None:
+            particle.add_force(Vector3(*late))
+    getattr(world, method)(duration)
+    return {
+        "states": states(particles),
+        "sums": [xyz(particle.force_accumulator) for particle in particles],
+        "last": [xyz(particle.last_acceleration) for particle in particles],
+        "diary": diary,
+    }
+
+
+def started(bodies: Sequence[Body], force: Components) -> dict[str, Any]:
+    """Add a force to each body and start a frame; return accumulators and states."""
+    particles = particles_of(bodies)
+    world = ParticleWorld(particles)
+    for particle in particles:
+        particle.add_force(Vector3(*force))
+    before = [xyz(particle.force_accumulator) for particle in particles]
+    world.start_frame()
+    after = [xyz(particle.force_accumulator) for particle in particles]
+    return {"before": before, "after": after, "states": states(particles)}
+
+
+def refused(method: str, duration: Any) -> dict[str, Any]:
+    """Ask for a frame of a duration; return the error's name, and what is left of the world."""
+    particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(4.0, 5.0, 6.0))
+    world = ParticleWorld([particle])
+    particle.add_force(Vector3(7.0, 8.0, 9.0))
+    error = ""
+    try:
+        getattr(world, method)(duration)
+    except (ValueError, TypeError) as raised:
+        error = type(raised).__name__
+    left = (xyz(particle.position), xyz(particle.velocity), xyz(particle.force_accumulator))
+    return {"error": error, "left": left}
+
+
+def appended(duration: float) -> list[tuple[Components, Components]]:
+    """Append particles and a ground to a world after its first frame; return states after another.
+
+    The first falls freely in both frames, the second comes in time for one, the third lies on the
+    ground, which comes with it.
+    """
+    down = Vector3(0.0, -10.0, 0.0)
+    first, second, third = (Particle(acceleration=down) for _ in range(3))
+    world = ParticleWorld([first])
+    world.step(duration)
+    world.particles.append(second)
+    world.particles.append(third)
+    world.contact_generators.append(GroundPlane([third]))
+    world.step(duration)
+    return states([first, second, third])
+
+
+def rained(count: int, duration: float, frames: int) -> list[float]:
+    """Let many balls fall on the ground at once; return their heights."""
+    balls = [
+        Particle(Vector3(float(i), 0.25), acceleration=Vector3(0.0, -10.0, 0.0))
+        for i in range(count)
+    ]
+    world = ParticleWorld(balls, [GroundPlane(balls)])
+    for _ in range(frames):
+        world.step(duration)
+    return [ball.position.y for ball in balls]
+
+
+def advanced(
+    duration: float, elapsed: Sequence[float], max_steps: int | None = None, raise_at: int = 0
+) -> dict[str, Any]:
+    """Advance a FixedStep by these times; its step raises when it is made for the raise_at-th time.
+
+    Return the durations of the steps that were made, and after each call what it returned (or -1
+    where it raised), left, dropped.
+    """
+    made: list[float] = []
+    called = [0]
+
+    def step(time: float) -> None:
+        called[0] += 1
+        if called[0] == raise_at:
+            raise KeyError("the step that fails")
+        made.append(time)
+
+    clock = FixedStep(step, duration, max_steps)
+    rows = []
+    for time in elapsed:
+        try:
+            steps: Any = clock.advance(time)
+        except KeyError:
+            steps = -1
+        rows.append((steps, clock.left, clock.dropped))
+    return {"made": made, "rows": rows}
+
+
+def refused_time(duration: float, time: Any) -> tuple[str, float, int]:
+    """Advance by a time that is none; return the error's name, what is left, and the steps made."""
+    made: list[float] = []
+    clock = FixedStep(made.append, duration)
+    clock.advance(0.25 * duration)
+    error = ""
+    try:
+        clock.advance(time)
+    except (ValueError, TypeError) as raised:
+        error = type(raised).__name__
+    return error, clock.left, len(made)
+
+
+def bounced(elapsed: Sequence[float], duration: float) -> tuple[Components, Components]:
+    """Let a ball bounce in a world that a FixedStep moves on; return its place and velocity."""
+    ball = Particle(Vector3(0.0, 1.0, 0.0), Vector3(1.0), Vector3(0.0, -10.0, 0.0))
+    clock = FixedStep(bouncing([ball], 0.5), duration)
+    for time in elapsed:
+        clock.advance(time)
+    return xyz(ball.position), xyz(ball.velocity)
+
+
+def bouncing(balls: Sequence[Particle], restitution: float) -> Any:
+    """Return a step by chapters 6 and 7 alone, so that a check of the clock needs no world."""
+    ground = GroundPlane([*balls], restitution=restitution)
+
+    def step(duration: float) -> None:
+        integrators.semi_implicit_euler(balls, lambda _: None, duration)
+        for contact in ground.contacts():
+            contact.resolve(duration)
+
+    return step

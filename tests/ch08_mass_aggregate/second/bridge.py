@@ -1,0 +1,159 @@
+"""A rope bridge: planks on cables, and a heavy ball that walks over them (book 8.2).
+
+The bridge runs along X, from the first row of planks to the last; up is Y. Its numbers are near the
+book's demo: planks of 1 kg at each side, 2 m apart, and cables that are too short at first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.arguments import finite, positive
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import Contact, ContactGenerator
+from ch07_constraints.detectors import GroundPlane
+from ch07_constraints.links import AnchoredCable, Cable, Rod
+from ch08_mass_aggregate.world import ParticleWorld
+
+Row = tuple[Particle, Particle]  # the ends of a plank: at z < 0, and at z > 0
+
+ROWS = 6
+SPACING = 2.0  # m, between two rows at the start
+WIDTH = 2.0  # m, of a plank
+HEIGHT = 4.0  # m, of the planks at the start
+PLANK_MASS = 1.0  # kg, of each end
+CABLE_LENGTH = 1.9  # m, from row to row
+ANCHOR_HEIGHT = 6.0  # m
+RADIUS = 0.5  # m, of the ball
+DAMPING = 0.6
+GRAVITY = Vector3(0.0, -9.81, 0.0)
+ITERATIONS = 200  # a phase; with twice the contacts a bridge at 30 frames a second never lies still
+
+
+def make_rows() -> list[Row]:
+    """Return the rows of planks at their places at the start, along X, with 0 in the middle."""
+
+    def end(row: int, z: float) -> Particle:
+        place = Vector3(SPACING * (row - 0.5 * (ROWS - 1)), HEIGHT, z)
+        return Particle(place, acceleration=GRAVITY, mass=PLANK_MASS, damping=DAMPING)
+
+    return [(end(i, -0.5 * WIDTH), end(i, 0.5 * WIDTH)) for i in range(ROWS)]
+
+
+def support_length(row: int) -> float:
+    """Return how long in m the cables are on which a row hangs: longer towards the middle."""
+    return 3.0 + 0.5 * min(row, ROWS - 1 - row)
+
+
+def anchor_of(plank: Particle) -> Vector3:
+    """Return where a plank's end hangs from: 10 % further out, and 20 % further in, than it."""
+    place = plank.position
+    return Vector3(1.1 * place.x, ANCHOR_HEIGHT, 0.8 * place.z)
+
+
+def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
+    """Return what holds the rows, which are at their places at the start.
+
+    A rod of WIDTH joins both ends of each row; a cable of CABLE_LENGTH each end to that of the next
+    row on its side; and each end hangs on a cable of support_length(row) from anchor_of(it). No
+    cable bounces.
+    """
+    links: list[ContactGenerator] = []
+    before: Row | None = None
+    for number, row in enumerate(rows):
+        for side, end in enumerate(row):
+            links.append(AnchoredCable(end, anchor_of(end), support_length(number)))
+            if before is not None:
+                links.append(Cable(before[side], end, CABLE_LENGTH))
+        links.append(Rod(*row, WIDTH))
+        before = row
+    return links
+
+
+class Deck:
+    """Generates the contacts of a ball with the rows of planks, which are in order along X."""
+
+    def __init__(
+        self, ball: Particle, radius: float, rows: Sequence[Row], restitution: float = 0.0
+    ) -> None:
+        self.ball = ball
+        self.radius = positive("radius", radius)
+        self.rows = rows
+        self.restitution = restitution
+
+    def nearest(self) -> tuple[int, float] | None:
+        """Return the number of the row that is nearest to the ball along X, and the deck's height.
+
+        A row is where the middle of its ends is. The height in m is that below the ball, on the
+        straight line from row to row; before the first row and after the last it is that row's. Of
+        two rows that are equally near it is the first. None where the ball is further than half a
+        SPACING beyond the rows.
+        """
+        middles = [(front.position + back.position) * 0.5 for front, back in self.rows]
+        if not middles:
+            return None
+        x = self.ball.position.x
+        first, last = middles[0], middles[-1]
+        if x < first.x - 0.5 * SPACING or x > last.x + 0.5 * SPACING:
+            return None
+        number, best = 0, abs(first.x - x)
+        for i, middle in enumerate(middles):
+            if abs(middle.x - x) < best:
+                number, best = i, abs(middle.x - x)
+        if x <= first.x:
+            return number, first.y
+        for left, right in pairwise(middles):
+            if left.x < x <= right.x:
+                share = (x - left.x) / (right.x - left.x)
+                return number, left.y * (1.0 - share) + right.y * share
+        return number, last.y
+
+    def contacts(self) -> list[Contact]:
+        """Return a contact of the ball with each end of the nearest row, where it touches the deck.
+
+        The ball is the particle, the normal is +Y, and the penetration is how far the ball's lowest
+        point is below the deck. There is none where it is above, or beyond the bridge.
+        """
+        below = self.nearest()
+        if below is None:
+            return []
+        number, height = below
+        depth = height - (self.ball.position.y - self.radius)
+        if depth < 0.0:
+            return []
+        up = Vector3(0.0, 1.0, 0.0)
+        near, far = self.rows[number]
+        return [
+            Contact(self.ball, near, up, self.restitution, depth),
+            Contact(self.ball, far, up, self.restitution, depth),
+        ]
+
+
+class Bridge:
+    """The bridge with its ball over the ground: ``rows`` of planks, ``ball`` and ``world``.
+
+    ``pace`` is how fast in m/s the ball walks along X. Raises ValueError where the ball's mass is
+    not positive and finite, or its place is not finite.
+    """
+
+    def __init__(self, ball_mass: float = 5.0, x: float = 0.0) -> None:
+        place = Vector3(finite("x", x), HEIGHT + RADIUS)
+        mass = positive("ball_mass", ball_mass)
+        self.ball = Particle(place, acceleration=GRAVITY, mass=mass, damping=DAMPING)
+        self.rows = make_rows()
+        self.pace = 0.0
+        planks = [end for row in self.rows for end in row]
+        self.links = links_of(self.rows)
+        grounds = [GroundPlane(planks), GroundPlane([self.ball], radius=RADIUS)]
+        self.world = ParticleWorld(
+            [*planks, self.ball],
+            [*self.links, Deck(self.ball, RADIUS, self.rows), *grounds],
+            iterations=ITERATIONS,
+        )
+
+    def step(self, duration: float) -> None:
+        """Let a frame of a duration in s pass, with the ball at its pace."""
+        self.ball.velocity.x = self.pace
+        self.world.step(duration)

@@ -1,0 +1,237 @@
+"""Sleeping worlds, told as numbers; the autograder runs it beside the student."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs import integrators
+from ch07_constraints.contacts import Contact
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch08_mass_aggregate.probes import Components, xyz
+from ch08_mass_aggregate.sleeping import SleepingWorld
+
+DOWN = Vector3(0.0, -10.0, 0.0)
+FRAME = 1.0 / 60.0
+
+
+class Push:
+    """A force that can be changed; it counts how often it was asked."""
+
+    def __init__(self, x: float = 0.0) -> None:
+        self.x = x
+        self.asked = 0
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        del duration
+        self.asked += 1
+        particle.add_force(Vector3(self.x * particle.mass))
+
+
+class Touch:
+    """A generator of contacts of depth 0 between pairs of particles, named by their numbers."""
+
+    def __init__(self, particles: Sequence[Particle], pairs: Sequence[tuple[int, int]]) -> None:
+        self.particles, self.pairs = particles, pairs
+
+    def contacts(self) -> list[Contact]:
+        right = Vector3(1.0)
+        return [Contact(self.particles[i], self.particles[j], right) for i, j in self.pairs]
+
+
+def asleep(world: SleepingWorld, particles: Sequence[Particle]) -> list[int]:
+    """Return the numbers of those that sleep."""
+    return [i for i, particle in enumerate(particles) if particle in world.asleep]
+
+
+def left_alone(
+    speeds: Sequence[float],
+    frames: int,
+    pairs: Sequence[tuple[int, int]] = (),
+    masses: Sequence[float] = (),
+    sleep_frames: int = 5,
+) -> list[list[int]]:
+    """Let particles of these speeds along Z alone; return who sleeps after each frame.
+
+    Slow is 0.5 J or less. The pairs are in contact, without a force between them.
+    """
+    particles = [
+        Particle(Vector3(3.0 * i), Vector3(0.0, 0.0, speed), mass=masses[i] if masses else 1.0)
+        for i, speed in enumerate(speeds)
+    ]
+    world = SleepingWorld(
+        particles, [Touch(particles, pairs)], sleep_energy=0.5, sleep_frames=sleep_frames
+    )
+    seen = []
+    for _ in range(frames):
+        world.step(FRAME)
+        seen.append(asleep(world, particles))
+    return seen
+
+
+def slept(mass: float, speed: float) -> dict[str, Any]:
+    """Let a slow particle fall asleep, and wake it by name; return what it is then, and later."""
+    particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(speed), mass=mass)
+    world = SleepingWorld([particle], sleep_energy=10.0, sleep_frames=3)
+    for _ in range(3):
+        world.step(FRAME)
+    told: dict[str, Any] = {"inverse mass asleep": particle.inverse_mass}
+    told["velocity asleep"] = xyz(particle.velocity)
+    told["place asleep"] = xyz(particle.position)
+    for _ in range(20):
+        world.step(FRAME)
+    told["place later"] = xyz(particle.position)
+    world.wake(particle)
+    told["inverse mass awake"] = particle.inverse_mass
+    told["asleep"] = asleep(world, [particle])
+    frames = 0
+    while not world.asleep and frames < 10:
+        world.step(FRAME)
+        frames += 1
+    told["frames to sleep again"] = frames
+    return told
+
+
+def woken_by_hand(how: str) -> tuple[list[int], float, Components]:
+    """Let a particle fall asleep on the ground, and do something to it.
+
+    Return who sleeps after a frame, its mass, and its velocity.
+    """
+    particle = Particle(acceleration=DOWN, mass=2.0)
+    world = SleepingWorld([particle], [GroundPlane([particle])], sleep_frames=3)
+    for _ in range(5):
+        world.step(FRAME)
+    if how == "velocity":
+        particle.velocity.x = 3.0
+    elif how == "place":
+        particle.position.y = 5.0
+    elif how == "mass":
+        particle.mass = 4.0
+    world.start_frame()
+    if how == "force":
+        particle.add_force(Vector3(60.0))
+    world.run_physics(FRAME)
+    return asleep(world, [particle]), particle.mass, xyz(particle.velocity)
+
+
+def woken_by_force(old: float, new: float, frames: int, late: bool = False) -> list[list[int]]:
+    """Let a particle between walls sleep under a force for each kg, and change it.
+
+    With ``late`` the new force is that of a generator that was added. Return who sleeps after each
+    of the frames that follow.
+    """
+    particle = Particle(mass=2.0)
+    wall = Wall(particle)
+    world = SleepingWorld([particle], [wall], sleep_frames=3)
+    push = Push(old)
+    world.registry.add(particle, push)
+    for _ in range(25):
+        world.step(FRAME)
+    before = asleep(world, [particle])
+    if late:
+        world.registry.add(particle, Push(new))
+    else:
+        push.x = new
+    seen = [before]
+    for _ in range(frames):
+        world.step(FRAME)
+        seen.append(asleep(world, [particle]))
+    return seen
+
+
+class Wall:
+    """A wall that keeps a particle at x of 0 or less."""
+
+    def __init__(self, particle: Particle) -> None:
+        self.particle = particle
+
+    def contacts(self) -> list[Contact]:
+        x = self.particle.position.x
+        if x < 0.0 or not self.particle.inverse_mass:
+            return []
+        return [Contact(self.particle, None, Vector3(-1.0), 0.0, x)]
+
+
+def woken_by_contact(speed: float, frames: int) -> dict[str, Any]:
+    """Let a row of three balls fall asleep on the ground, and shoot another one at them.
+
+    Return who sleeps before, and after each frame, and the momentum along X then.
+    """
+    balls = [Particle(Vector3(1.0 * i, 0.5), acceleration=DOWN) for i in range(3)]
+    shot = Particle(Vector3(-3.0, 0.5), Vector3(speed), acceleration=DOWN)
+    every = [*balls, shot]
+    world = SleepingWorld(balls, sleep_frames=3)
+    world.contact_generators.append(GroundPlane(every, radius=0.5))
+    world.contact_generators.append(ParticlePairs(every, 0.5, restitution=1.0))
+    for _ in range(5):
+        world.step(FRAME)
+    before = asleep(world, every)
+    world.particles.append(shot)
+    seen, momenta = [], []
+    for _ in range(frames):
+        world.step(FRAME)
+        seen.append(asleep(world, every))
+        momenta.append(sum(ball.velocity.x for ball in every))  # each has 1 kg
+    return {"before": before, "seen": seen, "momenta": momenta}
+
+
+def work_asleep(count: int, awake: int, frames: int) -> tuple[int, int, list[int]]:
+    """Let particles fall asleep but for a few that keep moving.
+
+    Return how often their generator was asked in the frames that follow, how many particles the
+    integrator was given in all of them, and who sleeps.
+    """
+    particles = [Particle(Vector3(3.0 * i)) for i in range(count)]
+    given = [0]
+
+    def step(those: Sequence[Particle], apply_forces: Any, duration: float) -> None:
+        given[0] += len(those)
+        integrators.semi_implicit_euler(those, apply_forces, duration)
+
+    world = SleepingWorld(particles, integrator=step, sleep_frames=3)
+    push = Push()
+    for particle in particles:
+        world.registry.add(particle, push)
+    for particle in particles[:awake]:
+        particle.velocity.y = 5.0
+    for _ in range(10):
+        world.step(FRAME)
+    push.asked = given[0] = 0
+    for _ in range(frames):
+        world.step(FRAME)
+    return push.asked, given[0], asleep(world, particles)
+
+
+def both_ways(frames: int) -> tuple[list[Components], list[Components], int]:
+    """Let two balls fall on the ground, one after the other; return where they end up.
+
+    In a sleeping world, and in one that is never slow enough; and how many sleep in the first.
+    """
+    ends, sleepers = [], 0
+    for sleep_energy in (1e-3, 0.0):
+        balls = [
+            Particle(Vector3(float(i), 1.0 + 4.0 * i), Vector3(0.5 * i), DOWN, damping=0.5)
+            for i in range(2)
+        ]
+        ground = GroundPlane(balls, restitution=0.4)
+        world = SleepingWorld(balls, [ground], sleep_energy=sleep_energy)
+        for _ in range(frames):
+            world.step(FRAME)
+        ends.append([xyz(ball.position) for ball in balls])
+        sleepers = sleepers or len(world.asleep)
+    return ends[0], ends[1], sleepers
+
+
+def refused(duration: Any) -> tuple[str, Components]:
+    """Ask for a frame of a duration; return the error's name, and the accumulated force."""
+    particle = Particle()
+    world = SleepingWorld([particle])
+    particle.add_force(Vector3(1.0, 2.0, 3.0))
+    error = ""
+    try:
+        world.run_physics(duration)
+    except (ValueError, TypeError) as raised:
+        error = type(raised).__name__
+    return error, xyz(particle.force_accumulator)

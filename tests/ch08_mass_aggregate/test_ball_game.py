@@ -1,0 +1,187 @@
+"""Project 8.1, a ball game over the bridge: its rules, and its play."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from ch08_mass_aggregate.scene_probes import landing, played, refused_row, ruled
+from expect import expect_close, expect_exactly
+
+RULES = "the docstrings of Rules, landed and fell"
+LANDINGS = "the docstrings of Landings and Landings.contacts"
+STEP = "the docstring of BallGame.step"
+FRAME = 1.0 / 60.0
+DAMPED = 0.6**FRAME  # the share of its velocity that the ball keeps in a frame
+FIRST = -5.0  # m, where the first row is
+
+
+@pytest.mark.exercise("P8.1a")
+def test_a_row_counts_once(rng: Random) -> None:
+    read = RULES
+    rows = rng.randint(5, 9)
+    a, b = rng.sample(range(rows), 2)
+    events = [a, a, b, a, b]
+    call = f"Rules({rows}); landed on {events} in turn: the score after each"
+    cause = "POINTS, 10, for a row that is not in visited yet, and nothing for one that is"
+    seen = ruled(rows, events)
+    got = [score for score, *_ in seen]
+    expect_exactly(call, got, [10, 10, 20, 20, 20], cause=cause, read=read)
+    call = f"Rules({rows}); landed on {events} in turn: visited, lives"
+    cause = "a landing adds its row to visited, and costs no life"
+    expect_exactly(call, seen[-1][2], sorted((a, b)), cause=cause, read=read)
+    expect_exactly(call, seen[-1][1], 3, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P8.1a")
+def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
+    read = RULES
+    rows, falls = rng.randint(3, 6), rng.randint(0, 2)
+    order = rng.sample(range(rows), rows)
+    events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
+    call = f"Rules({rows}); landed on rows, or -1 for a fall: {events}"
+    cause = "the last row wins: its POINTS, and then BONUS, 50, for each life that is left"
+    seen = ruled(rows, events)
+    won = seen[rows + falls - 1]
+    score = 10 * rows + 50 * (3 - falls)
+    expect_exactly(f"{call}: score once all are visited", won[0], score, cause=cause, read=read)
+    expect_exactly(f"{call}: won, over", list(won[3:]), [True, True], cause=cause, read=read)
+    before = seen[rows + falls - 2]
+    cause = "before the last row nothing is won, and there is no bonus"
+    expect_exactly(f"{call}: score before", before[0], 10 * (rows - 1), cause=cause, read=read)
+    cause = "once it is over nothing counts any more"
+    got = list(seen[-1][:2])
+    name = f"{call}: score and lives in the end"
+    expect_exactly(name, got, [score, 3 - falls], cause=cause, read=read)
+
+
+@pytest.mark.exercise("P8.1a")
+def test_three_falls_are_the_end(rng: Random) -> None:
+    read = RULES
+    a, b = rng.sample(range(6), 2)
+    events = [-1, a, -1, -1, -1, b]
+    call = f"Rules(6); landed on rows, or -1 for a fall: {events}"
+    cause = "a fall takes a life, but never one below 0, and after the last one nothing counts"
+    seen = ruled(6, events)
+    got = [lives for _, lives, *_ in seen]
+    expect_exactly(f"{call}: lives", got, [2, 2, 1, 0, 0, 0], cause=cause, read=read)
+    got = [over for *_, over in seen]
+    wanted = [False, False, False, True, True, True]
+    expect_exactly(f"{call}: over", got, wanted, cause=cause, read=read)
+    expect_exactly(f"{call}: score, in the end", seen[-1][0], 10, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P8.1a")
+def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
+    read = RULES
+    rows = rng.randint(3, 6)
+    cause = "rows are numbered from 0: ValueError for any other"
+    for row in (rows, -1):
+        call = f"Rules({rows}).landed({row}): the error"
+        expect_exactly(call, refused_row(rows, row), "ValueError", cause=cause, read=read)
+    cause = "what is right must not be refused"
+    for row in (0, rows - 1):
+        call = f"Rules({rows}).landed({row}): the error"
+        expect_exactly(call, refused_row(rows, row), "", cause=cause, read=read)
+
+
+@pytest.mark.exercise("P8.1b")
+def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
+    read = LANDINGS
+    row = rng.randint(0, 5)
+    x = FIRST + 2.0 * row + rng.choice((-0.5, 0.5))
+    depth, speed = round(rng.uniform(0.01, 0.2), 3), round(rng.uniform(1.0, 9.0), 3)
+    for what, height, velocity, wanted, cause in (
+        ("in the deck, falling", 4.5 - depth, -speed, (2, row), "the row that the deck names"),
+        (
+            "in the deck, on its way up",
+            4.5 - depth,
+            speed,
+            (2, -1),
+            "on its way up it is in contact, but lands nowhere",
+        ),
+        ("above the deck, falling", 4.5 + depth, -speed, (0, -1), "it touches nothing yet"),
+    ):
+        call = f"a ball at x = {x}, {what}: how many contacts; landings.row, -1 for None"
+        count, first, later = landing(height, velocity, x)
+        got = (count, -1 if first is None else first)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.0)
+        call = f"a ball at x = {x}, {what}; asked again when it is far above: landings.row"
+        cause = "the row is that of the last frame: None where the ball does not touch then"
+        expect_exactly(call, later is None, True, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P8.1b")
+@pytest.mark.parametrize("direction", [-1, 0, 1])
+def test_a_ball_is_steered(rng: Random, direction: int) -> None:
+    read = STEP
+    x, speed = round(rng.uniform(-3.0, 3.0), 3), round(rng.uniform(-2.0, 2.0), 3)
+    call = f"a game with direction {direction}, the ball at ({x}, 9, 0), velocity ({speed}, 0, 0); "
+    call += "three frames: its velocity"
+    cause = "PUSH * mass is a force, of PUSH = 8 m/s^2, added between start_frame and run_physics"
+    vx, vy = speed, 0.0
+    for _ in range(3):
+        vx, vy = (vx + 8.0 * direction * FRAME) * DAMPED, (vy - 9.81 * FRAME) * DAMPED
+    seen = played(3, FRAME, direction, (x, 9.0, 0.0), (speed, 0.0, 0.0))
+    got = seen[-1]["velocity"]
+    expect_close(call, got, (vx, vy, 0.0), cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("P8.1b")
+def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
+    read = STEP
+    row = rng.randint(0, 5)
+    x = FIRST + 2.0 * row
+    call = f"a game, the ball 0.05 m above row {row} at -6 m/s: its velocity along Y, score and "
+    call += "visited, after the frame in which it lands"
+    cause = "landings.row is known once the physics have run: tell the rules, and let the ball go "
+    cause += "up at JUMP"
+    seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
+    got = (seen["velocity"][1], seen["score"], *seen["visited"])
+    expect_close(call, got, (6.0, 10.0, float(row)), cause=cause, read=read, tolerance=1e-12)
+    call = f"a game, the ball 0.05 m above row {row} at -6 m/s: score and lives after 20 frames"
+    cause = "it lands once, and flies on from there"
+    seen = played(20, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
+    got = (seen["score"], seen["lives"], seen["velocity"][1] < 6.0)
+    expect_close(call, got[:2], (10.0, 3.0), cause=cause, read=read, tolerance=0.0)
+
+
+@pytest.mark.exercise("P8.1b")
+def test_the_ground_takes_a_life(rng: Random) -> None:
+    read = STEP
+    x = round(rng.uniform(8.0, 9.0), 3)
+    call = f"a game, the ball at ({x}, 0.6, 0), beside the bridge, at -9 m/s; after a frame"
+    cause = "where its lowest point is at the ground, a life goes, and the ball starts anew: over "
+    cause += "the first row, 2 m above where the bridge begins, at rest"
+    seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0))[-1]
+    expect_exactly(f"{call}: lives", seen["lives"], 2, cause=cause, read=read)
+    got = seen["place"] + seen["velocity"]
+    name = f"{call}: place and velocity"
+    place = (FIRST, 6.0, 0.0, 0.0, 0.0, 0.0)
+    # The cables, too short at first, have pulled the row inwards by 0.13 m in that frame.
+    expect_close(name, got, place, cause=cause, read=read, tolerance=0.2)
+    call = f"a game with one life left, the ball at ({x}, 0.6, 0) at -9 m/s; after 3 frames"
+    cause = "after the last life it is over: the ball stays where it is, and no frame moves it"
+    seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
+    expect_exactly(f"{call}: lives", seen[-1]["lives"], 0, cause=cause, read=read)
+    name = f"{call}: place, as after the first of them"
+    expect_close(name, seen[-1]["place"], seen[0]["place"], cause=cause, read=read, tolerance=0.0)
+    name = f"{call}: is it still beside the bridge"
+    expect_exactly(name, seen[-1]["place"][0] > 7.0, True, cause=cause, read=read)
+
+
+@pytest.mark.exercise("P8.1b")
+def test_the_last_row_ends_the_game(rng: Random) -> None:
+    read = STEP
+    row = rng.randint(0, 5)
+    visited = [i for i in range(6) if i != row]
+    x = FIRST + 2.0 * row
+    call = f"a game with rows {visited} visited, the ball 0.05 m above row {row} at -6 m/s; three "
+    call += "frames"
+    cause = "the game is won: POINTS and BONUS, once; then nothing moves any more"
+    seen = played(3, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=visited)
+    scores = [frame["score"] for frame in seen]
+    expect_exactly(f"{call}: score", scores, [160] * 3, cause=cause, read=read)
+    name = f"{call}: place, as after the first of them"
+    expect_close(name, seen[-1]["place"], seen[0]["place"], cause=cause, read=read, tolerance=0.0)

@@ -1,0 +1,152 @@
+"""The blob: its bonds, and how spread out it is, B8.8 and B8.9."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch08_mass_aggregate.blob import spread
+from ch08_mass_aggregate.scene_probes import bonded, settled_blob, spread_of
+from draw import Components, components, direction, positive_number
+from expect import expect_close, expect_error, expect_exactly
+
+BOND = "the docstring of Bond, and of Bond.update_force"
+SPREAD = "the docstring of spread"
+ZERO = (0.0, 0.0, 0.0)
+
+
+def draw_bond(rng: Random) -> tuple[float, float, float, float, float]:
+    """Draw stiffness, rest length, limit, share and break length."""
+    rest = positive_number(rng, 0.5, 2.0)
+    limit = rest + positive_number(rng, 0.2, 1.0)
+    return positive_number(rng), rest, limit, positive_number(rng, 0.1, 0.9), limit + 1.0
+
+
+def pull(length: float, k: float, rest: float, limit: float, share: float) -> float:
+    """Return the force that pulls the ends together; negative where it pushes."""
+    return k * (min(length, limit) - rest) + share * k * max(0.0, length - limit)
+
+
+def expect_forces(
+    call: str, seen: tuple, force: float, way: Components, cause: str, read: str
+) -> None:
+    on_a = tuple(force * w for w in way)
+    on_b = tuple(-force * w for w in way)
+    # Rounding of forces of some tens of N.
+    expect_close(f"{call}: force on a", seen[0], on_a, cause=cause, read=read, tolerance=1e-11)
+    expect_close(f"{call}: force on b", seen[1], on_b, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B8.8")
+def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
+    read = BOND
+    k, rest, limit, share, most = draw_bond(rng)
+    way = direction(rng)
+    lengths = [0.5 * rest, rest, 0.5 * (rest + limit), limit, 0.5 * (limit + most)]
+    call = f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most}) of length "
+    cause = "while it holds, the spring to b acts on a, and the spring to a acts on b"
+    for length, seen in zip(
+        lengths, bonded(lengths, k, rest, limit, share, most, way), strict=True
+    ):
+        force = pull(length, k, rest, limit, share)
+        expect_forces(f"{call}{length}", seen, force, way, cause, read)
+        expect_exactly(f"{call}{length}: holds", seen[2], True, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.8")
+@pytest.mark.parametrize("swap", [False, True], ids=["a first", "b first"])
+def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
+    read = BOND
+    k, rest, limit, share, most = draw_bond(rng)
+    way = direction(rng)
+    call = f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most})"
+    cause_of = {
+        "breaks": "longer than break_length it breaks, and does nothing, in this very frame",
+        "broken": "once broken it stays so until its ends are rest_length or less apart",
+        "heals": "it holds again from rest_length on, and acts in this very frame",
+        "holds": "it has healed, and holds up to break_length",
+    }
+    story = [
+        (most, True, "holds"),
+        (1.001 * most, False, "breaks"),
+        (0.5 * (limit + most), False, "broken"),
+        (1.001 * rest, False, "broken"),
+        (0.999 * rest, True, "heals"),
+        (0.5 * (limit + most), True, "holds"),
+        (2.0 * most, False, "breaks"),
+        (0.5 * rest, True, "heals"),
+    ]
+    lengths = [length for length, _, _ in story]
+    seen = bonded(lengths, k, rest, limit, share, most, way, swap)
+    for i, (length, holds, what) in enumerate(story):
+        if what == "holds" and i == 0:
+            continue  # rounding may have made it a little longer
+        name = f"{call}, pulled to {lengths[: i + 1]} in turn"
+        cause = cause_of[what]
+        expect_exactly(f"{name}: holds", seen[i][2], holds, cause=cause, read=read)
+        force = pull(length, k, rest, limit, share) if holds else 0.0
+        expect_forces(name, seen[i], force, way, cause, read)
+
+
+@pytest.mark.exercise("B8.8")
+def test_bonds_keep_a_blob_together() -> None:
+    read = BOND
+    call = "seven particles with bonds between all of them, let go over the ground, after 3 s"
+    cause = (
+        "bonds push as well as pull: the blob stands on the ground, and is neither flat nor gone"
+    )
+    before, after = settled_blob(180, 1.0 / 60.0)
+    # By its own weight a blob of these bonds spreads by 1 to 2 %: 10 % is a limp one.
+    share = _spread(after) / _spread(before)
+    name = f"{call}: has its spread changed by less than 10 %"
+    expect_exactly(name, 0.9 < share < 1.1, True, cause=cause, read=read)
+
+
+def _spread(places: list[Components]) -> float:
+    middle = [math.fsum(place[k] for place in places) / len(places) for k in range(3)]
+    return math.sqrt(math.fsum(math.dist(place, middle) ** 2 for place in places) / len(places))
+
+
+@pytest.mark.exercise("B8.9")
+def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
+    read = SPREAD
+    call = "spread of four particles of equal mass at the corners of a square of 2 m"
+    cause = "each is sqrt(2) m from the middle"
+    x, y, z = components(rng)
+    square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
+    got = spread_of(square, [3.0] * 4)
+    expect_close(call, got, math.sqrt(2.0), cause=cause, read=read, tolerance=1e-12)
+    m, n = positive_number(rng), positive_number(rng)
+    p, q = components(rng), components(rng)
+    call = f"spread of a mass {m} at {p} and a mass {n} at {q}"
+    cause = "the distances are those from the centre of mass, and each counts by its mass: here "
+    cause += "sqrt(m n) / (m + n) times the distance of the two"
+    wanted = math.sqrt(m * n) / (m + n) * math.dist(p, q)
+    expect_close(call, spread_of([p, q], [m, n]), wanted, cause=cause, read=read, tolerance=1e-12)
+    call, cause = f"spread of one particle at {p}", "it is where its centre is"
+    expect_close(call, spread_of([p], [m]), 0.0, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B8.9")
+def test_a_spread_of_nothing_is_refused() -> None:
+    read = SPREAD
+
+    def allowed() -> None:
+        spread_of([ZERO], [1.0])
+
+    cause = "without particles there is no mean"
+    expect_error(
+        "spread([])", lambda: spread([]), ValueError, allowed=allowed, cause=cause, read=read
+    )
+    cause = "what is immovable has no share: its mass is infinite"
+    call = "spread of a particle and an immovable one"
+    expect_error(
+        call,
+        lambda: spread_of([ZERO, (1.0, 0.0, 0.0)], [1.0, math.inf]),
+        ValueError,
+        allowed=allowed,
+        cause=cause,
+        read=read,
+    )

@@ -1,0 +1,138 @@
+"""Frames of one length: B8.3."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch08_mass_aggregate.probes import advanced, bounced, refused_time
+from expect import expect_close, expect_exactly
+
+READ = "the docstring of FixedStep.advance"
+# A step of 2^-6 s adds up without rounding.
+STEP = 0.015625
+
+
+@pytest.mark.exercise("B8.3")
+def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
+    read = READ
+    quarters = [rng.randint(0, 40) for _ in range(12)]
+    elapsed = [0.25 * STEP * quarter for quarter in quarters]
+    call = f"a FixedStep of {STEP} s; advance by {elapsed}"
+    cause = "add elapsed to left; while that is a step or more, call step(duration) and take the "
+    cause += "duration off left"
+    done = advanced(STEP, elapsed)
+    left = 0
+    for i, (quarter, row) in enumerate(zip(quarters, done["rows"], strict=True)):
+        steps, left = divmod(left + quarter, 4)
+        name = f"{call}: the steps that call {i} returns"
+        expect_exactly(name, row[0], steps, cause=cause, read=read)
+        name = f"{call}: left and dropped after call {i}"
+        wanted = (0.25 * STEP * left, 0.0)
+        expect_close(name, row[1:], wanted, cause=cause, read=read, tolerance=0.0)
+    cause = "every step has the same duration, whatever has passed"
+    wanted = [STEP] * (sum(quarters) // 4)
+    expect_exactly(f"{call}: the steps' durations", done["made"], wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.3")
+@pytest.mark.parametrize("rate", [30, 60, 144])
+def test_rounding_makes_no_step_late(rate: int) -> None:
+    read = READ
+    call = f"a FixedStep of 1/{rate} s; advance by 1/{rate}, again and again: steps of each call"
+    cause = "sums are rounded: what lacks less than SHARE of a step is due all the same"
+    done = advanced(1.0 / rate, [1.0 / rate] * 100)
+    got = [row[0] for row in done["rows"]]
+    expect_exactly(call, got, [1] * 100, cause=cause, read=read)
+    call = f"a FixedStep of 1/{rate} s; advance by half a second, twice"
+    done = advanced(1.0 / rate, [0.5, 0.5])
+    got = [row[0] for row in done["rows"]]
+    expect_exactly(call, got, [rate // 2, rate // 2], cause=cause, read=read)
+    call = f"a FixedStep of 1/{rate} s; advance by a thousandth less than that"
+    cause = "what lacks more than rounding is not due yet"
+    done = advanced(1.0 / rate, [0.999 / rate])
+    expect_exactly(call, done["rows"][0][0], 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.3")
+def test_a_limit_of_steps_drops_time(rng: Random) -> None:
+    read = READ
+    limit, late = rng.randint(2, 5), rng.randint(3, 30)
+    elapsed = [STEP * (limit + late + 0.25), STEP * (limit + 0.25), STEP * (limit - 1)]
+    call = f"a FixedStep of {STEP} s, max_steps={limit}; advance by {elapsed}: steps, left, dropped"
+    cause = "after max_steps the whole steps that are left are added to dropped; less than a step "
+    cause += "is still left"
+    done = advanced(STEP, elapsed, limit)
+    wanted = [
+        (limit, 0.25 * STEP, STEP * late),
+        (limit, 0.5 * STEP, STEP * late),
+        (limit - 1, 0.5 * STEP, STEP * late),
+    ]
+    for i, row in enumerate(done["rows"]):
+        expect_exactly(f"{call}: call {i}: steps", row[0], wanted[i][0], cause=cause, read=read)
+        name = f"{call}: call {i}: left, dropped"
+        expect_close(name, row[1:], wanted[i][1:], cause=cause, read=read, tolerance=1e-12)
+    count = sum(row[0] for row in wanted)
+    name = f"{call}: how many steps were made"
+    expect_exactly(name, len(done["made"]), count, cause=cause, read=read)
+    call = f"a FixedStep of 0.1 s, max_steps={limit}; advance by {0.1 * (limit + late)!r}"
+    cause = "a step that rounding makes late is a whole step here as well"
+    row = advanced(0.1, [0.1 * (limit + late)], limit)["rows"][0]
+    # Rounding of a few times 0.1 s, many times less than a step.
+    name = f"{call}: left, dropped"
+    expect_close(name, row[1:], (0.0, 0.1 * late), cause=cause, read=read, tolerance=1e-9)
+
+
+@pytest.mark.exercise("B8.3")
+def test_a_step_that_fails_is_still_due(rng: Random) -> None:
+    read = READ
+    good = rng.randint(1, 4)
+    call = f"a FixedStep of {STEP} s whose step number {good + 1} raises; advance by 6 steps, by 0"
+    cause = "take the time of a step off left after it was made: what it raises comes out, and the "
+    cause += "step is made anew by the next call"
+    done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
+    name = f"{call}: left after the first call"
+    got = done["rows"][0][1]
+    expect_close(name, got, (6 - good) * STEP, cause=cause, read=read, tolerance=1e-12)
+    name = f"{call}: the steps of the second call"
+    expect_exactly(name, done["rows"][1][0], 6 - good, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.3")
+def test_a_time_that_is_none_is_refused() -> None:
+    read = READ
+    for time, error in (
+        (-0.1, "ValueError"),
+        (math.nan, "ValueError"),
+        (math.inf, "ValueError"),
+        ("0.1", "TypeError"),
+    ):
+        call = f"a FixedStep of {STEP} s with a quarter of a step left; advance({time!r})"
+        cause = "not_negative() refuses it, before left changes"
+        name, left, made = refused_time(STEP, time)
+        expect_exactly(f"{call}: the error", name, error, cause=cause, read=read)
+        expect_close(f"{call}: left", left, 0.25 * STEP, cause=cause, read=read, tolerance=0.0)
+        expect_exactly(f"{call}: steps made", made, 0, cause=cause, read=read)
+    call, cause = f"a FixedStep of {STEP} s; advance(0.0)", "no time is a time: it makes no step"
+    expect_exactly(f"{call}: the error", refused_time(STEP, 0.0)[0], "", cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.3")
+def test_a_run_is_the_same_whatever_the_frames(rng: Random) -> None:
+    read = READ
+    even = [4.0 * STEP] * 40
+    odd = [STEP * rng.choice((1.0, 2.0, 3.0)) for _ in range(20)] + [0.5, 0.5]
+    odd.append(160.0 * STEP - math.fsum(odd))
+    call = "a ball bounces for 2.5 s in frames of many lengths, two of them of 0.5 s; FixedStep of "
+    call += f"{STEP} s"
+    cause = "the step is always the same, and so is all that comes of it"
+    place, velocity = bounced(even, STEP)
+    call += ": place and velocity"
+    got = bounced(odd, STEP)
+    expect_close(call, got[0], place, cause=cause, read=read, tolerance=0.0)
+    expect_close(call, got[1], velocity, cause=cause, read=read, tolerance=0.0)
+    # An outer truth: it has moved along X by 1 m/s times 160 steps.
+    call += ": how far along X"
+    expect_close(call, got[0][0], 160.0 * STEP, cause=cause, read=read, tolerance=1e-9)

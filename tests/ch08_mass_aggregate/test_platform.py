@@ -1,0 +1,235 @@
+"""The tilting platform: B8.6, B8.7, and mini-project 8.1."""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations
+from random import Random
+
+import pytest
+
+from ch08_mass_aggregate.scene_probes import freed, platform_rods, tipped, weighed
+from ch08_mass_aggregate.tilting_platform import balancing_mass
+from draw import number, positive_number
+from expect import expect_close, expect_error, expect_exactly
+from rigidity import motions, told
+
+RODS = "the docstring of rods_of"
+BALANCE = "the docstring of balancing_mass"
+WEIGHT = "the docstring of TiltingPlatform.put_weight"
+FREE = "mini-project 8.1, and the docstring of TiltingPlatform.free_pivot"
+PLACES = [(x, y, z) for x, y in ((0.0, 0.0), (-3.0, 2.0), (4.0, 2.0)) for z in (-1.0, 1.0)]
+PIVOT = range(6)  # the numbers of its coordinates
+
+
+@pytest.mark.exercise("B8.6")
+def test_a_platform_can_only_tilt() -> None:
+    read = RODS
+    call = "rods_of(six particles at PLACES): motions that the rods allow"
+    joined = [(i, j) for i, j, _ in platform_rods(PLACES)]
+    strangers = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
+    cause = "each rod joins two of the six particles"
+    expect_exactly(f"{call}: rods to others", len(strangers), 0, cause=cause, read=read)
+    left = motions(PLACES, joined, PIVOT)
+    # The tilt turns all about the axis of the pivot, Z: (x, y) moves along (-y, x).
+    tilt = [part for x, y, _ in PLACES for part in (-y, x, 0.0)]
+    size = math.hypot(*tilt)
+    for motion in left:
+        share = math.fsum(a * b for a, b in zip(motion, tilt, strict=True)) / size**2
+        rest = [a - share * b for a, b in zip(motion, tilt, strict=True)]
+        if math.hypot(*rest) > 1e-9:
+            cause = f"besides the tilt, they allow this: {told(rest, 'particle')}"
+            expect_exactly(f"{call}, besides the tilt", len(left) - 1, 0, cause=cause, read=read)
+    cause = "the platform must be able to tilt about its pivot"
+    expect_exactly(f"{call}: how many", len(left), 1, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.6")
+def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
+    read = RODS
+    turn = positive_number(rng, 0.2, 1.2)
+    c, s = math.cos(turn), math.sin(turn)
+    size = positive_number(rng, 0.5, 2.0)
+    places = [(size * (c * x - s * y), size * (s * x + c * y), z) for x, y, z in PLACES]
+    call = f"rods_of(six particles at PLACES, {size} times as large, and turned by {turn}): lengths"
+    cause = "a rod's length is the distance of its ends now, (b.position - a.position).magnitude()"
+    rods = platform_rods(places)
+    got = [length for _, _, length in rods]
+    wanted = [math.dist(places[i], places[j]) for i, j, _ in rods]
+    expect_close(call, got, wanted or [math.nan], cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B8.7")
+def test_what_balances_a_platform(rng: Random) -> None:
+    read = BALANCE
+    call = "balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], -3)"
+    cause = "sum of mass times place, with the new mass in it, is 0: 2 kg m by 3 m"
+    got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
+    expect_close(call, got, 2.0 / 3.0, cause=cause, read=read)
+    masses = [positive_number(rng) for _ in range(4)]
+    places = [number(rng) for _ in range(4)]
+    turn = math.fsum(m * p for m, p in zip(masses, places, strict=True))
+    x = -math.copysign(positive_number(rng), turn)
+    call = f"balancing_mass({masses}, {places}, {x})"
+    cause = "m = -(sum of mass times place) / x"
+    got = balancing_mass(masses, places, x)
+    expect_close(call, got, -turn / x, cause=cause, read=read, tolerance=1e-12 * (1 - turn / x))
+    for masses, places, x, why in (
+        ([2.0, 1.0], [-1.0, 2.0], 5.0, "what is balanced already needs no mass"),
+        ([2.0, 1.0], [-1.0, 2.0], 0.0, "what is balanced already needs none at the pivot either"),
+        ([], [], 3.0, "nothing is balanced"),
+    ):
+        call = f"balancing_mass({masses}, {places}, {x})"
+        got = balancing_mass(masses, places, x)
+        expect_close(call, got, 0.0, cause=why, read=read, tolerance=0.0)
+
+
+@pytest.mark.exercise("B8.7")
+def test_what_cannot_be_balanced_is_refused() -> None:
+    read = BALANCE
+
+    def allowed() -> None:
+        balancing_mass([1.0, 2.0], [-1.0, 2.0], -3.0)
+
+    for masses, places, x, error, cause in (
+        (
+            [1.0, 2.0],
+            [-1.0, 2.0],
+            3.0,
+            ValueError,
+            "a mass on the side that sinks balances nothing",
+        ),
+        ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "a mass at the pivot turns nothing"),
+        ([1.0, -2.0], [-1.0, 2.0], -3.0, ValueError, "a negative mass is refused"),
+        ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "NaN is no mass"),
+        ([1.0, 2.0], [-1.0, math.nan], -3.0, ValueError, "NaN is no place"),
+        ([1.0, 2.0], [-1.0, math.inf], -3.0, ValueError, "a place must be finite"),
+        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "a place must be finite"),
+        ([1.0, 2.0], [-1.0], -3.0, ValueError, "there must be a place for every mass"),
+        ([1.0, "2"], [-1.0, 2.0], -3.0, TypeError, "a text is no number"),
+    ):
+        call = f"balancing_mass({masses}, {places}, {x})"
+        expect_error(
+            call,
+            lambda masses=masses, places=places, x=x: balancing_mass(masses, places, x),
+            error,
+            allowed=allowed,
+            cause=cause,
+            read=read,
+        )
+
+
+@pytest.mark.exercise("B8.7")
+def test_the_ends_share_a_weight(rng: Random) -> None:
+    read = WEIGHT
+    for x in (-3.0, 4.0, round(rng.uniform(-2.5, 3.5), 3)):
+        mass = positive_number(rng)
+        call = f"platform.put_weight({mass}, {x}): masses of the left end, and of the right one"
+        cause = "the right end bears mass * (x + 3) / 7, the left one the rest; half of it each "
+        cause += "particle, beside its own 1 kg"
+        right = mass * (x + 3.0) / 7.0
+        wanted = [1.0 + 0.5 * share for share in (mass - right, mass - right, right, right)]
+        got, _ = weighed([(mass, x)])
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+        call = f"platform.put_weight(7.0, 1.0); put_weight({mass}, {x}): the masses"
+        cause = "there is one weight: a new one takes the place of the old one"
+        got, _ = weighed([(7.0, 1.0), (mass, x)])
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    call = "platform.put_weight(3.0, 1.0); put_weight(0.0, 1.0): the masses"
+    got, _ = weighed([(3.0, 1.0), (0.0, 1.0)])
+    expect_close(call, got, [1.0] * 4, cause="no weight is one of 0 kg", read=read)
+
+
+@pytest.mark.exercise("B8.7")
+def test_a_weight_that_is_none_is_refused() -> None:
+    read = WEIGHT
+    before, _ = weighed([(3.0, 1.0)])
+    for mass, x, error in (
+        (-1.0, 1.0, "ValueError"),
+        (math.nan, 1.0, "ValueError"),
+        (math.inf, 1.0, "ValueError"),
+        (1.0, -3.01, "ValueError"),
+        (1.0, 4.01, "ValueError"),
+        (1.0, math.nan, "ValueError"),
+        ("1", 1.0, "TypeError"),
+    ):
+        call = f"platform.put_weight(3.0, 1.0); put_weight({mass!r}, {x!r})"
+        cause = "a weight is 0 or more, and x from LEFT to RIGHT"
+        got, name = weighed([(3.0, 1.0), (mass, x)])
+        expect_exactly(f"{call}: the error", name, error, cause=cause, read=read)
+        cause = "look at both arguments before you change a mass: the old weight stays"
+        expect_close(f"{call}: the masses", got, before, cause=cause, read=read, tolerance=0.0)
+
+
+@pytest.mark.exercise("B8.7")
+@pytest.mark.parametrize("side", ["too light", "heavy enough"])
+def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
+    read = WEIGHT
+    x = -round(rng.uniform(1.5, 3.0), 3)
+    limit = 2.0 / -x  # the ends turn it by 2 kg (4 m - 3 m) to the right
+    mass = limit * (1.25 if side == "heavy enough" else 0.75)
+    call = f"platform.put_weight({mass}, {x}); 90 frames of 1/60 s: the left end's height"
+    cause = f"from {limit:.3f} kg at {x} m on, the left end sinks: mass times place, on both sides"
+    places = tipped(mass, x, 90, 1.0 / 60.0)
+    name = f"{call}: is it below the right one"
+    sinks = places[2][1] < places[4][1]
+    expect_exactly(name, sinks, side == "heavy enough", cause=cause, read=read)
+    length = math.dist(places[2], places[4])
+    cause = "the platform stays as long as it is: do the world's rods hold it?"
+    name = f"{call}: how long it is, to 1 cm"
+    expect_close(name, length, 7.0, cause=cause, read=read, tolerance=0.01)
+
+
+@pytest.mark.exercise("8.1")
+def test_a_free_pivot_is_like_the_other_particles() -> None:
+    read = FREE
+    done = freed(0, 0.1)
+    call = "platform.free_pivot(); the masses of the six particles"
+    cause = "the pivot's two particles get MASS"
+    expect_close(call, done["masses"], [1.0] * 6, cause=cause, read=read, tolerance=1e-12)
+    for name in ("rods", "in world"):
+        where = "platform.rods" if name == "rods" else "world.contact_generators"
+        call = f"platform.free_pivot(); motions that the rods of {where} allow, but those of a "
+        call += "rigid body"
+        joined = [(i, j) for i, j, _ in done[name]]
+        # Six motions of a rigid body go where 0 is held, 2 moves along its way there, and 1 in a
+        # plane: 0, 1 and 2 are no line.
+        left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
+        cause = (
+            "the two particles of the pivot were kept apart by being immovable: a rod has to do "
+        )
+        cause += f"so now, in both lists. {told(left[0], 'particle') if left else ''}"
+        expect_exactly(call, len(left), 0, cause=cause, read=read)
+    lengths = [length for _, _, length in done["rods"]]
+    call = "platform.free_pivot(); the lengths of its rods"
+    wanted = [math.dist(PLACES[i], PLACES[j]) for i, j, _ in done["rods"]]
+    cause = "a rod is as long as its ends are apart"
+    expect_close(call, lengths, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("8.1")
+def test_a_free_platform_slides_and_stays_rigid() -> None:
+    read = FREE
+    done = freed(90, 1.0 / 60.0)
+    before, after = done["before"], done["after"]
+    call = "platform.free_pivot(); 90 frames of 1/60 s"
+    cause = "nothing pushes it along X or Z, for the ground has no friction: its centre of mass "
+    cause += "only moves down"
+    for axis, name in ((0, "x"), (2, "z")):
+        got = math.fsum(place[axis] for place in after) / 6.0
+        wanted = math.fsum(place[axis] for place in before) / 6.0
+        # The impulses of rods are equal and opposite, to rounding, however many there are.
+        what = f"{call}: {name} of the centre of mass"
+        expect_close(what, got, wanted, cause=cause, read=read, tolerance=1e-9)
+    cause = "every distance stays what it was: it is rigid"
+    off = max(
+        abs(math.dist(after[i], after[j]) - math.dist(before[i], before[j]))
+        for i, j in combinations(range(6), 2)
+    )
+    # A hundred iterations leave 0.2 mm at this frame rate.
+    name = f"{call}: does no distance change by more than 1 cm"
+    expect_exactly(name, off < 0.01, True, cause=cause, read=read)
+    moved = after[0][0] - before[0][0]
+    cause = "it falls to the right, and its pivot slides to the left"
+    name = f"{call}: has the pivot moved to the left by more than 1 cm"
+    expect_exactly(name, moved < -0.01, True, cause=cause, read=read)

@@ -1,0 +1,226 @@
+"""Going further, G8.1: a world whose particles sleep."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch08_mass_aggregate.sleep_probes import (
+    both_ways,
+    left_alone,
+    refused,
+    slept,
+    woken_by_contact,
+    woken_by_force,
+    woken_by_hand,
+    work_asleep,
+)
+from draw import positive_number
+from expect import expect_close, expect_exactly
+
+FALL = "the docstrings of SleepingWorld and fall_asleep"
+WAKE = "the docstring of SleepingWorld."
+RUN = "the docstring of SleepingWorld.run_physics"
+
+
+@pytest.mark.exercise("G8.1")
+def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
+    read = FALL
+    frames = rng.randint(3, 8)
+    call = "particles of 0.9, 1.1 and 0 m/s, 1 kg, alone; sleep_energy 0.5 J, sleep_frames "
+    call += f"{frames}: who sleeps after each frame"
+    cause = "slow is m v^2 / 2 <= sleep_energy at the end of sleep_frames frames in a row"
+    seen = left_alone([0.9, 1.1, 0.0], frames + 2, sleep_frames=frames)
+    wanted = [[]] * (frames - 1) + [[0, 2]] * 3
+    expect_exactly(call, seen, wanted, cause=cause, read=read)
+    call = "particles of 1 m/s, and 0.5, 1 and 2 kg: who sleeps after 5 frames"
+    cause = "energy counts, not speed; exactly sleep_energy is slow"
+    seen = left_alone([1.0] * 3, 5, masses=[0.5, 1.0, 2.0])
+    expect_exactly(call, seen[-1], [0, 1], cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
+def test_what_touches_the_restless_stays_awake() -> None:
+    read = FALL
+    for what, speeds, pairs, masses, wanted, cause in (
+        ("0 and 1", [0.0, 2.0, 0.0], [(0, 1)], (), [2], "1 is fast, so 0 stays awake with it"),
+        (
+            "0 and 1, 1 and 2, 2 and 3",
+            [0.0, 0.0, 0.0, 2.0, 0.0],
+            [(0, 1), (1, 2), (2, 3)],
+            (),
+            [4],
+            "go through the pairs until none is added: 3 keeps 2 awake, that 1, and that 0",
+        ),
+        (
+            "3 and 2, 2 and 1, 1 and 0",
+            [2.0, 0.0, 0.0, 0.0],
+            [(3, 2), (2, 1), (1, 0)],
+            (),
+            [],
+            "in whatever order the contacts come",
+        ),
+        ("0 and 1", [0.0, 0.0], [(0, 1)], (), [0, 1], "where all are slow, all sleep"),
+        (
+            "0 and 1, 1 and 2",
+            [0.0, 0.0, 2.0],
+            [(0, 1), (1, 2)],
+            [1.0, math.inf, 1.0],
+            [0],
+            "what is immovable joins nothing: 0 and 2 stand on the same floor",
+        ),
+    ):
+        call = f"particles of {speeds} m/s, contacts of {what}: who sleeps after 8 frames"
+        seen = left_alone(speeds, 8, pairs, masses)[-1]
+        expect_exactly(call, seen, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
+def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
+    read = f"{WAKE}wake, and the class"
+    mass, speed = positive_number(rng), positive_number(rng, 0.5, 1.0)
+    call = f"a particle of {mass} kg and {speed} m/s, asleep after 3 frames"
+    done = slept(mass, speed)
+    cause = "what sleeps is immovable, and its velocity is cleared"
+    name = f"{call}: inverse_mass"
+    expect_close(name, done["inverse mass asleep"], 0.0, cause=cause, read=read, tolerance=0.0)
+    name = f"{call}: velocity"
+    expect_close(name, done["velocity asleep"], (0.0,) * 3, cause=cause, read=read, tolerance=0.0)
+    cause = "it falls asleep after the frame, so three frames have moved it; then nothing does"
+    place = (1.0 + 3.0 * speed / 60.0, 2.0, 3.0)
+    for name in ("place asleep", "place later"):
+        expect_close(f"{call}: {name}", done[name], place, cause=cause, read=read, tolerance=1e-12)
+    call = f"{call}; world.wake(particle)"
+    cause = "the inverse mass that it had comes back, and it is no longer in asleep"
+    got = done["inverse mass awake"]
+    expect_close(f"{call}: inverse_mass", got, 1.0 / mass, cause=cause, read=read)
+    expect_exactly(f"{call}: who sleeps", done["asleep"], [], cause=cause, read=read)
+    cause = "it begins to count anew: slow for all of sleep_frames"
+    got = done["frames to sleep again"]
+    expect_exactly(f"{call}: frames until it sleeps again", got, 3, cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
+@pytest.mark.parametrize(
+    ("how", "sleeps", "mass", "velocity"),
+    [
+        ("nothing", [0], math.inf, (0.0, 0.0, 0.0)),
+        ("velocity", [], 2.0, (3.0, 0.0, 0.0)),
+        ("force", [], 2.0, (0.5, 0.0, 0.0)),
+        ("place", [], 2.0, (0.0, -1.0 / 6.0, 0.0)),
+        ("mass", [], 4.0, (0.0, 0.0, 0.0)),
+    ],
+)
+def test_what_is_moved_by_hand_wakes(
+    how: str, sleeps: list[int], mass: float, velocity: tuple[float, float, float]
+) -> None:
+    read = f"{WAKE}wake_moved"
+    call = f"a particle of 2 kg asleep on the ground, given a new {how}; then a frame of 1/60 s"
+    if how == "nothing":
+        call = "a particle of 2 kg asleep on the ground, and nothing happens; a frame of 1/60 s"
+    cause = "look for it before the integrator moves what is awake: the frame counts for it already"
+    got, now, fast = woken_by_hand(how)
+    expect_exactly(f"{call}: who sleeps", got, sleeps, cause=cause, read=read)
+    cause = "its mass is what it was, unless it was given another"
+    name = f"{call}: 1 / mass"
+    expect_close(name, 1.0 / now, 1.0 / mass, cause=cause, read=read, tolerance=1e-12)
+    cause = "it moves in this very frame, by force and gravity"
+    expect_close(f"{call}: velocity", fast, velocity, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("G8.1")
+@pytest.mark.parametrize(
+    ("old", "new", "late"),
+    [(5.0, -5.0, False), (0.0, -5.0, False), (5.0, -8.0, True)],
+    ids=["turned round", "switched on", "another generator"],
+)
+def test_what_is_pushed_otherwise_wakes(old: float, new: float, late: bool) -> None:
+    read = f"{WAKE}wake_pushed"
+    call = f"a particle of 2 kg asleep at a wall, pushed by {old} N/kg to it; then {new} N/kg"
+    call += " more, by a generator that is added" if late else ""
+    seen = woken_by_force(old, new, 10, late)
+    cause = "it has to sleep first: the wall holds it"
+    expect_exactly(f"{call}: who sleeps before", seen[0], [0], cause=cause, read=read)
+    cause = "every LOOK_EVERY-th frame, so within 10, its generators are asked, with its own mass"
+    name = f"{call}: who sleeps after 10 frames"
+    expect_exactly(name, seen[-1], [], cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
+def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
+    read = f"{WAKE}wake_pushed"
+    push = positive_number(rng, 2.0, 9.0)
+    call = f"a particle asleep at a wall, pushed by {push} N/kg to it"
+    cause = "what changes by SAME or less wakes nothing: compare with the acceleration of then"
+    for new in (push, 1.009 * push, 0.991 * push):
+        name = f"{call}, then by {new} N/kg: who sleeps after each of 25 frames"
+        seen = woken_by_force(push, new, 25)
+        expect_exactly(name, seen, [[0]] * 26, cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
+def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random) -> None:
+    read = f"{WAKE}wake_touched, and run_physics"
+    speed = positive_number(rng, 4.0, 9.0)
+    call = f"three balls asleep side by side, another one rolls towards them at {speed} m/s"
+    done = woken_by_contact(speed, 40)
+    cause = "they lie still, each touching the next"
+    expect_exactly(f"{call}: who sleeps", done["before"], [0, 1, 2], cause=cause, read=read)
+    cause = "until it is there, nothing wakes"
+    expect_exactly(f"{call}: after a frame", done["seen"][0], [0, 1, 2], cause=cause, read=read)
+    hit = next((i for i, now in enumerate(done["seen"]) if now != [0, 1, 2]), -1)
+    cause = "the contact wakes the first ball, the contacts are looked for again, and it wakes the "
+    cause += "next one, all in the same frame"
+    name = f"{call}: who sleeps after the first frame in which any of them wakes"
+    expect_exactly(name, done["seen"][hit], [], cause=cause, read=read)
+    cause = "they are awake, with their masses, before the contact is resolved: momentum is kept"
+    name = f"{call}: momentum along X after that frame"
+    expect_close(name, done["momenta"][hit], speed, cause=cause, read=read, tolerance=1e-9)
+
+
+@pytest.mark.exercise("G8.1")
+def test_what_sleeps_costs_no_work(rng: Random) -> None:
+    read = RUN
+    count, awake = rng.randint(20, 30), rng.randint(2, 4)
+    call = f"{count} particles with a generator each, all asleep but {awake}, for 20 frames"
+    asked, given, sleepers = work_asleep(count, awake, 20)
+    cause = "those that are slow sleep by then"
+    wanted = [*range(awake, count)]
+    expect_exactly(f"{call}: who sleeps", sleepers, wanted, cause=cause, read=read)
+    cause = "give the integrator only what is awake"
+    name = f"{call}: particles that it was given"
+    expect_exactly(name, given, 20 * awake, cause=cause, read=read)
+    cause = "the generators of what sleeps are asked in every tenth frame, and once each"
+    name = f"{call}: how often generators were asked"
+    expect_exactly(name, asked, 20 * awake + 2 * (count - awake), cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
+def test_sleep_changes_no_rest() -> None:
+    read = RUN
+    call = "two balls fall and bounce on the ground until they lie: where, with sleep and without"
+    cause = "what is asleep would have lain still anyway: is anything put to sleep in mid-air?"
+    places, awake, sleepers = both_ways(360)
+    for got, wanted in zip(places, awake, strict=True):
+        # What sleeps at 1 mJ has 4.5 cm/s at most, and damping would have ended that within 7 cm.
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.07)
+        name = f"{call}: how far above the ground"
+        expect_close(name, got[1], 0.0, cause=cause, read=read, tolerance=1e-6)
+    cause = "in six seconds both have come to rest"
+    expect_exactly(f"{call}: how many sleep", sleepers, 2, cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
+def test_a_frame_without_a_duration_is_refused_here_too() -> None:
+    read = RUN
+    for duration, error in ((0.0, "ValueError"), (math.nan, "ValueError"), ("1", "TypeError")):
+        call = f"world.run_physics({duration!r})"
+        cause = "positive() refuses it, before anything changes"
+        name, force = refused(duration)
+        expect_exactly(f"{call}: the error", name, error, cause=cause, read=read)
+        what = f"{call}: the force that was added before it"
+        expect_close(what, force, (1.0, 2.0, 3.0), cause=cause, read=read, tolerance=0.0)
+    call, cause = "world.run_physics(0.1)", "what is right must not be refused"
+    expect_exactly(f"{call}: the error", refused(0.1)[0], "", cause=cause, read=read)

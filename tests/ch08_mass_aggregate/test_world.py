@@ -1,0 +1,239 @@
+"""The world: energy and frames, B8.1 and B8.2."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch08_mass_aggregate.probes import (
+    Body,
+    appended,
+    energy_of,
+    frame,
+    rained,
+    refused,
+    started,
+)
+from draw import components, dot, positive_number
+from expect import expect_close, expect_exactly
+
+ZERO = (0.0, 0.0, 0.0)
+ENERGY = "the docstring of mechanical_energy"
+WORLD = "book 8.1, and the docstring of ParticleWorld."
+
+
+def draw_body(rng: Random) -> Body:
+    return components(rng), components(rng), components(rng), positive_number(rng)
+
+
+@pytest.mark.exercise("B8.1")
+def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
+    read = ENERGY
+    bodies = [draw_body(rng) for _ in range(3)]
+    parts = [0.5 * m * dot(v, v) - m * dot(a, p) for p, v, a, m in bodies]
+    cause = "m v^2 / 2 - m a . p of each: with a = (0, -g, 0) the second part is + m g y"
+    for name, some, wanted in (
+        ("one particle", bodies[:1], parts[0]),
+        ("three particles", bodies, math.fsum(parts)),
+    ):
+        call = f"mechanical_energy of {name}: {some}"
+        got = energy_of(some)
+        # Rounding of terms of some hundreds of J.
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
+    call = f"mechanical_energy of one particle, with a force on it: {bodies[0]}"
+    cause = "forces have no part in it: only the particle's own acceleration"
+    got = energy_of(bodies[:1], components(rng))
+    expect_close(call, got, parts[0], cause=cause, read=read, tolerance=1e-10)
+
+
+@pytest.mark.exercise("B8.1")
+def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
+    read = ENERGY
+    p, v, a, m = draw_body(rng)
+    cause = "leave out what has no inverse_mass: its energy would be infinite, or not a number"
+    call = "mechanical_energy of a particle and an immovable one"
+    wanted = 0.5 * m * dot(v, v) - m * dot(a, p)
+    got = energy_of([(p, v, a, m), (components(rng), ZERO, components(rng), math.inf)])
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
+    call = "mechanical_energy of no particles"
+    expect_close(call, energy_of([]), 0.0, cause="nothing has no energy", read=read, tolerance=0.0)
+
+
+@pytest.mark.exercise("B8.2")
+def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
+    read = f"{WORLD}start_frame"
+    bodies = [draw_body(rng) for _ in range(3)]
+    force = components(rng)
+    call = f"each of three particles .add_force(Vector3{force}); world.start_frame()"
+    cause = "clear_forces() of every particle, and nothing else"
+    done = started(bodies, force)
+    for i, body in enumerate(bodies):
+        name = f"{call}; particles[{i}].force_accumulator"
+        expect_close(name, done["after"][i], ZERO, cause=cause, read=read, tolerance=0.0)
+        name = f"{call}; place and velocity of particles[{i}]"
+        expect_close(name, done["states"][i][0], body[0], cause=cause, read=read, tolerance=0.0)
+        expect_close(name, done["states"][i][1], body[1], cause=cause, read=read, tolerance=0.0)
+
+
+@pytest.mark.exercise("B8.2")
+@pytest.mark.parametrize("integrator", ["explicit_euler", "semi_implicit_euler"])
+def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> None:
+    read = f"{WORLD}run_physics"
+    h, k = positive_number(rng, 0.05, 0.2), positive_number(rng)
+    hand = components(rng)
+    bodies = [draw_body(rng) for _ in range(2)]
+    cause = "the integrator is called with the particles, with what adds the registry's forces, "
+    cause += (
+        "registry.update_forces, and with the duration; what was added since start_frame counts"
+    )
+    call = f"world of two particles, integrator={integrator}, forces -{k} x: start_frame(); "
+    call += f"add_force(Vector3{hand}); run_physics({h})"
+    done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
+    for i, (p, v, a, m) in enumerate(bodies):
+        push = [a[j] + (hand[j] - k * p[j]) / m for j in range(3)]
+        velocity = [v[j] + push[j] * h for j in range(3)]
+        way = velocity if integrator == "semi_implicit_euler" else v
+        place = [p[j] + way[j] * h for j in range(3)]
+        got = done["states"][i]
+        name = f"{call}; particles[{i}]"
+        # A few roundings of numbers of some hundreds.
+        expect_close(f"{name}.position", got[0], place, cause=cause, read=read, tolerance=1e-11)
+        expect_close(f"{name}.velocity", got[1], velocity, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B8.2")
+def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
+    read = f"{WORLD}step"
+    h, force = positive_number(rng, 0.05, 0.2), components(rng)
+    p, v, a, m = draw_body(rng)
+    call = f"add_force(Vector3{force}); world.step({h})"
+    cause = "step is start_frame and then run_physics: the first clears what was there before"
+    done = frame([(p, v, a, m)], "step", h, early=force)
+    velocity = [v[j] + a[j] * h for j in range(3)]
+    got = done["states"][0][1]
+    expect_close(
+        f"{call}; particle.velocity", got, velocity, cause=cause, read=read, tolerance=1e-12
+    )
+    cause = "its run_physics uses the integrator and the registry as well"
+    f = components(rng)
+    call = f"a registry with a force -Vector3{f}; world.step({h})"
+    done = frame([(p, v, a, m)], "step", h, f=f)
+    velocity = [v[j] + (a[j] - f[j] / m) * h for j in range(3)]
+    got = done["states"][0][1]
+    expect_close(
+        f"{call}; particle.velocity", got, velocity, cause=cause, read=read, tolerance=1e-12
+    )
+
+
+@pytest.mark.exercise("B8.2")
+@pytest.mark.parametrize("integrator", ["semi_implicit_euler", "runge_kutta_4"])
+def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> None:
+    read = f"{WORLD}run_physics"
+    h, k = positive_number(rng, 0.05, 0.2), positive_number(rng)
+    bodies = [draw_body(rng) for _ in range(2)]
+    evaluations = 4 if integrator == "runge_kutta_4" else 1
+    call = f"world of two particles with a generator each, integrator={integrator}: step({h})"
+    done = frame(bodies, "step", h, integrator=integrator, k=k)
+    cause = "the integrator is called once, with all particles and the whole duration"
+    asked = [row[1:] for row in done["diary"] if row[0] == "integrator"]
+    expect_exactly(f"{call}: calls of it, and particles", asked, [(h, 2)], cause=cause, read=read)
+    cause = "give it registry.update_forces and let it ask: Runge-Kutta does so four times"
+    count = sum(row[0] == "force" for row in done["diary"])
+    name = f"{call}: how often the generators were asked"
+    expect_exactly(name, count, 2 * evaluations, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.2")
+def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
+    read = f"{WORLD}run_physics"
+    h = 0.125
+    speed = float(rng.randint(8, 16))
+    bodies: list[Body] = [
+        ((0.0, 0.5, 0.0), (2.0, -speed, 0.0), ZERO, 1.0),
+        ((5.0, 9.0, 0.0), (2.0, -speed, 0.0), ZERO, 1.0),
+    ]
+    call = f"a particle 0.5 m above a floor at {-speed} m/s; world.step({h})"
+    cause = "first the particles move, then the generators are asked, then the resolver ends what "
+    cause += "they found: it stands on the floor, and no longer falls"
+    done = frame(bodies, "step", h, floors=[0.0])
+    place, velocity = done["states"][0]
+    name = f"{call}; particle.position, velocity"
+    expect_close(name, place, (0.25, 0.0, 0.0), cause=cause, read=read, tolerance=1e-12)
+    expect_close(name, velocity, (2.0, 0.0, 0.0), cause=cause, read=read, tolerance=1e-12)
+    cause = "what is in no contact flies on"
+    name = f"{call}; another particle, far above: velocity"
+    got = done["states"][1][1]
+    expect_close(name, got, (2.0, -speed, 0.0), cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B8.2")
+def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
+    read = f"{WORLD}run_physics"
+    h = 0.125
+    low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
+    bodies: list[Body] = [((float(i), 1.0, 0.0), ZERO, ZERO, 1.0) for i in range(3)]
+    call = f"three particles at a height of 1, below floors at {low} and at {high}: step({h})"
+    cause = "collect the contacts of every generator, once each and in their order, and call "
+    cause += "resolver.resolve_contacts once, with all of them and the duration"
+    done = frame(bodies, "step", h, floors=[low, high], record=True)
+    calls = [row for row in done["diary"] if row[0] == "resolve"]
+    expect_exactly(f"{call}: calls of the resolver", len(calls), 1, cause=cause, read=read)
+    name = f"{call}: the resolver's duration, and the depths of its contacts"
+    depths = [low - 1.0] * 3 + [high - 1.0] * 3
+    expect_close(name, (calls[0][1], *calls[0][2]), (h, *depths), cause=cause, read=read)
+    asked = [row[1] for row in done["diary"] if row[0] == "contacts"]
+    expect_exactly(f"{call}: which floors were asked", asked, [low, high], cause=cause, read=read)
+    call = f"three particles at a height of 1, above a floor at 0.5: step({h})"
+    cause = "a frame without contacts needs no resolver: model no more than is there"
+    done = frame(bodies, "step", h, floors=[0.5], record=True)
+    count = sum(row[0] == "resolve" for row in done["diary"])
+    expect_exactly(f"{call}: calls of the resolver", count, 0, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.2")
+def test_no_contact_is_left_out(rng: Random) -> None:
+    read = f"{WORLD}contacts, and the class: there is no maximum"
+    count = rng.randint(30, 60)
+    call = f"{count} particles fall on the ground at once; their heights after a second"
+    cause = "all contacts are resolved: the book's world has a maximum, and drops the others"
+    heights = rained(count, 0.05, 20)
+    expect_close(call, heights, (0.0,) * count, cause=cause, read=read, tolerance=1e-9)
+
+
+@pytest.mark.exercise("B8.2")
+def test_a_world_may_get_more_later(rng: Random) -> None:
+    read = "the docstring of ParticleWorld: its lists may be appended to"
+    h = positive_number(rng, 0.05, 0.2)
+    call = f"a particle falls for a frame of {h} s, then a second one is appended, and a third "
+    call += "one on a ground; world.step: their velocities along Y"
+    cause = "read self.particles and self.contact_generators in every frame"
+    got = [velocity[1] for _, velocity in appended(h)]
+    wanted = (-20.0 * h, -10.0 * h, 0.0)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B8.2")
+@pytest.mark.parametrize("method", ["run_physics", "step"])
+def test_a_frame_without_a_duration_is_refused(method: str) -> None:
+    read = f"{WORLD}{method}"
+    for duration, error in (
+        (0.0, "ValueError"),
+        (-0.1, "ValueError"),
+        (math.nan, "ValueError"),
+        (math.inf, "ValueError"),
+        ("0.1", "TypeError"),
+    ):
+        call = f"world.{method}({duration!r})"
+        cause = "positive() refuses it; call it before anything changes"
+        done = refused(method, duration)
+        expect_exactly(f"{call}: the error", done["error"], error, cause=cause, read=read)
+        cause = "what is refused loses nothing: not a place, not a velocity, not an added force"
+        name = f"{call}; position, velocity, force_accumulator"
+        got = tuple(number for part in done["left"] for number in part)
+        wanted = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
+        expect_close(name, got, wanted, cause=cause, read=read, tolerance=0.0)
+    done = frame([(ZERO, ZERO, (1.0, 0.0, 0.0), 1.0)], method, 0.5)
+    call, cause = f"world.{method}(0.5)", "what is right must not be refused"
+    expect_close(f"{call}; velocity", done["states"][0][1], (0.5, 0.0, 0.0), cause=cause, read=read)

@@ -10,7 +10,8 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import GroundPlane
-from ch08_mass_aggregate.bridge import DAMPING, GRAVITY, HEIGHT, RADIUS, Deck, links_of, make_rows
+from ch08_mass_aggregate.bridge import RADIUS, Deck, links_of
+from ch08_mass_aggregate.bridge_plan import DAMPING, GRAVITY, HEIGHT, make_rows
 from ch08_mass_aggregate.world import ParticleWorld
 
 LIVES = 3
@@ -20,6 +21,7 @@ JUMP = 6.0  # m/s, upwards, from a row
 PUSH = 8.0  # m/s^2, to the side
 DROP = 2.0  # m above the first row, where the ball begins
 BALL_MASS = 1.0  # kg
+TOUCH = 1e-6  # m: what is no higher above the ground lies on it, however that was rounded
 
 
 class Rules:
@@ -59,8 +61,8 @@ class Rules:
 class Landings:
     """A contact generator that passes on a deck's contacts, and notes on which row the ball lands.
 
-    ``row`` is that of the last frame in which the ball, on its way down, touched the deck; None
-    where it did not. The world asks once a frame.
+    ``row`` is the nearest row where, in the last frame, the ball touched the deck on its way down,
+    and None where it did not. The world asks once a frame.
     """
 
     def __init__(self, deck: Deck) -> None:
@@ -100,7 +102,8 @@ class BallGame:
         """Let a frame of a duration in s pass; nothing happens any more when the game is over.
 
         The ball is pushed by PUSH towards where the player steers. Where it lands on a row, that
-        counts, and it leaves upwards at JUMP. Where it touches the ground, that takes a life, and
-        the ball starts anew, unless it was the last one.
+        counts, and it leaves upwards at JUMP. Otherwise, where its lowest point is no more than
+        TOUCH above the ground, that takes a life, and the ball starts anew, unless it was the last
+        one.
         """
         raise NotImplementedError("Exercise P8.1b: A ball game: the play")

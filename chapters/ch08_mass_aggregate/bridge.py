@@ -1,7 +1,6 @@
 """A rope bridge: planks on cables, and a heavy ball that walks over them (book 8.2).
 
-The bridge runs along X, from the first row of planks to the last; up is Y. Its numbers are near the
-book's demo: planks of 1 kg at each side, 2 m apart, and cables that are too short at first.
+bridge_plan.py has the numbers and places of what it is made of.
 """
 
 from __future__ import annotations
@@ -13,41 +12,11 @@ from ch03_laws_of_motion.arguments import finite, positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, ContactGenerator
 from ch07_constraints.detectors import GroundPlane
+from ch08_mass_aggregate.bridge_plan import DAMPING, GRAVITY, HEIGHT, Row, make_rows
 from ch08_mass_aggregate.world import ParticleWorld
 
-Row = tuple[Particle, Particle]  # the ends of a plank: at z < 0, and at z > 0
-
-ROWS = 6
-SPACING = 2.0  # m, between two rows at the start
-WIDTH = 2.0  # m, of a plank
-HEIGHT = 4.0  # m, of the planks at the start
-PLANK_MASS = 1.0  # kg, of each end
-CABLE_LENGTH = 1.9  # m, from row to row
-ANCHOR_HEIGHT = 6.0  # m
 RADIUS = 0.5  # m, of the ball
-DAMPING = 0.6
-GRAVITY = Vector3(0.0, -9.81, 0.0)
 ITERATIONS = 200  # a phase; with twice the contacts a bridge at 30 frames a second never lies still
-
-
-def make_rows() -> list[Row]:
-    """Return the rows of planks at their places at the start, along X, with 0 in the middle."""
-
-    def end(row: int, z: float) -> Particle:
-        place = Vector3(SPACING * (row - 0.5 * (ROWS - 1)), HEIGHT, z)
-        return Particle(place, acceleration=GRAVITY, mass=PLANK_MASS, damping=DAMPING)
-
-    return [(end(i, -0.5 * WIDTH), end(i, 0.5 * WIDTH)) for i in range(ROWS)]
-
-
-def support_length(row: int) -> float:
-    """Return how long in m the cables are on which a row hangs: longer towards the middle."""
-    raise NotImplementedError("Exercise B8.4: What holds a rope bridge")
-
-
-def anchor_of(plank: Particle) -> Vector3:
-    """Return where a plank's end hangs from: 10 % further out, and 20 % further in, than it."""
-    raise NotImplementedError("Exercise B8.4: What holds a rope bridge")
 
 
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
@@ -85,7 +54,8 @@ class Deck:
         """Return a contact of the ball with each end of the nearest row, where it touches the deck.
 
         The ball is the particle, the normal is +Y, and the penetration is how far the ball's lowest
-        point is below the deck. There is none where it is above, or beyond the bridge.
+        point is below the deck. There is none where it is above, beyond the bridge, or deeper than
+        it is high: then it is below.
         """
         raise NotImplementedError("Exercise B8.5: A ball on planks")
 

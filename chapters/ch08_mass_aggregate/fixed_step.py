@@ -18,10 +18,10 @@ class FixedStep:
     """Makes a step of always the same duration as often as the time that has passed asks for.
 
     ``step`` is what is called with the duration in s, such as ParticleWorld.step. ``left`` is the
-    time in s that has passed and is not simulated yet, always less than a step. With ``max_steps``
-    there are at most so many steps in one call of advance, for a machine that is too slow would
-    fall behind more and more; ``dropped`` is the time in s that this has cost so far, None means no
-    limit.
+    time in s that has passed and is not simulated yet: less than a step, and no less than 0 but for
+    rounding. With ``max_steps`` there are at most so many steps in one call of advance, since a
+    machine that is too slow would fall behind more and more; ``dropped`` is the time in s that this
+    has cost so far. None means no limit.
 
     Raises ValueError where the duration is not positive and finite, or max_steps is below 1, and
     TypeError where step cannot be called, or max_steps is no whole number.

@@ -27,6 +27,7 @@ class Sleep:
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
     acceleration: Vector3  # m/s^2, with that of its forces
+    neighbours: tuple[Particle, ...]  # what it touched, or was joined to
 
 
 class SleepingWorld(ParticleWorld):
@@ -34,10 +35,11 @@ class SleepingWorld(ParticleWorld):
 
     Slow is what had a kinetic energy of ``sleep_energy`` in J or less at the end of each of
     ``sleep_frames`` frames in a row. What sleeps has no velocity, and a mass of math.inf;
-    ``asleep`` is a dict from it to its Sleep.
+    ``asleep`` is a dict from it to its Sleep. Who moves the ground or an anchor, or joins something
+    new to what sleeps, has to wake it.
 
-    Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1, and
-    what ParticleWorld raises.
+    Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1,
+    TypeError where it is no whole number, and what ParticleWorld raises.
     """
 
     def __init__(
@@ -47,7 +49,7 @@ class SleepingWorld(ParticleWorld):
         *,
         iterations: int | None = None,
         integrator: Integrator = semi_implicit_euler,
-        sleep_energy: float = 1e-3,
+        sleep_energy: float = 1e-2,
         sleep_frames: int = 30,
     ) -> None:
         super().__init__(
@@ -64,10 +66,11 @@ class SleepingWorld(ParticleWorld):
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle: its mass is what it was, unless it has been given another by hand.
+        """Wake a particle, its neighbours, theirs, and so on: what fell asleep as one wakes as one.
 
-        It has to be slow again for all of sleep_frames. One that is awake stays awake, and begins
-        to count anew.
+        The mass of each is what it was, unless it has been given another by hand. It has to be slow
+        again for all of sleep_frames. A particle that is awake stays awake, and begins to count
+        anew.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -81,9 +84,10 @@ class SleepingWorld(ParticleWorld):
     def wake_pushed(self, duration: float) -> None:
         """Wake what the generators of the registry push otherwise than when it fell asleep.
 
-        It is the force of now, and with it the acceleration a + f / m, that is compared with the
-        one of then: a change of more than SAME of the larger of the two wakes. The accumulators of
-        what sleeps are empty before and afterwards.
+        The acceleration of now, a + f / m with their forces, is compared with the one of then. A
+        change of more than SAME of what acts wakes: of |a| + |f / m|, or of what it was then. Only
+        generators that are registered for what sleeps are asked, and each has its own mass for that
+        time. The accumulators of what sleeps are empty before and afterwards.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -95,10 +99,11 @@ class SleepingWorld(ParticleWorld):
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Put to sleep what has been slow for long enough, with all that it touches.
+        """Count a frame, and put to sleep what has been slow for long enough, if its group has.
 
-        Of particles that are in contact with each other, directly or through others, all sleep or
-        none. What is immovable joins nothing, and neither slows down nor sleeps.
+        A group is what is in contact, or joined by a generator of the registry, directly or through
+        others: all of it sleeps, or none. What is immovable joins nothing, and neither slows down
+        nor sleeps. What falls asleep has no velocity and an inverse_mass of 0, and is in asleep.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -106,9 +111,9 @@ class SleepingWorld(ParticleWorld):
         """Move all on that is awake by a frame of a duration in s.
 
         First what was moved by hand wakes, and in every LOOK_EVERY-th frame what its generators
-        push otherwise. After the integrator has moved what is awake, contacts wake what sleeps:
-        then they are looked for again, until they wake nothing more. When they are resolved, what
-        has been slow for long enough falls asleep.
+        push otherwise. The integrator gets the particles that are awake, and no others. Then
+        contacts wake what sleeps, and are looked for again, until they wake nothing more. When they
+        are resolved, what has been slow for long enough falls asleep.
 
         Raises ValueError where the duration is not positive and finite; all is then as it was.
         """

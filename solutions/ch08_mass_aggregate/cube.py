@@ -21,7 +21,7 @@ def fewest_rods(count: int) -> int:
     """Return how many rods ``count`` particles in space need at least to be rigid (8.2).
 
     Each particle can move in three ways. What is rigid still moves in six: along three axes, and
-    about them; two particles in five, for a turn about their rod is none.
+    about them. Two particles move in five, for a turn about their rod is none, and one in three.
 
     Raises ValueError where count is below 1, and TypeError where it is no whole number.
     """

@@ -14,6 +14,7 @@ from ch03_laws_of_motion.arguments import not_negative, positive
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactGenerator
+from ch08_mass_aggregate.joints import joined
 from ch08_mass_aggregate.world import ParticleWorld
 
 LOOK_EVERY = 10  # frames: how often the generators of what sleeps are asked
@@ -27,6 +28,7 @@ class Sleep:
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
     acceleration: Vector3  # m/s^2, with that of its forces
+    neighbours: tuple[Particle, ...]  # what it touched, or was joined to
 
 
 class SleepingWorld(ParticleWorld):
@@ -34,10 +36,11 @@ class SleepingWorld(ParticleWorld):
 
     Slow is what had a kinetic energy of ``sleep_energy`` in J or less at the end of each of
     ``sleep_frames`` frames in a row. What sleeps has no velocity, and a mass of math.inf;
-    ``asleep`` is a dict from it to its Sleep.
+    ``asleep`` is a dict from it to its Sleep. Who moves the ground or an anchor, or joins something
+    new to what sleeps, has to wake it.
 
-    Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1, and
-    what ParticleWorld raises.
+    Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1,
+    TypeError where it is no whole number, and what ParticleWorld raises.
     """
 
     def __init__(
@@ -47,7 +50,7 @@ class SleepingWorld(ParticleWorld):
         *,
         iterations: int | None = None,
         integrator: Integrator = semi_implicit_euler,
-        sleep_energy: float = 1e-3,
+        sleep_energy: float = 1e-2,
         sleep_frames: int = 30,
     ) -> None:
         super().__init__(
@@ -64,15 +67,21 @@ class SleepingWorld(ParticleWorld):
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle: its mass is what it was, unless it has been given another by hand.
+        """Wake a particle, its neighbours, theirs, and so on: what fell asleep as one wakes as one.
 
-        It has to be slow again for all of sleep_frames. One that is awake stays awake, and begins
-        to count anew.
+        The mass of each is what it was, unless it has been given another by hand. It has to be slow
+        again for all of sleep_frames. A particle that is awake stays awake, and begins to count
+        anew.
         """
-        sleep = self.asleep.pop(particle, None)
-        if sleep is not None and not particle.inverse_mass:
-            particle.inverse_mass = sleep.inverse_mass
-        self._slow[particle] = 0
+        waking = [particle]
+        while waking:
+            one = waking.pop()
+            self._slow[one] = 0
+            sleep = self.asleep.pop(one, None)
+            if sleep is not None:
+                if not one.inverse_mass:
+                    one.inverse_mass = sleep.inverse_mass
+                waking += [other for other in sleep.neighbours if other in self.asleep]
 
     def wake_moved(self) -> None:
         """Wake what was moved by hand since it fell asleep.
@@ -94,9 +103,10 @@ class SleepingWorld(ParticleWorld):
     def wake_pushed(self, duration: float) -> None:
         """Wake what the generators of the registry push otherwise than when it fell asleep.
 
-        It is the force of now, and with it the acceleration a + f / m, that is compared with the
-        one of then: a change of more than SAME of the larger of the two wakes. The accumulators of
-        what sleeps are empty before and afterwards.
+        The acceleration of now, a + f / m with their forces, is compared with the one of then. A
+        change of more than SAME of what acts wakes: of |a| + |f / m|, or of what it was then. Only
+        generators that are registered for what sleeps are asked, and each has its own mass for that
+        time. The accumulators of what sleeps are empty before and afterwards.
         """
         for particle, generator in self.registry._pairs.copy():
             sleep = self.asleep.get(particle)
@@ -107,8 +117,9 @@ class SleepingWorld(ParticleWorld):
         for particle, sleep in [*self.asleep.items()]:
             push = particle.force_accumulator * sleep.inverse_mass
             particle.clear_forces()
-            now, then = particle.acceleration + push, sleep.acceleration
-            if (now - then).magnitude() > SAME * max(now.magnitude(), then.magnitude()):
+            change = particle.acceleration + push - sleep.acceleration
+            acts = particle.acceleration.magnitude() + push.magnitude()
+            if change.magnitude() > SAME * max(acts, sleep.acceleration.magnitude()):
                 self.wake(particle)
 
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
@@ -128,43 +139,49 @@ class SleepingWorld(ParticleWorld):
         return woken
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Put to sleep what has been slow for long enough, with all that it touches.
+        """Count a frame, and put to sleep what has been slow for long enough, if its group has.
 
-        Of particles that are in contact with each other, directly or through others, all sleep or
-        none. What is immovable joins nothing, and neither slows down nor sleeps.
+        A group is what is in contact, or joined by a generator of the registry, directly or through
+        others: all of it sleeps, or none. What is immovable joins nothing, and neither slows down
+        nor sleeps. What falls asleep has no velocity and an inverse_mass of 0, and is in asleep.
         """
         awake = [particle for particle in self.particles if particle.inverse_mass]
         for particle in awake:
             slow = particle.kinetic_energy() <= self.sleep_energy
             self._slow[particle] = self._slow.get(particle, 0) + 1 if slow else 0
         restless = {p for p in awake if self._slow[p] < self.sleep_frames}
-        pairs = [
-            (contact.particle, contact.other)
-            for contact in contacts
-            if contact.other is not None
-            and contact.particle.inverse_mass
-            and contact.other.inverse_mass
-        ]
+        if len(restless) == len(awake):
+            return
+        pairs = joined(contacts, self.registry)
         spreading = True
         while spreading:
-            found = {p for a, b in pairs for p in (a, b) if a in restless or b in restless}
+            found = {p for pair in pairs for p in pair if not restless.isdisjoint(pair)}
             spreading = not found <= restless
             restless |= found
-        for particle in awake:
-            if particle not in restless:
-                x, y, z = particle.position
-                acceleration = particle.last_acceleration
-                self.asleep[particle] = Sleep(particle.inverse_mass, (x, y, z), acceleration)
-                particle.velocity.clear()
-                particle.inverse_mass = 0.0
+        tired = [particle for particle in awake if particle not in restless]
+        neighbours: dict[Particle, list[Particle]] = {particle: [] for particle in tired}
+        for a, b in pairs:
+            if a in neighbours:  # and so is b
+                neighbours[a].append(b)
+                neighbours[b].append(a)
+        for particle in tired:
+            x, y, z = particle.position
+            self.asleep[particle] = Sleep(
+                particle.inverse_mass,
+                (x, y, z),
+                particle.last_acceleration,
+                tuple(neighbours[particle]),
+            )
+            particle.velocity.clear()
+            particle.inverse_mass = 0.0
 
     def run_physics(self, duration: float) -> None:
         """Move all on that is awake by a frame of a duration in s.
 
         First what was moved by hand wakes, and in every LOOK_EVERY-th frame what its generators
-        push otherwise. After the integrator has moved what is awake, contacts wake what sleeps:
-        then they are looked for again, until they wake nothing more. When they are resolved, what
-        has been slow for long enough falls asleep.
+        push otherwise. The integrator gets the particles that are awake, and no others. Then
+        contacts wake what sleeps, and are looked for again, until they wake nothing more. When they
+        are resolved, what has been slow for long enough falls asleep.
 
         Raises ValueError where the duration is not positive and finite; all is then as it was.
         """

@@ -59,8 +59,9 @@ class Design:
 class Throw:
     """What a throw came to: the range in m from below the pivot, and the share of the energy.
 
-    The share is what the projectile gained, of what the counterweight lost until it was let go.
-    Both are 0 where it was never let go.
+    The share is the energy that the projectile gained, kinetic and by its height, divided by what
+    the counterweight lost by its height, both until the sling let go. Both numbers are 0 where it
+    never did.
     """
 
     range: float

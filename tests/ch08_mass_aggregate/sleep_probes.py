@@ -8,6 +8,7 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs import integrators
+from ch06_springs.springs import AnchoredSpring, Spring, connect
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch08_mass_aggregate.probes import Components, xyz
@@ -175,6 +176,56 @@ def woken_by_contact(speed: float, frames: int) -> dict[str, Any]:
         seen.append(asleep(world, every))
         momenta.append(sum(ball.velocity.x for ball in every))  # each has 1 kg
     return {"before": before, "seen": seen, "momenta": momenta}
+
+
+def support_gone(frames: int) -> tuple[list[int], list[int], float]:
+    """Let a ball sleep on another one, and take that away; return who sleeps before, and after.
+
+    And how fast the one above falls after so many frames.
+    """
+    lower, upper = (Particle(Vector3(0.0, 0.5 + i), acceleration=DOWN) for i in range(2))
+    balls = [lower, upper]
+    grounds = [GroundPlane(balls, radius=0.5), ParticlePairs(balls, 0.5)]
+    world = SleepingWorld(balls, grounds, iterations=50, sleep_frames=3)
+    for _ in range(30):
+        world.step(FRAME)
+    before = asleep(world, balls)
+    lower.position.x = 50.0
+    for _ in range(frames):
+        world.step(FRAME)
+    return before, asleep(world, balls), upper.velocity.y
+
+
+def on_a_spring(frames: int) -> tuple[list[list[int]], list[Components]]:
+    """Let two particles on a spring, and a third one on a spring to it, fall asleep; pull the last.
+
+    Return who sleeps before, and after each frame, and where they are in the end.
+    """
+    made = [Particle(Vector3(1.0 * i), damping=0.9) for i in range(3)]
+    world = SleepingWorld(made, sleep_frames=3)
+    connect(world.registry, made[0], made[1], 20.0, 1.0)
+    world.registry.add(made[1], Spring(made[2], 20.0, 1.0))
+    world.registry.add(made[2], Spring(made[1], 20.0, 1.0))
+    for _ in range(5):
+        world.step(FRAME)
+    seen = [asleep(world, made)]
+    made[2].velocity.x = 6.0
+    for _ in range(frames):
+        world.step(FRAME)
+        seen.append(asleep(world, made))
+    return seen, [xyz(particle.position) for particle in made]
+
+
+def hung(frames: int) -> list[list[int]]:
+    """Let a mass hang nearly still on a spring, where its forces cancel; return who sleeps."""
+    particle = Particle(Vector3(0.0, -2.0), Vector3(0.0, 0.05), DOWN)
+    world = SleepingWorld([particle], sleep_frames=3)
+    world.registry.add(particle, AnchoredSpring(Vector3(), 10.0, 1.0))
+    seen = []
+    for _ in range(frames):
+        world.step(FRAME)
+        seen.append(asleep(world, [particle]))
+    return seen
 
 
 def work_asleep(count: int, awake: int, frames: int) -> tuple[int, int, list[int]]:

@@ -79,6 +79,7 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         (0.5 * rest, True, "heals"),
     ]
     lengths = [length for length, _, _ in story]
+    cause = cause_of["holds"]
     seen = bonded(lengths, k, rest, limit, share, most, way, swap)
     for i, (length, holds, what) in enumerate(story):
         if what == "holds" and i == 0:

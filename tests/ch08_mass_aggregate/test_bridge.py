@@ -97,8 +97,8 @@ def test_nothing_else_holds_them() -> None:
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
     read = LINKS
     call = "the bridge, let go, after 3 s at 60 frames a second"
-    places = hung_bridge(180, 1.0 / 60.0)
     cause = "the supports end its fall: is each plank's end on one, with the length of its row?"
+    places = hung_bridge(180, 1.0 / 60.0)
     lowest = min(y for _, y, _ in places)
     name = f"{call}: is its lowest plank above the ground"
     expect_exactly(name, lowest > 0.0, True, cause=cause, read=read)
@@ -197,7 +197,11 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                 read=read,
                 tolerance=1e-12,
             )
-    call = f"a deck through {middles(rows)}, a ball of radius {radius} just above it: contacts()"
-    cause = "above the deck there is no contact"
-    count = len(deck((at, height + radius + 1e-6, 0.0), rows, radius, c)["contacts"])
-    expect_exactly(f"{call}: how many", count, 0, cause=cause, read=read)
+    for where, lift, ends, cause in (
+        ("just above it", radius + 1e-6, 0, "above the deck there is no contact"),
+        ("whose top is just above it", 1e-6 - radius, 2, "in the deck it is lifted out"),
+        ("whose top is just below it", -1e-6 - radius, 0, "what is all below has fallen off"),
+    ):
+        call = f"a deck through {middles(rows)}, a ball of radius {radius} {where}: contacts()"
+        count = len(deck((at, height + lift, 0.0), rows, radius, c)["contacts"])
+        expect_exactly(f"{call}: how many", count, ends, cause=cause, read=read)

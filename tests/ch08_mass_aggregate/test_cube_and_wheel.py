@@ -34,12 +34,12 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         (1, 0, "one particle is rigid by itself"),
         (4, 6, "a tetrahedron"),
     ):
-        got = fewest_rods(count)
-        expect_exactly(f"fewest_rods({count})", got, wanted, cause=cause, read=read)
+        call = f"fewest_rods({count})"
+        expect_exactly(call, fewest_rods(count), wanted, cause=cause, read=read)
     count = rng.randint(9, 99)
+    call = f"fewest_rods({count})"
     cause = "three for each particle, less the six motions of a rigid body"
-    got = fewest_rods(count)
-    expect_exactly(f"fewest_rods({count})", got, 3 * count - 6, cause=cause, read=read)
+    expect_exactly(call, fewest_rods(count), 3 * count - 6, cause=cause, read=read)
     for bad, error in ((0, ValueError), (-3, ValueError), (8.0, TypeError), ("8", TypeError)):
         expect_error(
             f"fewest_rods({bad!r})",
@@ -54,9 +54,9 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
 @pytest.mark.exercise("8.2", weight=2)
 def test_the_cube_is_rigid() -> None:
     read = CUBE
-    rods = cube_rods()
     call = "cube_rods()"
     cause = "each rod is a pair of two different numbers from 0 to 7"
+    rods = cube_rods()
     wrong = [
         rod
         for rod in rods

@@ -26,9 +26,9 @@ PIVOT = range(6)  # the numbers of its coordinates
 def test_a_platform_can_only_tilt() -> None:
     read = RODS
     call = "rods_of(six particles at PLACES): motions that the rods allow"
+    cause = "each rod joins two of the six particles"
     joined = [(i, j) for i, j, _ in platform_rods(PLACES)]
     strangers = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
-    cause = "each rod joins two of the six particles"
     expect_exactly(f"{call}: rods to others", len(strangers), 0, cause=cause, read=read)
     left = motions(PLACES, joined, PIVOT)
     # The tilt turns all about the axis of the pivot, Z: (x, y) moves along (-y, x).
@@ -143,7 +143,9 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
 @pytest.mark.exercise("B8.7")
 def test_a_weight_that_is_none_is_refused() -> None:
     read = WEIGHT
-    before, _ = weighed([(3.0, 1.0)])
+    call, cause = "platform.put_weight(3.0, 1.0)", "a weight of 0 kg or more is none to refuse"
+    before, error = weighed([(3.0, 1.0)])
+    expect_exactly(f"{call}: the error", error, "", cause=cause, read=read)
     for mass, x, error in (
         (-1.0, 1.0, "ValueError"),
         (math.nan, 1.0, "ValueError"),
@@ -183,9 +185,9 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
 @pytest.mark.exercise("8.1")
 def test_a_free_pivot_is_like_the_other_particles() -> None:
     read = FREE
-    done = freed(0, 0.1)
     call = "platform.free_pivot(); the masses of the six particles"
     cause = "the pivot's two particles get MASS"
+    done = freed(0, 0.1)
     expect_close(call, done["masses"], [1.0] * 6, cause=cause, read=read, tolerance=1e-12)
     for name in ("rods", "in world"):
         where = "platform.rods" if name == "rods" else "world.contact_generators"
@@ -210,11 +212,11 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
 @pytest.mark.exercise("8.1")
 def test_a_free_platform_slides_and_stays_rigid() -> None:
     read = FREE
-    done = freed(90, 1.0 / 60.0)
-    before, after = done["before"], done["after"]
     call = "platform.free_pivot(); 90 frames of 1/60 s"
     cause = "nothing pushes it along X or Z, for the ground has no friction: its centre of mass "
     cause += "only moves down"
+    done = freed(90, 1.0 / 60.0)
+    before, after = done["before"], done["after"]
     for axis, name in ((0, "x"), (2, "z")):
         got = math.fsum(place[axis] for place in after) / 6.0
         wanted = math.fsum(place[axis] for place in before) / 6.0

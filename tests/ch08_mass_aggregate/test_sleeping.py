@@ -9,9 +9,12 @@ import pytest
 
 from ch08_mass_aggregate.sleep_probes import (
     both_ways,
+    hung,
     left_alone,
+    on_a_spring,
     refused,
     slept,
+    support_gone,
     woken_by_contact,
     woken_by_force,
     woken_by_hand,
@@ -82,8 +85,8 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     read = f"{WAKE}wake, and the class"
     mass, speed = positive_number(rng), positive_number(rng, 0.5, 1.0)
     call = f"a particle of {mass} kg and {speed} m/s, asleep after 3 frames"
-    done = slept(mass, speed)
     cause = "what sleeps is immovable, and its velocity is cleared"
+    done = slept(mass, speed)
     name = f"{call}: inverse_mass"
     expect_close(name, done["inverse mass asleep"], 0.0, cause=cause, read=read, tolerance=0.0)
     name = f"{call}: velocity"
@@ -140,8 +143,8 @@ def test_what_is_pushed_otherwise_wakes(old: float, new: float, late: bool) -> N
     read = f"{WAKE}wake_pushed"
     call = f"a particle of 2 kg asleep at a wall, pushed by {old} N/kg to it; then {new} N/kg"
     call += " more, by a generator that is added" if late else ""
-    seen = woken_by_force(old, new, 10, late)
     cause = "it has to sleep first: the wall holds it"
+    seen = woken_by_force(old, new, 10, late)
     expect_exactly(f"{call}: who sleeps before", seen[0], [0], cause=cause, read=read)
     cause = "every LOOK_EVERY-th frame, so within 10, its generators are asked, with its own mass"
     name = f"{call}: who sleeps after 10 frames"
@@ -165,8 +168,8 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random) -> None:
     read = f"{WAKE}wake_touched, and run_physics"
     speed = positive_number(rng, 4.0, 9.0)
     call = f"three balls asleep side by side, another one rolls towards them at {speed} m/s"
-    done = woken_by_contact(speed, 40)
     cause = "they lie still, each touching the next"
+    done = woken_by_contact(speed, 40)
     expect_exactly(f"{call}: who sleeps", done["before"], [0, 1, 2], cause=cause, read=read)
     cause = "until it is there, nothing wakes"
     expect_exactly(f"{call}: after a frame", done["seen"][0], [0, 1, 2], cause=cause, read=read)
@@ -181,12 +184,46 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G8.1")
+def test_what_fell_asleep_as_one_wakes_as_one() -> None:
+    read = f"{WAKE}wake, and fall_asleep"
+    call = "a ball asleep on another one, which is put elsewhere; 6 frames later"
+    cause = "both lie still"
+    before, after, speed = support_gone(6)
+    expect_exactly(f"{call}: who slept before", before, [0, 1], cause=cause, read=read)
+    cause = "what wakes, wakes its neighbours: those that it touched when it fell asleep"
+    expect_exactly(f"{call}: does the upper one sleep", 1 in after, False, cause=cause, read=read)
+    name = f"{call}: how fast it moves, along Y"
+    expect_close(name, speed, -1.0, cause=cause, read=read, tolerance=0.01)
+    call = "three particles in a row on two springs, asleep; the last one gets 6 m/s away from them"
+    cause = "they rest"
+    seen, places = on_a_spring(20)
+    expect_exactly(f"{call}: who slept before", seen[0], [0, 1, 2], cause=cause, read=read)
+    cause = "what a generator joins is one group, as what touches is: all wake in that very frame"
+    expect_exactly(f"{call}: who sleeps after a frame", seen[1], [], cause=cause, read=read)
+    cause = "forces of springs are equal and opposite: the middle of the three moves at 2 m/s"
+    drift = 2.0 * sum(0.9 ** (i / 60.0) for i in range(1, 21)) / 60.0
+    name = f"{call}: how far the middle has moved after 20 frames"
+    middle = math.fsum(place[0] for place in places) / 3.0 - 1.0
+    expect_close(name, middle, drift, cause=cause, read=read, tolerance=1e-9)
+
+
+@pytest.mark.exercise("G8.1")
+def test_what_hangs_still_sleeps_on() -> None:
+    read = f"{WAKE}wake_pushed"
+    call = "a mass that hangs still on a spring: who sleeps in frames 5 to 40"
+    cause = (
+        "gravity and spring cancel, so compare the change with |a| + |f / m|, not with their sum"
+    )
+    expect_exactly(call, hung(40)[4:], [[0]] * 36, cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
 def test_what_sleeps_costs_no_work(rng: Random) -> None:
     read = RUN
     count, awake = rng.randint(20, 30), rng.randint(2, 4)
     call = f"{count} particles with a generator each, all asleep but {awake}, for 20 frames"
-    asked, given, sleepers = work_asleep(count, awake, 20)
     cause = "those that are slow sleep by then"
+    asked, given, sleepers = work_asleep(count, awake, 20)
     wanted = [*range(awake, count)]
     expect_exactly(f"{call}: who sleeps", sleepers, wanted, cause=cause, read=read)
     cause = "give the integrator only what is awake"

@@ -37,9 +37,9 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     read = BEAM
     design = draw_design(rng)
     call = f"Trebuchet(Design{design}).beam(); motions in the X-Y plane that its rods allow"
+    cause = "each rod joins two of pivot, counterweight and tip"
     rods, places = beam(design)
     joined = [(i, j) for i, j, _ in rods]
-    cause = "each rod joins two of pivot, counterweight and tip"
     strange = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
     expect_exactly(f"{call}: rods to others", len(strange), 0, cause=cause, read=read)
     # Held: the pivot, the plane, and the counterweight's fall: no rigid beam moves then.
@@ -104,10 +104,10 @@ def test_a_throw_agrees_with_lagrange(rng: Random) -> None:
     read = THROW
     design = draw_design(rng)
     call = f"Trebuchet(Design{design}).throw()"
-    distance, share, _ = throw(design)
-    true_distance, true_share = thrown(*design)
     cause = "the same machine by Lagrange's equations: are rods and sling there, and STEP and the "
     cause += "world's step used until it lets go?"
+    distance, share, _ = throw(design)
+    true_distance, true_share = thrown(*design)
     # First order in the frame: at 1/250 s range and share are 1 to 2 % too small.
     expect_close(
         f"{call}: range",
@@ -140,6 +140,7 @@ def test_what_never_lets_go_is_no_throw() -> None:
 )
 def test_your_own_trebuchet(metres: int, percent: int) -> None:
     read = DESIGN
+    call, cause = "my_design()", "return a Design of five numbers"
     design = my_design()
     call = f"my_design(): {design}"
     cause = "a counterweight of 400 kg at most, and arms of 5 m in all"

@@ -135,8 +135,8 @@ def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> 
     bodies = [draw_body(rng) for _ in range(2)]
     evaluations = 4 if integrator == "runge_kutta_4" else 1
     call = f"world of two particles with a generator each, integrator={integrator}: step({h})"
-    done = frame(bodies, "step", h, integrator=integrator, k=k)
     cause = "the integrator is called once, with all particles and the whole duration"
+    done = frame(bodies, "step", h, integrator=integrator, k=k)
     asked = [row[1:] for row in done["diary"] if row[0] == "integrator"]
     expect_exactly(f"{call}: calls of it, and particles", asked, [(h, 2)], cause=cause, read=read)
     cause = "give it registry.update_forces and let it ask: Runge-Kutta does so four times"

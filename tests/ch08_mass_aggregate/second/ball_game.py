@@ -11,7 +11,8 @@ from ch03_laws_of_motion.arguments import positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import GroundPlane
-from ch08_mass_aggregate.bridge import DAMPING, GRAVITY, HEIGHT, RADIUS, Deck, links_of, make_rows
+from ch08_mass_aggregate.bridge import RADIUS, Deck, links_of
+from ch08_mass_aggregate.bridge_plan import DAMPING, GRAVITY, HEIGHT, make_rows
 from ch08_mass_aggregate.world import ParticleWorld
 
 LIVES = 3
@@ -21,7 +22,7 @@ JUMP = 6.0  # m/s, upwards, from a row
 PUSH = 8.0  # m/s^2, to the side
 DROP = 2.0  # m above the first row, where the ball begins
 BALL_MASS = 1.0  # kg
-_TOUCH = 1e-6  # m: the resolver puts what touches the ground just on it, but for rounding
+TOUCH = 1e-6  # m: what is no higher above the ground lies on it, however that was rounded
 
 
 class Rules:
@@ -68,8 +69,8 @@ class Rules:
 class Landings:
     """A contact generator that passes on a deck's contacts, and notes on which row the ball lands.
 
-    ``row`` is that of the last frame in which the ball, on its way down, touched the deck; None
-    where it did not. The world asks once a frame.
+    ``row`` is the nearest row where, in the last frame, the ball touched the deck on its way down,
+    and None where it did not. The world asks once a frame.
     """
 
     def __init__(self, deck: Deck) -> None:
@@ -107,7 +108,7 @@ class BallGame:
         self.start_ball()
 
     def start_ball(self) -> None:
-        """Put the ball over the first row, as high as it was at first, and at rest."""
+        """Put the ball over where the first row is, as high as at first, and at rest."""
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()
 
@@ -115,8 +116,9 @@ class BallGame:
         """Let a frame of a duration in s pass; nothing happens any more when the game is over.
 
         The ball is pushed by PUSH towards where the player steers. Where it lands on a row, that
-        counts, and it leaves upwards at JUMP. Where it touches the ground, that takes a life, and
-        the ball starts anew, unless it was the last one.
+        counts, and it leaves upwards at JUMP. Otherwise, where its lowest point is no more than
+        TOUCH above the ground, that takes a life, and the ball starts anew, unless it was the last
+        one.
         """
         if self.rules.over:
             return
@@ -127,7 +129,7 @@ class BallGame:
         if self.landings.row is not None:
             self.rules.landed(self.landings.row)
             self.ball.velocity.y = JUMP
-        elif self.ball.position.y <= RADIUS + _TOUCH:
+        elif self.ball.position.y <= RADIUS + TOUCH:
             self.rules.fell()
             if not self.rules.over:
                 self.start_ball()

@@ -19,10 +19,10 @@ class FixedStep:
     """Makes a step of always the same duration as often as the time that has passed asks for.
 
     ``step`` is what is called with the duration in s, such as ParticleWorld.step. ``left`` is the
-    time in s that has passed and is not simulated yet, always less than a step. With ``max_steps``
-    there are at most so many steps in one call of advance, for a machine that is too slow would
-    fall behind more and more; ``dropped`` is the time in s that this has cost so far, None means no
-    limit.
+    time in s that has passed and is not simulated yet: less than a step, and no less than 0 but for
+    rounding. With ``max_steps`` there are at most so many steps in one call of advance, since a
+    machine that is too slow would fall behind more and more; ``dropped`` is the time in s that this
+    has cost so far. None means no limit.
 
     Raises ValueError where the duration is not positive and finite, or max_steps is below 1, and
     TypeError where step cannot be called, or max_steps is no whole number.
@@ -60,18 +60,14 @@ class FixedStep:
         made = 0
         while self.left >= enough:
             if made == self.max_steps:
-                self._drop()
+                rest = math.fmod(self.left, self.duration)
+                if rest >= enough:
+                    rest -= self.duration  # but for rounding that is one more step
+                self.dropped += self.left - rest
+                self.left = rest
                 break
             self.step(self.duration)
             made += 1
             # From the total, and not from what was left: a million small errors would add up.
             self.left = total - made * self.duration
         return made
-
-    def _drop(self) -> None:
-        """Give up the whole steps that are left."""
-        rest = math.fmod(self.left, self.duration)
-        if rest >= self.duration * (1.0 - SHARE):
-            rest -= self.duration  # but for rounding that is one more step
-        self.dropped += self.left - rest
-        self.left = rest

@@ -14,6 +14,7 @@ from ch03_laws_of_motion.arguments import not_negative, positive
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactGenerator
+from ch08_mass_aggregate.joints import joined
 from ch08_mass_aggregate.world import ParticleWorld
 
 LOOK_EVERY = 10  # frames: how often the generators of what sleeps are asked
@@ -27,6 +28,7 @@ class Sleep:
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
     acceleration: Vector3  # m/s^2, with that of its forces
+    neighbours: tuple[Particle, ...]  # what it touched, or was joined to
 
 
 class SleepingWorld(ParticleWorld):
@@ -34,10 +36,11 @@ class SleepingWorld(ParticleWorld):
 
     Slow is what had a kinetic energy of ``sleep_energy`` in J or less at the end of each of
     ``sleep_frames`` frames in a row. What sleeps has no velocity, and a mass of math.inf;
-    ``asleep`` is a dict from it to its Sleep.
+    ``asleep`` is a dict from it to its Sleep. Who moves the ground or an anchor, or joins something
+    new to what sleeps, has to wake it.
 
-    Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1, and
-    what ParticleWorld raises.
+    Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1,
+    TypeError where it is no whole number, and what ParticleWorld raises.
     """
 
     def __init__(
@@ -47,7 +50,7 @@ class SleepingWorld(ParticleWorld):
         *,
         iterations: int | None = None,
         integrator: Integrator = semi_implicit_euler,
-        sleep_energy: float = 1e-3,
+        sleep_energy: float = 1e-2,
         sleep_frames: int = 30,
     ) -> None:
         super().__init__(
@@ -64,15 +67,18 @@ class SleepingWorld(ParticleWorld):
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle: its mass is what it was, unless it has been given another by hand.
+        """Wake a particle, its neighbours, theirs, and so on: what fell asleep as one wakes as one.
 
-        It has to be slow again for all of sleep_frames. One that is awake stays awake, and begins
-        to count anew.
+        The mass of each is what it was, unless it has been given another by hand. It has to be slow
+        again for all of sleep_frames. A particle that is awake stays awake, and begins to count
+        anew.
         """
-        self._slow.pop(particle, None)
-        sleep = self.asleep.pop(particle, None)
-        if sleep is not None and not particle.inverse_mass:
-            particle.inverse_mass = sleep.inverse_mass
+        known = {one: list(sleep.neighbours) for one, sleep in self.asleep.items()}
+        for one in _reach(particle, known):
+            self._slow.pop(one, None)
+            sleep = self.asleep.pop(one, None)
+            if sleep is not None and not one.inverse_mass:
+                one.inverse_mass = sleep.inverse_mass
 
     def wake_moved(self) -> None:
         """Wake what was moved by hand since it fell asleep.
@@ -80,38 +86,32 @@ class SleepingWorld(ParticleWorld):
         That is what has a velocity, another place, a mass, or a force in its accumulator.
         """
         for particle in [one for one, sleep in self.asleep.items() if _moved(one, sleep)]:
-            self.wake(particle)
+            self.wake(particle)  # which may have been woken with another one by now
 
     def wake_pushed(self, duration: float) -> None:
         """Wake what the generators of the registry push otherwise than when it fell asleep.
 
-        It is the force of now, and with it the acceleration a + f / m, that is compared with the
-        one of then: a change of more than SAME of the larger of the two wakes. The accumulators of
-        what sleeps are empty before and afterwards.
+        The acceleration of now, a + f / m with their forces, is compared with the one of then. A
+        change of more than SAME of what acts wakes: of |a| + |f / m|, or of what it was then. Only
+        generators that are registered for what sleeps are asked, and each has its own mass for that
+        time. The accumulators of what sleeps are empty before and afterwards.
         """
-        if not self.asleep:
-            return
-        # What is awake keeps its forces by hand: a spring may pull at both of its ends.
-        by_hand = [(one, one.force_accumulator) for one in self.particles if one not in self.asleep]
-        masses = [(one, one.inverse_mass) for one in self.asleep]
-        accelerations: dict[Particle, Vector3] = {}
-        try:
-            for one, sleep in self.asleep.items():
-                one.inverse_mass = sleep.inverse_mass
-                one.clear_forces()
-            self.registry.update_forces(duration)
-            for one in self.asleep:
-                accelerations[one] = one.acceleration + one.force_accumulator * one.inverse_mass
-        finally:
-            for one, inverse_mass in masses:
-                one.inverse_mass = inverse_mass
-                one.clear_forces()
-            for one, force in by_hand:
-                one.clear_forces()
-                one.add_force(force)
-        for one, now in accelerations.items():
+        pushes: dict[Particle, Vector3] = {}
+        for one, sleep in self.asleep.items():
+            one.inverse_mass = sleep.inverse_mass
+        for particle, generator in list(self.registry._pairs):
+            if particle in self.asleep:
+                generator.update_force(particle, duration)
+        for one in self.asleep:
+            pushes[one] = one.force_accumulator * one.inverse_mass
+            one.clear_forces()
+            one.inverse_mass = 0.0
+        for one, push in pushes.items():
+            if one not in self.asleep:  # another one of its group has woken it
+                continue
             then = self.asleep[one].acceleration
-            if (now - then).magnitude() > SAME * max(now.magnitude(), then.magnitude()):
+            scale = max(abs(one.acceleration.magnitude()) + push.magnitude(), then.magnitude())
+            if (one.acceleration + push - then).magnitude() > SAME * scale:
                 self.wake(one)
 
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
@@ -132,16 +132,16 @@ class SleepingWorld(ParticleWorld):
         return woken
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Put to sleep what has been slow for long enough, with all that it touches.
+        """Count a frame, and put to sleep what has been slow for long enough, if its group has.
 
-        Of particles that are in contact with each other, directly or through others, all sleep or
-        none. What is immovable joins nothing, and neither slows down nor sleeps.
+        A group is what is in contact, or joined by a generator of the registry, directly or through
+        others: all of it sleeps, or none. What is immovable joins nothing, and neither slows down
+        nor sleeps. What falls asleep has no velocity and an inverse_mass of 0, and is in asleep.
         """
         neighbours: dict[Particle, list[Particle]] = {}
-        for a, b in _pairs(contacts):
-            if a.inverse_mass and b.inverse_mass:
-                neighbours.setdefault(a, []).append(b)
-                neighbours.setdefault(b, []).append(a)
+        for a, b in joined(contacts, self.registry):
+            neighbours.setdefault(a, []).append(b)
+            neighbours.setdefault(b, []).append(a)
         for one in self.particles:
             if one.inverse_mass and one.kinetic_energy() <= self.sleep_energy:
                 self._slow[one] = self._slow.get(one, 0) + 1
@@ -155,15 +155,20 @@ class SleepingWorld(ParticleWorld):
             seen |= group
             if all(self._slow.get(member, 0) >= self.sleep_frames for member in group):
                 for member in group:
-                    self._put_to_sleep(member)
+                    del self._slow[member]
+                    touched = tuple(neighbours.get(member, ()))
+                    last = member.last_acceleration
+                    self.asleep[member] = Sleep(member.inverse_mass, _place(member), last, touched)
+                    member.velocity.clear()
+                    member.inverse_mass = 0.0
 
     def run_physics(self, duration: float) -> None:
         """Move all on that is awake by a frame of a duration in s.
 
         First what was moved by hand wakes, and in every LOOK_EVERY-th frame what its generators
-        push otherwise. After the integrator has moved what is awake, contacts wake what sleeps:
-        then they are looked for again, until they wake nothing more. When they are resolved, what
-        has been slow for long enough falls asleep.
+        push otherwise. The integrator gets the particles that are awake, and no others. Then
+        contacts wake what sleeps, and are looked for again, until they wake nothing more. When they
+        are resolved, what has been slow for long enough falls asleep.
 
         Raises ValueError where the duration is not positive and finite; all is then as it was.
         """
@@ -172,22 +177,14 @@ class SleepingWorld(ParticleWorld):
         self.wake_moved()
         if self._frame % LOOK_EVERY == 0:
             self.wake_pushed(duration)
-        self.integrator(self.particles, self.registry.update_forces, duration)
+        awake = [one for one in self.particles if one not in self.asleep]
+        self.integrator(awake, self.registry.update_forces, duration)
         touching = self.contacts()
         while self.wake_touched(touching):
             touching = self.contacts()
         if touching:
             self.resolver.resolve_contacts(touching, duration)
         self.fall_asleep(touching)
-
-    def _put_to_sleep(self, particle: Particle) -> None:
-        """Stop a particle, and keep what it is given back."""
-        del self._slow[particle]
-        self.asleep[particle] = Sleep(
-            particle.inverse_mass, _place(particle), particle.last_acceleration
-        )
-        particle.velocity.clear()
-        particle.inverse_mass = 0.0
 
 
 def _place(particle: Particle) -> tuple[float, float, float]:

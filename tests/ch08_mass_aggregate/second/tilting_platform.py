@@ -30,15 +30,6 @@ DAMPING = 0.9
 GRAVITY = Vector3(0.0, -9.81, 0.0)
 ITERATIONS = 100  # a phase
 
-# Each of the ends is held by both particles of the pivot: so it can only go round the axis. Then
-# the left and the right ones are held together, across: what lies in one plane with the axis would
-# hold nothing. The two at each end are joined as well, as planks are.
-_PAIRS = (
-    *((pivot, end) for end in (2, 3, 4, 5) for pivot in (0, 1)),
-    *((2, 4), (3, 5), (2, 5), (3, 4)),
-    *((2, 3), (4, 5)),
-)
-
 
 def rods_of(particles: Sequence[Particle]) -> list[Rod]:
     """Return rods between particles at PLACES that leave the platform no motion but the tilt.
@@ -47,7 +38,8 @@ def rods_of(particles: Sequence[Particle]) -> list[Rod]:
     immovable. Which rods there are is yours to choose, and there may be more than are needed.
     """
     rods = []
-    for i, j in _PAIRS:
+    pairs = [(end, pivot) for end in (2, 3, 4, 5) for pivot in (0, 1)]
+    for i, j in [*pairs, (2, 4), (3, 5), (2, 5), (3, 4), (2, 3), (4, 5)]:
         a, b = particles[i], particles[j]
         rods.append(Rod(a, b, (a.position - b.position).magnitude()))
     return rods

@@ -11,15 +11,27 @@ from ch07_constraints.contacts import Contact
 Pair = tuple[Particle, Particle]
 
 
-def joined(contacts: Iterable[Contact], registry: ForceRegistry) -> list[Pair]:
-    """Return pairs of particles that can move, and are in contact or joined by a generator.
+def touching(contacts: Iterable[Contact]) -> list[Pair]:
+    """Return the pairs of particles that are in contact, and both can move."""
+    return [
+        (contact.particle, contact.other)
+        for contact in contacts
+        if contact.other is not None
+        and contact.particle.inverse_mass
+        and contact.other.inverse_mass
+    ]
 
-    A generator joins the particle that it is registered for to those that it keeps as attributes,
-    as a spring does its other end.
+
+def joined(registry: ForceRegistry) -> list[Pair]:
+    """Return the pairs of particles that a generator joins, and that both can move.
+
+    It joins the particle that it is registered for to those that it keeps as attributes, as a
+    spring does its other end.
     """
-    pairs = [(contact.particle, contact.other) for contact in contacts]
-    for particle, generator in registry._pairs:
-        for value in getattr(generator, "__dict__", {}).values():
-            if isinstance(value, Particle) and value is not particle:
-                pairs.append((particle, value))
-    return [(a, b) for a, b in pairs if b is not None and a.inverse_mass and b.inverse_mass]
+    return [
+        (particle, value)
+        for particle, generator in registry._pairs
+        for value in getattr(generator, "__dict__", {}).values()
+        if isinstance(value, Particle) and value is not particle
+        if particle.inverse_mass and value.inverse_mass
+    ]

@@ -72,8 +72,8 @@ class TiltingPlatform:
     def free_pivot(self) -> None:
         """Free the pivot: its particles have MASS from now on, and only stand on the ground (8.1).
 
-        The platform stays rigid: what held the two apart was that they could not move. There is no
-        friction.
+        The platform stays rigid: if it was only by being immovable that the two kept apart, a rod
+        of self.rods and of the world has to do so from now on. There is no friction.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
 

@@ -132,6 +132,13 @@ def frame(
     }
 
 
+def depths_of(count: int, floors: Sequence[float]) -> list[float]:
+    """Return the depths of all contacts of particles at a height of 1 with floors."""
+    particles = [Particle(Vector3(float(i), 1.0)) for i in range(count)]
+    world = ParticleWorld(particles, [Floor(particles, height, []) for height in floors])
+    return [contact.penetration for contact in world.contacts()]
+
+
 def started(bodies: Sequence[Body], force: Components) -> dict[str, Any]:
     """Add a force to each body and start a frame; return accumulators and states."""
     particles = particles_of(bodies)

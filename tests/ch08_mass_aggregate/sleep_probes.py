@@ -56,7 +56,7 @@ def left_alone(
 ) -> list[list[int]]:
     """Let particles of these speeds along Z alone; return who sleeps after each frame.
 
-    Slow is 0.5 J or less. The pairs are in contact, without a force between them.
+    Slow is 0.5 J/kg or less. The pairs are in contact, without a force between them.
     """
     particles = [
         Particle(Vector3(3.0 * i), Vector3(0.0, 0.0, speed), mass=masses[i] if masses else 1.0)
@@ -69,6 +69,20 @@ def left_alone(
     for _ in range(frames):
         world.step(FRAME)
         seen.append(asleep(world, particles))
+    return seen
+
+
+def interrupted(slow: int, frames: int) -> list[list[int]]:
+    """Let a particle lie still, but for one frame in which it is fast; return who sleeps."""
+    particle = Particle()
+    world = SleepingWorld([particle], sleep_energy=0.5, sleep_frames=5)
+    seen = []
+    for i in range(frames):
+        particle.velocity.z = 9.0 if i == slow else particle.velocity.z
+        world.step(FRAME)
+        seen.append(asleep(world, [particle]))
+        if i == slow:
+            particle.velocity.clear()
     return seen
 
 
@@ -125,7 +139,7 @@ def woken_by_force(old: float, new: float, frames: int, late: bool = False) -> l
     """
     particle = Particle(mass=2.0)
     wall = Wall(particle)
-    world = SleepingWorld([particle], [wall], sleep_frames=3)
+    world = SleepingWorld([particle], [wall], sleep_energy=1e-4, sleep_frames=3)
     push = Push(old)
     world.registry.add(particle, push)
     for _ in range(25):
@@ -155,17 +169,20 @@ class Wall:
         return [Contact(self.particle, None, Vector3(-1.0), 0.0, x)]
 
 
-def woken_by_contact(speed: float, frames: int) -> dict[str, Any]:
-    """Let a row of three balls fall asleep on the ground, and shoot another one at them.
+def woken_by_contact(speed: float, frames: int, first: bool) -> dict[str, Any]:
+    """Let a row of three balls fall asleep on the ground, and roll another one at them.
+
+    It is the first or the last of those that the detector of pairs was given.
 
     Return who sleeps before, and after each frame, and the momentum along X then.
     """
     balls = [Particle(Vector3(1.0 * i, 0.5), acceleration=DOWN) for i in range(3)]
     shot = Particle(Vector3(-3.0, 0.5), Vector3(speed), acceleration=DOWN)
     every = [*balls, shot]
+    given = [shot, *balls] if first else every
     world = SleepingWorld(balls, sleep_frames=3)
     world.contact_generators.append(GroundPlane(every, radius=0.5))
-    world.contact_generators.append(ParticlePairs(every, 0.5, restitution=1.0))
+    world.contact_generators.append(ParticlePairs(given, 0.5, restitution=1.0))
     for _ in range(5):
         world.step(FRAME)
     before = asleep(world, every)
@@ -261,7 +278,7 @@ def both_ways(frames: int) -> tuple[list[Components], list[Components], int]:
     In a sleeping world, and in one that is never slow enough; and how many sleep in the first.
     """
     ends, sleepers = [], 0
-    for sleep_energy in (1e-3, 0.0):
+    for sleep_energy in (0.015, 0.0):
         balls = [
             Particle(Vector3(float(i), 1.0 + 4.0 * i), Vector3(0.5 * i), DOWN, damping=0.5)
             for i in range(2)

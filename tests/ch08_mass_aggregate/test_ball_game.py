@@ -23,12 +23,12 @@ def test_a_row_counts_once(rng: Random) -> None:
     rows = rng.randint(5, 9)
     a, b = rng.sample(range(rows), 2)
     events = [a, a, b, a, b]
-    call = f"Rules({rows}); landed on {events} in turn: the score after each"
+    call = f"Rules({rows}); rules.landed() on {events} in turn: the score after each"
     cause = "POINTS, 10, for a row that is not in visited yet, and nothing for one that is"
     seen = ruled(rows, events)
     got = [score for score, *_ in seen]
     expect_exactly(call, got, [10, 10, 20, 20, 20], cause=cause, read=read)
-    call = f"Rules({rows}); landed on {events} in turn: visited, lives"
+    call = f"Rules({rows}); rules.landed() on {events} in turn: visited, lives"
     cause = "a landing adds its row to visited, and costs no life"
     expect_exactly(call, seen[-1][2], sorted((a, b)), cause=cause, read=read)
     expect_exactly(call, seen[-1][1], 3, cause=cause, read=read)
@@ -40,13 +40,14 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     rows, falls = rng.randint(3, 6), rng.randint(0, 2)
     order = rng.sample(range(rows), rows)
     events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
-    call = f"Rules({rows}); landed on rows, or -1 for a fall: {events}"
+    call = f"Rules({rows}); rules.landed() on rows, or -1 for a fall: {events}"
     cause = "the last row wins: its POINTS, and then BONUS, 50, for each life that is left"
     seen = ruled(rows, events)
     won = seen[rows + falls - 1]
     score = 10 * rows + 50 * (3 - falls)
     expect_exactly(f"{call}: score once all are visited", won[0], score, cause=cause, read=read)
-    expect_exactly(f"{call}: won, over", list(won[3:]), [True, True], cause=cause, read=read)
+    name = f"Rules({rows}); {events}: rules.won, rules.over"
+    expect_exactly(name, list(won[3:]), [True, True], cause=cause, read=read)
     before = seen[rows + falls - 2]
     cause = "before the last row nothing is won, and there is no bonus"
     expect_exactly(f"{call}: score before", before[0], 10 * (rows - 1), cause=cause, read=read)
@@ -61,15 +62,17 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     read = RULES
     a, b = rng.sample(range(6), 2)
     events = [-1, a, -1, -1, -1, b]
-    call = f"Rules(6); landed on rows, or -1 for a fall: {events}"
+    call = f"Rules(6); rows landed on, or -1 for a rules.fell(): {events}"
     cause = "a fall takes a life, but never one below 0, and after the last one nothing counts"
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
     expect_exactly(f"{call}: lives", got, [2, 2, 1, 0, 0, 0], cause=cause, read=read)
     got = [over for *_, over in seen]
     wanted = [False, False, False, True, True, True]
-    expect_exactly(f"{call}: over", got, wanted, cause=cause, read=read)
-    expect_exactly(f"{call}: score, in the end", seen[-1][0], 10, cause=cause, read=read)
+    expect_exactly(f"Rules(6); {events}: rules.over", got, wanted, cause=cause, read=read)
+    cause = "a fall takes neither points nor the rows that were visited"
+    got = [seen[-1][0], *seen[-1][2]]
+    expect_exactly(f"{call}: score, visited, in the end", got, [10, a], cause=cause, read=read)
 
 
 @pytest.mark.exercise("P8.1a")
@@ -103,11 +106,11 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
         ),
         ("above the deck, falling", 4.5 + depth, -speed, (0, -1), "it touches nothing yet"),
     ):
-        call = f"a ball at x = {x}, {what}: how many contacts; landings.row, -1 for None"
+        call = f"a ball at x = {x}, {what}: landings.contacts(), how many; row, -1 for None"
         count, first, later = landing(height, velocity, x)
         got = (count, -1 if first is None else first)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.0)
-        call = f"a ball at x = {x}, {what}; asked again when it is far above: landings.row"
+        call = f"a ball at x = {x}, {what}; again, far above: landings.contacts(); row"
         cause = "the row is that of the last frame: None where the ball does not touch then"
         expect_exactly(call, later is None, True, cause=cause, read=read)
 
@@ -118,7 +121,7 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     read = STEP
     x, speed = round(rng.uniform(-3.0, 3.0), 3), round(rng.uniform(-2.0, 2.0), 3)
     call = f"a game with direction {direction}, the ball at ({x}, 9, 0), velocity ({speed}, 0, 0); "
-    call += "three frames: its velocity"
+    call += "three times game.step(1/60): its velocity"
     cause = "PUSH * mass is a force, of PUSH = 8 m/s^2, added between start_frame and run_physics"
     vx, vy = speed, 0.0
     for _ in range(3):
@@ -134,13 +137,13 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
     row = rng.randint(0, 5)
     x = FIRST + 2.0 * row
     call = f"a game, the ball 0.05 m above row {row} at -6 m/s: its velocity along Y, score and "
-    call += "visited, after the frame in which it lands"
+    call += "visited, after game.step(1/60), in which it lands"
     cause = "landings.row is known once the physics have run: tell the rules, and let the ball go "
     cause += "up at JUMP"
     seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
     got = (seen["velocity"][1], seen["score"], *seen["visited"])
     expect_close(call, got, (6.0, 10.0, float(row)), cause=cause, read=read, tolerance=1e-12)
-    call = f"a game, the ball 0.05 m above row {row} at -6 m/s: score and lives after 20 frames"
+    call = f"a game, the ball 0.05 m above row {row} at -6 m/s: score, lives; 20 game.step(1/60)"
     cause = "it lands once, and flies on from there"
     seen = played(20, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
     got = (seen["score"], seen["lives"], seen["velocity"][1] < 6.0)
@@ -151,7 +154,7 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
 def test_the_ground_takes_a_life(rng: Random) -> None:
     read = STEP
     x = round(rng.uniform(8.0, 9.0), 3)
-    call = f"a game, the ball at ({x}, 0.6, 0), beside the bridge, at -9 m/s; after a frame"
+    call = f"a game, the ball at ({x}, 0.6, 0), beside the bridge, at -9 m/s; game.step(1/60)"
     cause = "where its lowest point is at the ground, a life goes, and the ball starts anew: over "
     cause += "the first row, 2 m above where the bridge begins, at rest"
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0))[-1]
@@ -161,7 +164,7 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     place = (FIRST, 6.0, 0.0, 0.0, 0.0, 0.0)
     # The cables, too short at first, have pulled the row inwards by 0.13 m in that frame.
     expect_close(name, got, place, cause=cause, read=read, tolerance=0.2)
-    call = f"a game with one life left, the ball at ({x}, 0.6, 0) at -9 m/s; after 3 frames"
+    call = f"a game with one life left, the ball at ({x}, 0.6, 0) at -9 m/s; 3 game.step(1/60)"
     cause = "after the last life it is over: the ball stays where it is, and no frame moves it"
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
     expect_exactly(f"{call}: lives", seen[-1]["lives"], 0, cause=cause, read=read)
@@ -178,7 +181,7 @@ def test_the_last_row_ends_the_game(rng: Random) -> None:
     visited = [i for i in range(6) if i != row]
     x = FIRST + 2.0 * row
     call = f"a game with rows {visited} visited, the ball 0.05 m above row {row} at -6 m/s; three "
-    call += "frames"
+    call += "times game.step(1/60)"
     cause = "the game is won: POINTS and BONUS, once; then nothing moves any more"
     seen = played(3, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=visited)
     scores = [frame["score"] for frame in seen]

@@ -111,7 +111,7 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
         angle, radius = positive_number(rng, 0.1, 6.0), positive_number(rng, 0.5, 3.0)
         c, s = math.cos(angle), math.sin(angle)
         place = (hub[0] + radius * c, hub[1] + radius * s, hub[2] + number(rng))
-        call = f"RimDrive(hub at {hub}, {force}) on a particle at {place}"
+        call = f"RimDrive(hub at {hub}, {force}).update_force(particle at {place}, 0.1)"
         cause = (
             "the force is F (-sin, cos, 0) of the spoke's angle in the X-Y plane: a right angle "
         )
@@ -119,7 +119,7 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
         got = driven(hub, force, [place])[0]
         wanted = (-force * s, force * c, 0.0)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
-    call = f"RimDrive(hub at {hub}, {force}) on a particle at the hub"
+    call = f"RimDrive(hub at {hub}, {force}).update_force(particle at the hub, 0.1)"
     cause = "at the hub there is no direction, and no force"
     got = driven(hub, force, [hub])[0]
     expect_close(call, got, (0.0, 0.0, 0.0), cause=cause, read=read, tolerance=0.0)
@@ -135,7 +135,7 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         (drift[0] - rate * (y - hub[1]), drift[1] + rate * (x - hub[0]), drift[2])
         for x, y, _ in rim
     ]
-    call = f"spin of a rim that turns at {rate} rad/s about a hub that moves at {drift}"
+    call = f"spin(hub, rim) of a rim that turns at {rate} rad/s about a hub that moves at {drift}"
     cause = "positions and velocities are those seen from the hub"
     got = spun((hub, drift), list(zip(rim, moving, masses, strict=True)))
     expect_close(call, got, rate, cause=cause, read=read, tolerance=1e-12)
@@ -145,12 +145,12 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         m * (x * w[1] - y * w[0]) for m, (x, y), w in zip(masses, seen, v, strict=True)
     )
     inertia = math.fsum(m * (x * x + y * y) for m, (x, y) in zip(masses, seen, strict=True))
-    call = f"spin of a rim at {rim} with velocities {v} and masses {masses}, the hub at rest"
+    call = f"spin(hub, rim) of a rim at {rim}, velocities {v}, masses {masses}, the hub at rest"
     cause = "sum of m (x v_y - y v_x), divided by the sum of m (x^2 + y^2): mass counts, and so "
     cause += "does the square of the distance"
     got = spun((hub, (0.0, 0.0, 0.0)), list(zip(rim, v, masses, strict=True)))
     expect_close(call, got, turning / inertia, cause=cause, read=read, tolerance=1e-12)
-    call, cause = "spin of a rim without particles", "no moment of inertia, no spin: 0"
+    call, cause = "spin(hub, []) of a rim without particles", "no moment of inertia, no spin: 0"
     got = spun((hub, drift), [])
     expect_close(call, got, 0.0, cause=cause, read=read, tolerance=0.0)
 

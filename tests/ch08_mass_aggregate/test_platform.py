@@ -100,12 +100,12 @@ def test_what_cannot_be_balanced_is_refused() -> None:
             "a mass on the side that sinks balances nothing",
         ),
         ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "a mass at the pivot turns nothing"),
-        ([1.0, -2.0], [-1.0, 2.0], -3.0, ValueError, "a negative mass is refused"),
+        ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "a negative mass is refused"),
         ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "NaN is no mass"),
         ([1.0, 2.0], [-1.0, math.nan], -3.0, ValueError, "NaN is no place"),
         ([1.0, 2.0], [-1.0, math.inf], -3.0, ValueError, "a place must be finite"),
         ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "a place must be finite"),
-        ([1.0, 2.0], [-1.0], -3.0, ValueError, "there must be a place for every mass"),
+        ([1.0, 2.0], [1.0], -3.0, ValueError, "there must be a place for every mass"),
         ([1.0, "2"], [-1.0, 2.0], -3.0, TypeError, "a text is no number"),
     ):
         call = f"balancing_mass({masses}, {places}, {x})"
@@ -169,10 +169,10 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     read = WEIGHT
     x = -round(rng.uniform(1.5, 3.0), 3)
     limit = 2.0 / -x  # the ends turn it by 2 kg (4 m - 3 m) to the right
-    mass = limit * (1.25 if side == "heavy enough" else 0.75)
-    call = f"platform.put_weight({mass}, {x}); 90 frames of 1/60 s: the left end's height"
+    mass = limit * (1.5 if side == "heavy enough" else 0.5)
+    call = f"platform.put_weight({mass}, {x}); 45 frames of 1/60 s: the left end's height"
     cause = f"from {limit:.3f} kg at {x} m on, the left end sinks: mass times place, on both sides"
-    places = tipped(mass, x, 90, 1.0 / 60.0)
+    places = tipped(mass, x, 45, 1.0 / 60.0)
     name = f"{call}: is it below the right one"
     sinks = places[2][1] < places[4][1]
     expect_exactly(name, sinks, side == "heavy enough", cause=cause, read=read)
@@ -198,7 +198,7 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         # plane: 0, 1 and 2 are no line.
         left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
         cause = (
-            "the two particles of the pivot were kept apart by being immovable: a rod has to do "
+            "if only being immovable kept the two particles of the pivot apart, a rod has to do "
         )
         cause += f"so now, in both lists. {told(left[0], 'particle') if left else ''}"
         expect_exactly(call, len(left), 0, cause=cause, read=read)
@@ -212,10 +212,10 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
 @pytest.mark.exercise("8.1")
 def test_a_free_platform_slides_and_stays_rigid() -> None:
     read = FREE
-    call = "platform.free_pivot(); 90 frames of 1/60 s"
+    call = "platform.free_pivot(); 90 frames of 1/120 s"
     cause = "nothing pushes it along X or Z, for the ground has no friction: its centre of mass "
     cause += "only moves down"
-    done = freed(90, 1.0 / 60.0)
+    done = freed(90, 1.0 / 120.0)
     before, after = done["before"], done["after"]
     for axis, name in ((0, "x"), (2, "z")):
         got = math.fsum(place[axis] for place in after) / 6.0

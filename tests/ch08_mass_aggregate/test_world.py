@@ -10,6 +10,7 @@ import pytest
 from ch08_mass_aggregate.probes import (
     Body,
     appended,
+    depths_of,
     energy_of,
     frame,
     rained,
@@ -78,6 +79,23 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B8.2")
+def test_contacts_are_those_of_every_generator(rng: Random) -> None:
+    read = f"{WORLD}contacts"
+    count = rng.randint(15, 30)
+    low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
+    call = f"{count} particles at a height of 1, below floors at {low} and {high}: the depths of "
+    call += "world.contacts()"
+    cause = (
+        "one generator after the other, in their order, and none of what they find is left out: "
+    )
+    cause += "the book's world has a maximum, and drops what is above it"
+    wanted = [low - 1.0] * count + [high - 1.0] * count
+    expect_close(call, depths_of(count, [low, high]), wanted, cause=cause, read=read)
+    call, cause = "world.contacts() without a generator", "there are none: an empty list"
+    expect_exactly(call, depths_of(count, []), [], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.2")
 @pytest.mark.parametrize("integrator", ["explicit_euler", "semi_implicit_euler"])
 def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> None:
     read = f"{WORLD}run_physics"
@@ -134,9 +152,9 @@ def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> 
     h, k = positive_number(rng, 0.05, 0.2), positive_number(rng)
     bodies = [draw_body(rng) for _ in range(2)]
     evaluations = 4 if integrator == "runge_kutta_4" else 1
-    call = f"world of two particles with a generator each, integrator={integrator}: step({h})"
+    call = f"two particles with a generator each, integrator={integrator}; run_physics({h})"
     cause = "the integrator is called once, with all particles and the whole duration"
-    done = frame(bodies, "step", h, integrator=integrator, k=k)
+    done = frame(bodies, "run_physics", h, integrator=integrator, k=k)
     asked = [row[1:] for row in done["diary"] if row[0] == "integrator"]
     expect_exactly(f"{call}: calls of it, and particles", asked, [(h, 2)], cause=cause, read=read)
     cause = "give it registry.update_forces and let it ask: Runge-Kutta does so four times"
@@ -154,10 +172,10 @@ def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
         ((0.0, 0.5, 0.0), (2.0, -speed, 0.0), ZERO, 1.0),
         ((5.0, 9.0, 0.0), (2.0, -speed, 0.0), ZERO, 1.0),
     ]
-    call = f"a particle 0.5 m above a floor at {-speed} m/s; world.step({h})"
+    call = f"a particle 0.5 m above a floor at {-speed} m/s; world.run_physics({h})"
     cause = "first the particles move, then the generators are asked, then the resolver ends what "
     cause += "they found: it stands on the floor, and no longer falls"
-    done = frame(bodies, "step", h, floors=[0.0])
+    done = frame(bodies, "run_physics", h, floors=[0.0])
     place, velocity = done["states"][0]
     name = f"{call}; particle.position, velocity"
     expect_close(name, place, (0.25, 0.0, 0.0), cause=cause, read=read, tolerance=1e-12)
@@ -174,10 +192,10 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     h = 0.125
     low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
     bodies: list[Body] = [((float(i), 1.0, 0.0), ZERO, ZERO, 1.0) for i in range(3)]
-    call = f"three particles at a height of 1, below floors at {low} and at {high}: step({h})"
+    call = f"three particles at a height of 1, floors at {low} and at {high}; run_physics({h})"
     cause = "collect the contacts of every generator, once each and in their order, and call "
     cause += "resolver.resolve_contacts once, with all of them and the duration"
-    done = frame(bodies, "step", h, floors=[low, high], record=True)
+    done = frame(bodies, "run_physics", h, floors=[low, high], record=True)
     calls = [row for row in done["diary"] if row[0] == "resolve"]
     expect_exactly(f"{call}: calls of the resolver", len(calls), 1, cause=cause, read=read)
     name = f"{call}: the resolver's duration, and the depths of its contacts"
@@ -185,9 +203,9 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     expect_close(name, (calls[0][1], *calls[0][2]), (h, *depths), cause=cause, read=read)
     asked = [row[1] for row in done["diary"] if row[0] == "contacts"]
     expect_exactly(f"{call}: which floors were asked", asked, [low, high], cause=cause, read=read)
-    call = f"three particles at a height of 1, above a floor at 0.5: step({h})"
+    call = f"three particles at a height of 1, above a floor at 0.5; run_physics({h})"
     cause = "a frame without contacts needs no resolver: model no more than is there"
-    done = frame(bodies, "step", h, floors=[0.5], record=True)
+    done = frame(bodies, "run_physics", h, floors=[0.5], record=True)
     count = sum(row[0] == "resolve" for row in done["diary"])
     expect_exactly(f"{call}: calls of the resolver", count, 0, cause=cause, read=read)
 

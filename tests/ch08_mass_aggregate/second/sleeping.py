@@ -14,7 +14,7 @@ from ch03_laws_of_motion.arguments import not_negative, positive
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactGenerator
-from ch08_mass_aggregate.joints import joined
+from ch08_mass_aggregate.joints import Pair, joined, touching
 from ch08_mass_aggregate.world import ParticleWorld
 
 LOOK_EVERY = 10  # frames: how often the generators of what sleeps are asked
@@ -64,6 +64,7 @@ class SleepingWorld(ParticleWorld):
         self.sleep_frames = sleep_frames
         self.asleep: dict[Particle, Sleep] = {}
         self._slow: dict[Particle, int] = {}  # for how many frames each has been slow
+        self._touched: dict[Pair, int] = {}  # in which frame two were last in contact
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
@@ -139,11 +140,16 @@ class SleepingWorld(ParticleWorld):
         nor sleeps. What falls asleep has no velocity and an inverse_mass of 0, and is in asleep.
         """
         neighbours: dict[Particle, list[Particle]] = {}
-        for a, b in joined(contacts, self.registry):
+        for pair in touching(contacts):
+            self._touched[pair] = self._frame
+        for pair in [pair for pair, last in self._touched.items()]:
+            if self._frame - self._touched[pair] >= self.sleep_frames:
+                del self._touched[pair]
+        for a, b in [*self._touched, *joined(self.registry)]:
             neighbours.setdefault(a, []).append(b)
             neighbours.setdefault(b, []).append(a)
         for one in self.particles:
-            if one.inverse_mass and one.kinetic_energy() <= self.sleep_energy:
+            if one.inverse_mass and one.kinetic_energy() * one.inverse_mass <= self.sleep_energy:
                 self._slow[one] = self._slow.get(one, 0) + 1
             else:
                 self._slow.pop(one, None)

@@ -1,6 +1,7 @@
 """A rope that hangs between two nails: by rods, by a chain solved at once, and by closed forms.
 
-It is SPAN wide and LENGTH long, of links with a particle of 1 kg wherever two of them meet.
+It is SPAN wide and LENGTH long, of links with a particle of 1 kg wherever two of them meet. The
+nails are at height 0.
 """
 
 from __future__ import annotations
@@ -13,34 +14,117 @@ from itertools import pairwise
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld
+from studies.drawing import numbers
 
 SPAN, LENGTH = 2.0, 3.0  # m
 DAMPING = 0.1  # so that it hangs still soon
 GRAVITY = Vector3(0.0, -9.81, 0.0)
 
+Place = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Hanging:
+    """A rope that hangs: its places, how low in m, and by how much in m its links are too long.
+
+    ``work`` is how often a contact was resolved, or a rod's pull was solved for.
+    """
+
+    places: list[Place]
+    sag: float
+    stretch: float
+    work: int
+
 
 def catenary_sag(span: float = SPAN, length: float = LENGTH) -> float:
     """Return how low in m a rope of countless links hangs: a (cosh(span / 2a) - 1)."""
-    a = _solve(lambda a: 2.0 * a * math.sinh(0.5 * span / a) - length, 0.05 * span, 100.0 * span)
+    a = catenary_radius(span, length)
     return a * (math.cosh(0.5 * span / a) - 1.0)
 
 
-def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
-    """Return how low in m a rope of an even number of links hangs, with equal particles between.
+def catenary_radius(span: float = SPAN, length: float = LENGTH) -> float:
+    """Return a in m of the catenary a cosh(x / a) that is so wide and so long: in its middle."""
+    return _solve(lambda a: 2.0 * a * math.sinh(0.5 * span / a) - length, 0.05 * span, 100.0 * span)
+
+
+def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Place]:
+    """Return the places of a rope of links that hangs, with equal particles between them.
 
     At rest the horizontal pull is the same in all links, and the vertical one changes by a weight
     from each link to the next: so the slopes of the links are evenly spaced.
     """
     link = length / links
-    weights = [i + 0.5 for i in range(links // 2)]  # a link bears, from the middle to a nail
+    weights = [i + 0.5 - 0.5 * links for i in range(links)]  # what a link bears, upwards
 
     def width(pull: float) -> float:
-        return 2.0 * math.fsum(link * pull / math.hypot(pull, weight) for weight in weights)
+        return math.fsum(link * pull / math.hypot(pull, weight) for weight in weights)
 
     pull = _solve(lambda pull: width(pull) - span, 1e-6, 1e6)
-    return math.fsum(link * weight / math.hypot(pull, weight) for weight in weights)
+    places = [(0.0, 0.0)]
+    for weight in weights:
+        x, y = places[-1]
+        share = link / math.hypot(pull, weight)
+        places.append((x + share * pull, y + share * weight))
+    return places
+
+
+def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
+    """Return how low in m a rope of links hangs."""
+    return -min(y for _, y in polygon(links, span, length))
+
+
+def straight_v(links: int) -> list[Place]:
+    """Return the places of a rope that is pulled down in its middle."""
+    depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
+    shares = [i / links for i in range(links + 1)]
+    return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]
+
+
+def rope_particles(places: list[Place]) -> list[Particle]:
+    """Return the particles of a rope at places, from nail to nail. The nails are immovable."""
+    particles = [
+        Particle(Vector3(x, y), acceleration=GRAVITY, mass=1.0, damping=DAMPING) for x, y in places
+    ]
+    particles[0].mass = particles[-1].mass = math.inf
+    return particles
+
+
+def hang_by_rods(
+    links: int, rate: int, substeps: int, seconds: float, from_v: bool = False
+) -> Hanging:
+    """Let a rope of two-sided rods hang in a ParticleWorld, with substeps in each frame.
+
+    It begins as it should hang, or as a straight V. It is resolved by a HeapResolver, which gives
+    the states of a ContactResolver in less time.
+    """
+    particles = rope_particles(straight_v(links) if from_v else polygon(links))
+    rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
+    world = ParticleWorld(particles, rods)
+    world.resolver = HeapResolver()
+    work = 0
+    for _ in range(round(seconds * rate) * substeps):
+        world.step(1.0 / (rate * substeps))
+        work += world.resolver.iterations_used
+    return _measured(particles, work)
+
+
+def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
+    """Let the same rope hang by DirectChain, which keeps the lengths that it begins with."""
+    particles = rope_particles(straight_v(links) if from_v else polygon(links))
+    chain = DirectChain(particles[1:], particles[0].position)
+    frames = round(seconds * rate)
+    for _ in range(frames):
+        chain.step(1.0 / rate)
+    return _measured(particles, frames * links)
+
+
+def _measured(particles: list[Particle], work: int) -> Hanging:
+    places = [numbers(particle.position)[:2] for particle in particles]
+    total = math.fsum(math.dist(a, b) for a, b in pairwise(places))
+    return Hanging(places, -min(y for _, y in places), total - LENGTH, work)
 
 
 def _solve(of: Callable[[float], float], low: float, high: float) -> float:
@@ -53,47 +137,3 @@ def _solve(of: Callable[[float], float], low: float, high: float) -> float:
         else:
             low = middle
     return math.sqrt(low * high)
-
-
-def rope_particles(links: int) -> list[Particle]:
-    """Return the particles of a rope, from nail to nail, on the straight V that it begins as."""
-    depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
-    particles = []
-    for i in range(links + 1):
-        share = i / links
-        place = Vector3(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0)))
-        mass = math.inf if i in (0, links) else 1.0
-        particles.append(Particle(place, acceleration=GRAVITY, mass=mass, damping=DAMPING))
-    return particles
-
-
-@dataclass(frozen=True)
-class Hanging:
-    """A rope that hangs: how low in m, and by how much in m all of its links are too long."""
-
-    sag: float
-    stretch: float
-
-
-def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
-    """Let a rope of two-sided rods hang in a ParticleWorld, with substeps in each frame."""
-    particles = rope_particles(links)
-    link = LENGTH / links
-    world = ParticleWorld(particles, [TwoSidedRod(a, b, link) for a, b in pairwise(particles)])
-    for _ in range(round(seconds * rate * substeps)):
-        world.step(1.0 / (rate * substeps))
-    return _measure(particles)
-
-
-def hang_by_direct_chain(links: int, rate: int, seconds: float) -> Hanging:
-    """Let the same rope hang by DirectChain."""
-    particles = rope_particles(links)
-    chain = DirectChain(particles[1:], particles[0].position)
-    for _ in range(round(seconds * rate)):
-        chain.step(1.0 / rate)
-    return _measure(particles)
-
-
-def _measure(particles: list[Particle]) -> Hanging:
-    lengths = [(b.position - a.position).magnitude() for a, b in pairwise(particles)]
-    return Hanging(-min(particle.position.y for particle in particles), sum(lengths) - LENGTH)

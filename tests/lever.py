@@ -17,7 +17,7 @@ State = tuple[float, float, float, float]  # angles of arm and sling, and their 
 def thrown(
     counterweight: float, short_arm: float, long_arm: float, sling: float, release_angle: float
 ) -> tuple[float, float]:
-    """Return range in m and share of the energy; zeros where it does not let go within 4 s."""
+    """Return range in m and share of the energy; zeros where it is never let go."""
     inertia = counterweight * short_arm**2 + (TIP + PROJECTILE) * long_arm**2
     joint = PROJECTILE * long_arm * sling
     bob = PROJECTILE * sling**2
@@ -54,6 +54,8 @@ def thrown(
         rise = long_arm * math.sin(arm) + sling * math.sin(cord)
         vx = -long_arm * math.sin(arm) * arm_rate - sling * math.sin(cord) * cord_rate
         vy = long_arm * math.cos(arm) * arm_rate + sling * math.cos(cord) * cord_rate
+        if PIVOT_HEIGHT + rise <= 0.0:
+            break
         if vx > 0.0 and rise > 0.0 and math.degrees(math.atan2(vy, vx)) <= release_angle:
             start = long_arm * math.sin(START) - sling
             gained = PROJECTILE * (G * (rise - start) + 0.5 * (vx * vx + vy * vy))

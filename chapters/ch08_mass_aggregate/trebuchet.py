@@ -128,7 +128,8 @@ class Trebuchet:
     def throw(self) -> Throw:
         """Throw, in frames of STEP, until the sling lets go, and return what that comes to (P8.2a).
 
-        From there the range is that of a shot without drag, down to the ground at 0. What has not
-        let go within TIME_LIMIT has not been thrown. The trebuchet is to be a new one.
+        From there the range is that of a shot without drag, down to the ground at a height of 0.
+        What reaches the ground on the sling, or has not let go within TIME_LIMIT, has not been
+        thrown. The trebuchet is to be a new one.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")

@@ -133,19 +133,21 @@ class Trebuchet:
     def throw(self) -> Throw:
         """Throw, in frames of STEP, until the sling lets go, and return what that comes to (P8.2a).
 
-        From there the range is that of a shot without drag, down to the ground at 0. What has not
-        let go within TIME_LIMIT has not been thrown. The trebuchet is to be a new one.
+        From there the range is that of a shot without drag, down to the ground at a height of 0.
+        What reaches the ground on the sling, or has not let go within TIME_LIMIT, has not been
+        thrown. The trebuchet is to be a new one.
         """
-        weight, projectile = self.weight.position.y, self.projectile.position.y
+        weight, projectile = self.weight, self.projectile
+        high, low = weight.position.y, projectile.position.y
         for _ in range(round(TIME_LIMIT / STEP)):
             self.step(STEP)
-            if self.flies:
+            if self.flies or projectile.position.y <= 0.0:
                 break
-        else:
+        if not self.flies:
             return Throw(0.0, 0.0)
-        place, velocity = self.projectile.position, self.projectile.velocity
-        gained = PROJECTILE_MASS * G * (place.y - projectile) + self.projectile.kinetic_energy()
-        lost = self.design.counterweight * G * (weight - self.weight.position.y)
+        place, velocity = projectile.position, projectile.velocity
+        gained = projectile.mass * G * (place.y - low) + projectile.kinetic_energy()
+        lost = weight.mass * G * (high - weight.position.y)
         root = velocity.y * velocity.y + 2.0 * G * place.y
         time = (velocity.y + math.sqrt(root)) / G
         return Throw(place.x + velocity.x * time, gained / lost)

@@ -345,8 +345,8 @@ def lets_go(numbers: Sequence[float], flights: Sequence[tuple[float, Components]
 def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, int]:
     """Throw; return the range, the share, and how many frames it took.
 
-    Instead of the physics a frame may do "nothing", or "let go": put the projectile where it is let
-    go, at a place and a speed that are given, and the counterweight 1 m lower.
+    Instead of the physics a frame may do "nothing", put the projectile on the "ground", or "let go"
+    of it, at a place and a speed that are given, with the counterweight 1 m lower.
     """
     made = machine(numbers)
     frames = [0]
@@ -356,6 +356,8 @@ def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, in
         frames[0] += 1
         if not instead:
             step(duration)
+        if instead == "ground":
+            made.projectile.position.y = 0.0
         if instead != "let go":
             return
         made.weight.position.y -= 1.0

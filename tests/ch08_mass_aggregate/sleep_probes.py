@@ -195,6 +195,24 @@ def woken_by_contact(speed: float, frames: int, first: bool) -> dict[str, Any]:
     return {"before": before, "seen": seen, "momenta": momenta}
 
 
+def dropped_on(speed: float) -> tuple[float, float]:
+    """Throw a ball down at one that sleeps on the ground.
+
+    Return how fast along Y the lower one moves after the frame in which it wakes, and its place.
+    """
+    lower, upper = (Particle(Vector3(0.0, 0.5 + 3.0 * i), acceleration=DOWN) for i in range(2))
+    balls = [lower, upper]
+    grounds = [GroundPlane(balls, radius=0.5), ParticlePairs(balls, 0.5)]
+    world = SleepingWorld([lower], grounds, iterations=200, sleep_frames=3)
+    for _ in range(5):
+        world.step(FRAME)
+    upper.velocity.y = -speed
+    world.particles.append(upper)
+    while lower in world.asleep and upper.position.y > 0.0:
+        world.step(FRAME)
+    return lower.velocity.y, lower.position.y
+
+
 def support_gone(frames: int) -> tuple[list[int], list[int], float]:
     """Let a ball sleep on another one, and take that away; return who sleeps before, and after.
 

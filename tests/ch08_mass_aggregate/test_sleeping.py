@@ -9,6 +9,7 @@ import pytest
 
 from ch08_mass_aggregate.sleep_probes import (
     both_ways,
+    dropped_on,
     hung,
     interrupted,
     left_alone,
@@ -194,6 +195,19 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool
     cause = "they are awake, with their masses, before the contact is resolved: momentum is kept"
     name = f"{call}: momentum along X after that frame"
     expect_close(name, done["momenta"][hit], speed, cause=cause, read=read, tolerance=1e-9)
+
+
+@pytest.mark.exercise("G8.1")
+def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
+    read = RUN
+    speed = positive_number(rng, 4.0, 9.0)
+    call = f"a ball asleep on the ground, another one falls on it at {speed} m/s; run_physics(): "
+    call += "velocity and height of the lower one, after the frame in which it wakes"
+    cause = "what sleeps has no contact with the ground: look for contacts again when one wakes, "
+    cause += "or it is pushed into the ground"
+    got = dropped_on(speed)
+    # Two hundred iterations leave some 1e-9 m/s.
+    expect_close(call, got, (0.0, 0.5), cause=cause, read=read, tolerance=1e-6)
 
 
 @pytest.mark.exercise("G8.1")

@@ -1,0 +1,318 @@
+"""Scenes of chapter 8, measured over time: what its plots, benchmarks and tests share.
+
+Lengths are in m, masses in kg, times in s, energies in J.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Protocol
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.links import AnchoredCable, Cable
+from ch08_mass_aggregate.blob import Blob, spread
+from ch08_mass_aggregate.bridge import Bridge
+from ch08_mass_aggregate.fixed_step import FixedStep
+from ch08_mass_aggregate.sleeping import SleepingWorld
+from ch08_mass_aggregate.tilting_platform import TiltingPlatform
+from ch08_mass_aggregate.trebuchet import (
+    PIVOT_HEIGHT,
+    PROJECTILE_MASS,
+    STEP,
+    TIME_LIMIT,
+    Design,
+    G,
+    Trebuchet,
+)
+from ch08_mass_aggregate.wheel import Wheel, deformation, spin
+from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
+from studies.constraints import Move, Track
+from studies.drawing import Numbers, number, numbers
+from studies.stability import stopped
+
+FRAME = 1.0 / 60.0
+SPIKE = 0.5  # s: a frame in which the machine was busy with something else
+RADIUS = 0.5  # of the balls that fall asleep
+BALLS = 8
+LATE_HEIGHT = 40.0  # of the ball that wakes them, at the start
+
+Measure = Callable[[], float]
+
+
+class Scene(Protocol):
+    """What the scenes of the chapter have in common."""
+
+    @property
+    def world(self) -> ParticleWorld: ...
+
+    def step(self, duration: float) -> None: ...
+
+
+@dataclass(frozen=True)
+class Release:
+    """Where a sling may let go: the angle in degrees, the range in m, the share of the energy."""
+
+    angle: float
+    range: float
+    share: float
+
+
+def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
+    """Measure several things at the start and after each frame, until the engine says it failed."""
+    times, rows = [0.0], [[number(measure()) for measure in measures]]
+
+    def run() -> None:
+        for i in range(1, frames + 1):
+            move(duration)
+            rows.append([number(measure()) for measure in measures])
+            times.append(i * duration)
+
+    message = stopped(run)
+    found = rows[: len(times)]
+    return [Track(times, [*values], message) for values in zip(*found, strict=True)]
+
+
+def resolve_by_heap(world: ParticleWorld) -> None:
+    """Give a world a resolver of as many iterations and the same states, in less time."""
+    world.resolver = HeapResolver(world.resolver.iterations)
+
+
+def loaded_platform() -> TiltingPlatform:
+    """Return a platform that tips to its right: 5 kg are on it, at x = 3 m."""
+    platform = TiltingPlatform()
+    platform.put_weight(5.0, 3.0)
+    return platform
+
+
+def energy(scene: Scene, rate: int, seconds: float) -> Track:
+    """Return the mechanical energy of all the particles of a scene."""
+    resolve_by_heap(scene.world)
+    measures = [lambda: mechanical_energy(scene.world.particles)]
+    return tracks(scene.step, measures, round(rate * seconds), 1.0 / rate)[0]
+
+
+def default_bridge() -> Bridge:
+    """Return a bridge whose resolver has its default iterations, twice the contacts."""
+    bridge = Bridge()
+    bridge.world.resolver.iterations = None
+    return bridge
+
+
+def variation(run: Track, since: float) -> float:
+    """Return the difference of the largest and the least value from a time on, over the last."""
+    late = [value for time, value in zip(run.times, run.values, strict=True) if time >= since]
+    if run.message or not late or not late[-1]:
+        return math.nan
+    return (max(late) - min(late)) / abs(late[-1])
+
+
+def over_length(bridge: Bridge) -> float:
+    """Return by how many percent the worst cable of a bridge is too long; 0 where none is."""
+    worst = 0.0
+    for link in bridge.links:
+        if isinstance(link, Cable):
+            a, b = numbers(link.a.position), numbers(link.b.position)
+        elif isinstance(link, AnchoredCable):
+            a, b = numbers(link.particle.position), numbers(link.anchor)
+        else:
+            continue
+        worst = max(worst, 100.0 * (math.dist(a, b) / link.max_length - 1.0))
+    return worst
+
+
+def load_on_bridge(
+    mass: float, iterations: int | None, substeps: int, seconds: float
+) -> tuple[Track, int]:
+    """Return the over_length of a bridge whose ball has a mass, at 60 frames a second.
+
+    With it comes how often a contact was resolved.
+    """
+    bridge = Bridge(mass)
+    bridge.world.resolver = HeapResolver(iterations)
+    work = 0
+
+    def move(duration: float) -> None:
+        nonlocal work
+        for _ in range(substeps):
+            bridge.step(duration / substeps)
+            work += bridge.world.resolver.iterations_used
+
+    run = tracks(move, [lambda: over_length(bridge)], round(seconds / FRAME), FRAME)[0]
+    return run, work
+
+
+def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
+    """Return frame times of 5 to 30 ms, with one of SPIKE at each of the times given, in order."""
+    rng = random.Random(seed)
+    frames, time, left = [], 0.0, [*spikes]
+    while time < seconds:
+        if left and time >= left[0]:
+            frames.append(SPIKE)
+            left.pop(0)
+        else:
+            frames.append(rng.uniform(0.005, 0.03))
+        time += frames[-1]
+    return frames
+
+
+def places(world: ParticleWorld) -> list[Numbers]:
+    """Return where all the particles of a world are."""
+    return [numbers(particle.position) for particle in world.particles]
+
+
+def in_frames(
+    scene: Scene, frames: Sequence[float], measure: Callable[[], float], fixed: bool
+) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
+    """Run a scene in frames of given times: in steps of these, or in even ones of FRAME.
+
+    With the track come, after each frame, the number of steps so far and all places then.
+    """
+    resolve_by_heap(scene.world)
+    stepper = FixedStep(scene.step, FRAME)
+    times, values = [0.0], [number(measure())]
+    states = [(0, places(scene.world))]
+
+    def run() -> None:
+        steps = 0
+        for elapsed in frames:
+            if fixed:
+                steps += stepper.advance(elapsed)
+            else:
+                scene.step(elapsed)
+                steps += 1
+            values.append(number(measure()))
+            states.append((steps, places(scene.world)))
+            times.append(times[-1] + elapsed)
+
+    message = stopped(run)
+    return Track(times, values[: len(times)], message), states[: len(times)]
+
+
+def releases(design: Design) -> list[Release]:
+    """Throw with a sling that does not let go, and return each release that an angle can ask for.
+
+    A sling lets go in the first frame in which the projectile flies as low as the angle: so each
+    frame in which it flies lower than ever before is one, down to the horizon. Ranges and shares
+    are what Trebuchet.throw makes of them, in plain numbers.
+    """
+    machine = Trebuchet(design)
+    resolve_by_heap(machine.world)
+    start, high = numbers(machine.projectile.position)[1], numbers(machine.weight.position)[1]
+    found: list[Release] = []
+
+    def run() -> None:
+        for _ in range(round(TIME_LIMIT / STEP)):
+            machine.world.step(STEP)
+            x, y, _ = numbers(machine.projectile.position)
+            vx, vy, vz = numbers(machine.projectile.velocity)
+            if vx <= 0.0 or y <= PIVOT_HEIGHT:
+                continue
+            angle = math.degrees(math.atan2(vy, vx))
+            if found and angle >= found[-1].angle:
+                continue
+            time = (vy + math.sqrt(vy * vy + 2.0 * G * y)) / G
+            kinetic = 0.5 * (vx * vx + vy * vy + vz * vz)
+            gained = PROJECTILE_MASS * (G * (y - start) + kinetic)
+            lost = design.counterweight * G * (high - numbers(machine.weight.position)[1])
+            found.append(Release(angle, x + vx * time, gained / lost if lost else math.nan))
+            if angle <= 0.0:
+                return
+
+    stopped(run)
+    return found
+
+
+def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
+    """Return the spin in rad/s of a wheel that is driven."""
+    wheel = Wheel(force, driven)
+    return _driven(wheel, lambda: spin(wheel.hub, wheel.rim), rate, seconds)
+
+
+def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
+    """Return the deformation of a wheel that is driven."""
+    wheel = Wheel(force, driven)
+    return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)
+
+
+def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
+    """Return the spread of a blob that is thrown down from 2 m."""
+    blob = _thrown(speed, cables)
+    return tracks(blob.step, [lambda: spread(blob.particles)], round(seconds / FRAME), FRAME)[0]
+
+
+def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
+    """Return how many bonds of the same blob hold."""
+    blob = _thrown(speed, cables)
+
+    def holding() -> float:
+        return sum(1.0 for bond in blob.bonds if bond.holds)
+
+    return tracks(blob.step, [holding], round(seconds / FRAME), FRAME)[0]
+
+
+def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
+    """Return a world of balls in a row that land one after the other, and a late one among them.
+
+    That one falls from LATE_HEIGHT between two of the others, and pushes all of them apart.
+    """
+    down = Vector3(0.0, -9.81)
+    places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]
+    places.append(Vector3(0.6 * (BALLS - 1) + 0.3, LATE_HEIGHT))
+    balls = [Particle(place, acceleration=down, damping=0.5) for place in places]
+    balls[-1].damping = 0.9
+    detector = Detectors(GroundPlane(balls, radius=RADIUS), ParticlePairs(balls, RADIUS))
+    return kind(balls, [detector]), balls
+
+
+def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
+    """Return how many balls are awake, the resolutions of a frame, and the kinetic energy."""
+    world, balls = balls_on_ground(kind)
+
+    def move(duration: float) -> None:
+        world.resolver.iterations_used = 0  # where there is no contact, the resolver is not asked
+        world.step(duration)
+
+    def awake() -> float:
+        return len(balls) - (len(world.asleep) if isinstance(world, SleepingWorld) else 0)
+
+    measures: list[Measure] = [
+        awake,
+        lambda: world.resolver.iterations_used,
+        lambda: math.fsum(ball.kinetic_energy() for ball in balls if ball.inverse_mass),
+    ]
+    first, second, third = tracks(move, measures, round(seconds / FRAME), FRAME)
+    return first, second, third
+
+
+def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
+    """Return the largest distance of places from others."""
+    return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
+
+
+def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
+    """Return releases with one of NaN wherever the angle jumps: no line is to be drawn there."""
+    shown = list(found[:1])
+    for before, release in pairwise(found):
+        if before.angle - release.angle > degrees:
+            shown.append(Release(math.nan, math.nan, math.nan))
+        shown.append(release)
+    return shown
+
+
+def _driven(wheel: Wheel, measure: Measure, rate: int, seconds: float) -> Track:
+    resolve_by_heap(wheel.world)
+    return tracks(wheel.step, [measure], round(rate * seconds), 1.0 / rate)[0]
+
+
+def _thrown(speed: float, cables: bool) -> Blob:
+    blob = Blob(2.0, cables)
+    for particle in blob.particles:
+        particle.velocity = Vector3(0.0, -speed)
+    return blob

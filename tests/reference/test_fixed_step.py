@@ -1,0 +1,152 @@
+"""Frames of one length: the same run whatever the pictures take, and no time that is lost."""
+
+from __future__ import annotations
+
+import math
+import random
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.detectors import GroundPlane
+from ch07_constraints.links import Cable
+from ch08_mass_aggregate.fixed_step import FixedStep
+from ch08_mass_aggregate.world import ParticleWorld
+
+DURATION = 1.0 / 60.0
+GRAVITY = Vector3(0.0, -9.81, 0.0)
+
+
+def pair() -> tuple[list[Particle], ParticleWorld]:
+    """Return two balls on a cable that bounce, which no two different steps take alike."""
+    balls = [
+        Particle(Vector3(0.0, 2.0), Vector3(1.0), GRAVITY, damping=0.9),
+        Particle(Vector3(0.5, 3.0), Vector3(-3.0, 1.0), GRAVITY, mass=2.0, damping=0.9),
+    ]
+    links = [Cable(*balls, 1.5, 0.7), GroundPlane(balls, restitution=0.8)]
+    return balls, ParticleWorld(balls, links)
+
+
+def after(frames: list[float]) -> tuple[list[float], int, list[float]]:
+    """Return the last state, how many steps there were, and their durations."""
+    balls, world = pair()
+    durations: list[float] = []
+
+    def step(duration: float) -> None:
+        durations.append(duration)
+        world.step(duration)
+
+    clock = FixedStep(step, DURATION)
+    steps = sum(clock.advance(frame) for frame in frames)
+    return [x for ball in balls for x in (*ball.position, *ball.velocity)], steps, durations
+
+
+def uneven(seed: int) -> list[float]:
+    """Return the times of pictures that fill 5 s: 5 to 40 ms, and now and then half a second."""
+    draw, frames = random.Random(seed), [0.0]
+    while sum(frames) < 4.4:
+        frames.append(0.5 if draw.random() < 0.02 else draw.uniform(0.005, 0.04))
+    return [*frames, 5.0 - sum(frames)]
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_uneven_frames_end_exactly_where_even_ones_do(seed: int) -> None:
+    even, steps, _ = after([DURATION] * 300)
+    uneven_end, uneven_steps, durations = after(uneven(seed))
+    assert steps == uneven_steps == 300
+    assert set(durations) == {DURATION}
+    assert uneven_end == even  # to the last bit: the same steps
+    assert after([5.0])[0] == even
+    assert after([0.001] * 5000)[0] == even
+
+
+def test_steps_of_the_pictures_length_do_not() -> None:
+    balls, world = pair()
+    for frame in uneven(1):
+        if frame > 0.0:
+            world.step(frame)
+    even, _, _ = after([DURATION] * 300)
+    assert abs(balls[0].position.x - even[0]) > 0.01
+
+
+@given(
+    frames=st.lists(st.floats(0.0, 2.0), max_size=40),
+    duration=st.floats(0.01, 0.5),
+    most=st.one_of(st.none(), st.integers(1, 8)),
+)
+def test_no_time_is_lost(frames: list[float], duration: float, most: int | None) -> None:
+    made: list[float] = []
+    clock, steps = FixedStep(made.append, duration, most), 0
+    for frame in frames:
+        count = clock.advance(frame)
+        steps += count
+        assert most is None or count <= most
+        # Less than a step is left; and a step that is 1e-9 of itself early is owed as much.
+        assert -1.1e-9 * duration <= clock.left < duration
+    assert made == [duration] * steps
+    elapsed = sum(Fraction(frame) for frame in frames)
+    known = steps * Fraction(duration) + Fraction(clock.left) + Fraction(clock.dropped)
+    # 80 s at the most, in 8000 steps of a rounding of 2 s each: 2^-53 of that.
+    assert abs(float(known - elapsed)) <= 8000 * 2.0 * 2.0**-53
+    if most is None:
+        assert clock.dropped == 0.0
+
+
+@given(rate=st.integers(1, 1000), frames=st.integers(1, 300))
+def test_n_frames_of_a_step_each_are_n_steps(rate: int, frames: int) -> None:
+    """Though n / rate is seldom what n additions of 1 / rate come to."""
+    made: list[float] = []
+    clock = FixedStep(made.append, 1.0 / rate)
+    assert clock.advance(frames / rate) == frames
+    assert [clock.advance(1.0 / rate) for _ in range(frames)] == [1] * frames
+
+
+def test_what_is_too_much_for_one_picture_is_dropped_but_for_less_than_a_step() -> None:
+    made: list[float] = []
+    clock = FixedStep(made.append, 0.25, 3)
+    assert clock.advance(2.125) == 3  # 8 are due, and half a step
+    assert (clock.left, clock.dropped, made) == (0.125, 1.25, [0.25] * 3)
+    assert clock.advance(0.125) == 1
+    assert clock.advance(0.75) == 3  # just as many as there may be: nothing is dropped
+    assert (clock.left, clock.dropped) == (0.0, 1.25)
+
+
+def test_a_step_that_raises_is_still_due() -> None:
+    calls: list[float] = []
+
+    def step(duration: float) -> None:
+        calls.append(duration)
+        if len(calls) == 2:
+            raise ArithmeticError("not now")
+
+    clock = FixedStep(step, 0.25)
+    with pytest.raises(ArithmeticError, match="not now"):
+        clock.advance(1.0)
+    assert clock.left == 0.75
+    assert clock.advance(0.0) == 3
+    assert len(calls) == 5
+
+
+@pytest.mark.parametrize("elapsed", [-1e-9, math.nan, math.inf])
+def test_time_that_cannot_pass_is_refused(elapsed: float) -> None:
+    clock = FixedStep(lambda _: None, 0.25)
+    clock.advance(0.125)
+    with pytest.raises(ValueError, match="elapsed"):
+        clock.advance(elapsed)
+    assert clock.left == 0.125
+
+
+def test_what_a_fixed_step_cannot_be_made_of_is_named() -> None:
+    with pytest.raises(TypeError, match="step must be"):
+        FixedStep(None, 0.25)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="duration"):
+        FixedStep(print, 0.0)
+    with pytest.raises(ValueError, match="max_steps"):
+        FixedStep(print, 0.25, 0)
+    for wrong in (2.0, True):
+        with pytest.raises(TypeError, match="max_steps"):
+            FixedStep(print, 0.25, wrong)  # type: ignore[arg-type]

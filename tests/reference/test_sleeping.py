@@ -1,0 +1,267 @@
+"""What sleeps rests where it would have, wakes by all that could move it, and keeps momentum."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import Gravity
+from ch05_forces.particle import Particle
+from ch06_springs.springs import AnchoredSpring, connect
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.links import TwoSidedRod
+from ch08_mass_aggregate.sleeping import LOOK_EVERY, SleepingWorld
+from ch08_mass_aggregate.world import ParticleWorld
+
+FRAME = 1.0 / 60.0
+G = 9.81
+GRAVITY = Vector3(0.0, -G, 0.0)
+
+
+def ball(x: float, y: float, mass: float = 1.0, vx: float = 0.0, vy: float = 0.0) -> Particle:
+    return Particle(Vector3(x, y), Vector3(vx, vy), GRAVITY, mass=mass)
+
+
+def run(world: ParticleWorld, frames: int) -> None:
+    for _ in range(frames):
+        world.step(FRAME)
+
+
+def at_rest(mass: float = 1.0) -> tuple[Particle, SleepingWorld]:
+    """Return a ball that sleeps on the ground, at 0."""
+    body = ball(0.0, 0.0, mass)
+    world = SleepingWorld([body], [GroundPlane([body])])
+    run(world, 60)
+    assert body in world.asleep
+    return body, world
+
+
+def scene(kind: type[ParticleWorld]) -> tuple[list[Particle], ParticleWorld]:
+    """Return five balls that drop on the ground, two of them on a rod, one on a spring."""
+    bodies = [ball(2.0 * i, 0.5 + 0.3 * i, 0.5 + i) for i in range(5)]
+    rod = TwoSidedRod(bodies[1], bodies[2], (bodies[2].position - bodies[1].position).magnitude())
+    world = kind(bodies, [GroundPlane(bodies, restitution=0.4), rod])
+    for body in bodies:
+        body.damping = 0.8
+    world.registry.add(bodies[4], AnchoredSpring(Vector3(8.0, 3.0), 20.0, 1.0, 3.0))
+    return bodies, world
+
+
+def test_what_sleeps_rests_where_it_would_rest_awake() -> None:
+    ends = []
+    for kind in (ParticleWorld, SleepingWorld):
+        bodies, world = scene(kind)
+        run(world, 900)
+        ends.append([tuple(body.position) for body in bodies])
+        if isinstance(world, SleepingWorld):
+            assert len(world.asleep) == 5
+            assert all(body.velocity == Vector3() for body in bodies)
+    for awake, asleep in zip(*ends, strict=True):
+        # What is slow may have 0.03 m/s and stop up to a frame or two, or a small swing, early.
+        assert asleep == pytest.approx(awake, abs=0.01)
+
+
+def test_before_anything_sleeps_both_worlds_are_the_same() -> None:
+    ends = []
+    for kind in (ParticleWorld, SleepingWorld):
+        bodies, world = scene(kind)
+        run(world, 25)  # fewer than sleep_frames
+        ends.append([x for body in bodies for x in (*body.position, *body.velocity)])
+    assert ends[0] == ends[1]
+
+
+def test_only_what_has_been_slow_for_all_of_its_frames_sleeps() -> None:
+    """v^2 / 2 of 0.015 J/kg is 0.1732 m/s."""
+    for speed, sleeps in ((0.1731, True), (0.1733, False)):
+        body = Particle(velocity=Vector3(speed))
+        world = SleepingWorld([body], sleep_frames=30)
+        run(world, 29)
+        assert world.asleep == {}
+        run(world, 1)
+        assert (body in world.asleep) == sleeps
+        assert body.has_finite_mass != sleeps
+
+
+@pytest.mark.parametrize("mass", [0.01, 1.0, 100.0])
+def test_a_ball_does_not_fall_asleep_at_its_highest_point(mass: float) -> None:
+    body = ball(0.0, 1.0, mass, vy=5.0)
+    world = SleepingWorld([body], [GroundPlane([body])])
+    for _ in range(120):
+        world.step(FRAME)
+        assert body.position.y < 0.01 or body not in world.asleep
+    assert body.position.y == pytest.approx(0.0, abs=1e-9)
+
+
+# What wakes
+
+
+@pytest.mark.parametrize(
+    ("move", "speed"),
+    [
+        (lambda body: setattr(body, "velocity", Vector3(0.0, 3.0)), 3.0 - G * FRAME),
+        (lambda body: setattr(body, "position", Vector3(0.0, 1.0)), -G * FRAME),
+        (lambda body: setattr(body.position, "y", 1.0), -G * FRAME),
+        (lambda body: setattr(body, "mass", 2.0), 0.0),
+    ],
+)
+def test_a_hand_wakes_in_the_same_frame(move: Callable[[Particle], None], speed: float) -> None:
+    """What flies falls for its first frame, and what lies there is stopped by the ground."""
+    body, world = at_rest()
+    move(body)
+    mass = body.mass
+    world.step(FRAME)
+    assert body not in world.asleep
+    assert body.velocity.y == pytest.approx(speed, abs=1e-15)
+    assert body.mass == (2.0 if mass == 2.0 else 1.0)
+
+
+def test_a_force_by_hand_wakes_and_accelerates() -> None:
+    body, world = at_rest(2.0)
+    world.start_frame()
+    body.add_force(Vector3(0.0, 2.0 * (G + 6.0)))
+    world.run_physics(FRAME)
+    assert body.velocity.y == pytest.approx(6.0 * FRAME, rel=1e-12)
+    assert body not in world.asleep
+
+
+def test_a_generator_that_is_added_or_changed_later_wakes_within_its_frames() -> None:
+    body, world = at_rest()
+    wind = Gravity(Vector3(3.0))
+    world.registry.add(body, wind)
+    run(world, LOOK_EVERY)
+    assert body not in world.asleep
+    assert body.velocity.x > 0.0
+    body.velocity.clear()
+    world.registry.remove(body, wind)
+    run(world, 60)
+    assert body in world.asleep
+    place = body.position.x
+    weak = Gravity(Vector3(0.005 * G))  # half a hundredth of its weight
+    world.registry.add(body, weak)
+    run(world, 3 * LOOK_EVERY)
+    assert body in world.asleep
+    assert body.position.x == place
+    assert body.force_accumulator == Vector3()
+
+
+def test_a_generator_that_is_taken_away_wakes() -> None:
+    """A balloon of 1 kg that hangs still on a lift of its weight falls when that ends."""
+    body, lift = ball(0.0, 5.0), Gravity(Vector3(0.0, G))
+    world = SleepingWorld([body])
+    world.registry.add(body, lift)
+    run(world, 60)
+    assert body in world.asleep
+    world.registry.remove(body, lift)
+    run(world, 60 + LOOK_EVERY)
+    assert body.position.y < 5.0 - 0.5 * G * 0.9  # most of a second of falling
+
+
+def test_momentum_is_kept_when_a_sleeper_is_hit() -> None:
+    """1 kg at 3 m/s, plastic, on 2 kg that sleep: both at 1 m/s. No gravity, so no ground."""
+    sleeper, bullet = Particle(mass=2.0), Particle(Vector3(-3.0), Vector3(3.0))
+    bodies = [sleeper, bullet]
+    world = SleepingWorld(bodies, [ParticlePairs(bodies, 0.25)])
+    run(world, 40)
+    assert sleeper in world.asleep
+    run(world, 40)
+    assert sleeper.velocity.x == pytest.approx(1.0, rel=1e-12)
+    assert bullet.velocity.x == pytest.approx(1.0, rel=1e-12)
+    assert world.asleep == {}
+
+
+def test_a_hit_goes_through_a_row_that_sleeps() -> None:
+    """Five touching balls, elastic: the last one leaves with all of the speed, in one frame."""
+    row = [Particle(Vector3(0.5 * i)) for i in range(5)]
+    bullet = Particle(Vector3(-3.0), Vector3(4.0))
+    bodies = [bullet, *row]
+    world = SleepingWorld(bodies, [ParticlePairs(bodies, 0.25, 1.0)], iterations=50)
+    run(world, 35)
+    assert len(world.asleep) == 5
+    run(world, 5)
+    assert bullet.velocity.x == pytest.approx(0.0, abs=1e-12)
+    assert row[-1].velocity.x == pytest.approx(4.0, rel=1e-12)
+    assert math.fsum(p.velocity.x for p in bodies) == pytest.approx(4.0, rel=1e-12)
+
+
+def test_what_touches_a_restless_one_stays_awake() -> None:
+    """A pendulum swings on a rod from a still body of 1000 kg, which is slow all the while."""
+    heavy, bob = ball(0.0, 0.0, 1000.0), ball(0.6, 0.8)
+    world = SleepingWorld([heavy, bob], [GroundPlane([heavy]), TwoSidedRod(heavy, bob, 1.0)])
+    bob.acceleration = Vector3(G)
+    for _ in range(120):
+        world.step(FRAME)
+        assert heavy not in world.asleep
+
+
+def test_what_sleeps_is_asked_for_no_force_but_now_and_then() -> None:
+    calls = []
+
+    class Counting(Gravity):
+        def update_force(self, particle: Particle, duration: float) -> None:
+            calls.append(particle)
+            super().update_force(particle, duration)
+
+    body, world = at_rest()
+    world.registry.add(body, Counting(Vector3(0.0, -0.001)))
+    run(world, 100 * LOOK_EVERY)
+    assert len(calls) == 100
+    assert body in world.asleep
+
+
+def test_an_immovable_particle_neither_sleeps_nor_wakes_what_lies_on_it() -> None:
+    base, body = Particle(mass=math.inf), ball(0.0, 1.0)
+    bodies = [base, body]
+    world = SleepingWorld(bodies, [ParticlePairs(bodies, 0.5)])
+    run(world, 120)
+    assert set(world.asleep) == {body}
+    assert body.position.y == pytest.approx(1.0, abs=1e-3)
+    world.wake(body)
+    assert body.mass == 1.0
+    assert world.asleep == {}
+
+
+def test_a_spring_pulls_at_the_end_that_is_awake_though_the_other_one_sleeps() -> None:
+    """1 kg swings on a spring of 50 N/m over 1000 kg, which sleep: by 0.196 m about 1.104 m."""
+    heavy, bob = ball(0.0, 0.0, 1000.0), ball(0.0, 1.3)
+    world = SleepingWorld([heavy, bob], [GroundPlane([heavy, bob])])
+    connect(world.registry, heavy, bob, 50.0, 1.3)
+    for _ in range(300):
+        world.step(FRAME)
+        # Its energy swings to and fro by a part w h / 2, with w = 7: 0.01 m of the swing.
+        assert abs(bob.position.y - (1.3 - G / 50.0)) < G / 50.0 + 0.012
+
+
+def test_what_lay_on_a_ball_falls_when_that_is_knocked_away() -> None:
+    bodies = [ball(0.0, 0.5), ball(0.0, 1.5)]
+    grounds = [GroundPlane(bodies, radius=0.5), ParticlePairs(bodies, 0.5)]
+    world = SleepingWorld(bodies, grounds, iterations=100)
+    run(world, 200)
+    assert len(world.asleep) == 2
+    bodies[0].velocity = Vector3(10.0)
+    run(world, 120)
+    assert bodies[1].position.y == pytest.approx(0.5, abs=0.01)
+
+
+@pytest.mark.parametrize(("mass", "rate"), [(0.005, 240), (1e-4, 60)])
+def test_a_light_ball_does_not_fall_asleep_in_the_air(mass: float, rate: int) -> None:
+    body = ball(0.0, 1.0, mass, vy=5.0)
+    world = SleepingWorld([body], [GroundPlane([body])])
+    for _ in range(2 * rate):
+        world.step(1.0 / rate)
+    assert body.position.y == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize(("n", "iterations"), [(2, 20), (5, 200)])
+def test_a_stack_falls_asleep(n: int, iterations: int | None) -> None:
+    """Contacts end by a rounding, or by what the resolver left, and the ball falls for a frame.
+
+    With the default iterations it creeps too fast to sleep.
+    """
+    bodies = [ball(0.0, 0.5 + i) for i in range(n)]
+    grounds = [GroundPlane(bodies, radius=0.5), ParticlePairs(bodies, 0.5)]
+    world = SleepingWorld(bodies, grounds, iterations=iterations)
+    run(world, 300)
+    assert len(world.asleep) == n

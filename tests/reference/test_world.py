@@ -1,0 +1,303 @@
+"""ParticleWorld against the published engine's loop, written anew in floats, and closed forms.
+
+The published frame is: the forces, p += v h, v = (v + a h) d^h, and then the contacts.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import Drag
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import (
+    Integrator,
+    explicit_euler,
+    runge_kutta_4,
+    semi_implicit_euler,
+    velocity_verlet,
+)
+from ch06_springs.springs import AnchoredBungee, AnchoredSpring
+from ch07_constraints.contacts import Contact, ContactGenerator
+from ch07_constraints.detectors import GroundPlane
+from ch07_constraints.links import AnchoredRod, Cable, Rod, TwoSidedRod
+from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
+
+FRAME = 1.0 / 60.0
+G = 9.81
+GRAVITY = Vector3(0.0, -G, 0.0)
+Three = tuple[float, float, float]
+Force = Callable[[Three, Three], Three]
+
+
+# The published loop
+
+
+def no_force(_p: Three, _v: Three) -> Three:
+    return 0.0, 0.0, 0.0
+
+
+def published(
+    p: Three, v: Three, mass: float, damping: float, force: Force, frames: int, c: float | None
+) -> list[tuple[Three, Three]]:
+    """Return places and velocities after each frame; with c there is ground at y <= 0."""
+    (x, y, z), (vx, vy, vz), h, seen = p, v, FRAME, []
+    for _ in range(frames):
+        fx, fy, fz = force((x, y, z), (vx, vy, vz))
+        x, y, z = x + vx * h, y + vy * h, z + vz * h
+        keep = math.pow(damping, h)
+        vx, vy, vz = (
+            (vx + fx / mass * h) * keep,
+            (vy + (fy / mass - G) * h) * keep,
+            (vz + fz / mass * h) * keep,
+        )
+        if c is not None and y <= 0.0:
+            if vy < 0.0:
+                vy = max(0.0, -c * vy - c * G * h)  # the resting rule of 7.2.3
+            y = 0.0
+        seen.append(((x, y, z), (vx, vy, vz)))
+    return seen
+
+
+def spring(p: Three, _v: Three) -> Three:
+    """k 30 N/m, 1.5 m long at rest, from (1, 4, 0)."""
+    x, y, z = p[0] - 1.0, p[1] - 4.0, p[2]
+    length = math.sqrt(x * x + y * y + z * z)
+    pull = 30.0 * (1.5 - length) / length
+    return x * pull, y * pull, z * pull
+
+
+def bungee(p: Three, v: Three) -> Three:
+    """The same, and nothing where it would push (E-4 put right)."""
+    longer = math.dist(p, (1.0, 4.0, 0.0)) > 1.5
+    return spring(p, v) if longer else (0.0, 0.0, 0.0)
+
+
+def drag(_p: Three, v: Three) -> Three:
+    speed = math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+    factor = -(0.3 + 0.05 * speed)  # (k1 v + k2 v^2) / v
+    return v[0] * factor, v[1] * factor, v[2] * factor
+
+
+ANCHOR = Vector3(1.0, 4.0, 0.0)
+SCENES = [
+    ("ballistics", no_force, None, 0.99, None, 5.0),
+    ("anchored spring", spring, AnchoredSpring(ANCHOR, 30.0, 1.5), 0.9, None, 5.0),
+    ("bungee", bungee, AnchoredBungee(ANCHOR, 30.0, 1.5), 0.95, None, 5.0),
+    ("drag", drag, Drag(0.3, 0.05), 0.999, None, 5.0),
+    ("ground", no_force, None, 0.999, 0.9, 6.0),
+    ("ground and drag", drag, Drag(0.3, 0.05), 1.0, 0.0, 3.0),
+]
+
+
+@pytest.mark.parametrize(
+    ("force", "generator", "damping", "c", "time"),
+    [s[1:] for s in SCENES],
+    ids=[s[0] for s in SCENES],
+)
+def test_a_trajectory_is_the_published_engine_s(
+    force: Force, generator: AnchoredSpring | None, damping: float, c: float | None, time: float
+) -> None:
+    start, speed, mass, frames = (0.0, 3.0, -1.0), (4.0, 2.5, 0.5), 2.0, round(time / FRAME)
+    ball = Particle(Vector3(*start), Vector3(*speed), GRAVITY, mass=mass, damping=damping)
+    grounds = [] if c is None else [GroundPlane([ball], restitution=c)]
+    world = ParticleWorld([ball], grounds, integrator=explicit_euler)
+    if generator is not None:
+        world.registry.add(ball, generator)
+    for place, velocity in published(start, speed, mass, damping, force, frames, c):
+        world.step(FRAME)
+        # Roundings of 100 m for 360 frames, which a spring at the edge may double now and then.
+        assert tuple(ball.position) == pytest.approx(place, abs=1e-9)
+        assert tuple(ball.velocity) == pytest.approx(velocity, abs=1e-9)
+
+
+def test_the_published_ball_bounces_all_the_while() -> None:
+    """Else there were nothing to compare: the scene has a bounce in its last second."""
+    seen = published((0.0, 3.0, -1.0), (4.0, 2.5, 0.5), 2.0, 0.999, no_force, 360, 0.9)
+    turns = [i for i, (a, b) in enumerate(pairwise(seen)) if a[1][1] < 0.0 < b[1][1]]
+    assert len(turns) >= 4
+    assert turns[-1] > 300
+
+
+# What a frame does
+
+
+class Diary:
+    """A force generator and a contact generator that note when they were asked, and where."""
+
+    def __init__(self, notes: list[tuple[str, float]], particle: Particle) -> None:
+        self.notes, self.particle = notes, particle
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        del duration
+        self.notes.append(("force", particle.position.y))
+
+    def contacts(self) -> list[Contact]:
+        self.notes.append(("contacts", self.particle.position.y))
+        depth = -self.particle.position.y
+        return [Contact(self.particle, None, Vector3(0.0, 1.0), 0.0, depth)] if depth > 0.0 else []
+
+
+def test_forces_come_before_the_move_and_contacts_after_it() -> None:
+    """And all generators are asked before anything is resolved: both see the ball 1 m deep."""
+    notes: list[tuple[str, float]] = []
+    ball = Particle(velocity=Vector3(0.0, -4.0))
+    diary = Diary(notes, ball)
+    world = ParticleWorld([ball], [diary, diary])
+    world.registry.add(ball, diary)
+    world.step(0.25)
+    assert notes == [("force", 0.0), ("contacts", -1.0), ("contacts", -1.0)]
+    assert (ball.position.y, ball.velocity.y) == (0.0, 0.0)
+
+
+def test_a_hundred_contacts_in_one_frame_are_all_resolved() -> None:
+    """The book's world has a maximum of contacts, and drops what is above it in silence."""
+    balls = [Particle(Vector3(i, 0.001 * i), Vector3(0.0, -9.0), GRAVITY) for i in range(100)]
+    world = ParticleWorld(balls, [GroundPlane(balls)])
+    world.step(FRAME)
+    assert [ball.velocity.y for ball in balls] == [0.0] * 100
+    assert max(abs(ball.position.y) for ball in balls) <= 1e-9  # what counts as touching
+    assert world.resolver.iterations_used >= 100
+
+
+def test_forces_before_a_frame_do_not_count_and_those_in_it_count_once() -> None:
+    ball = Particle(mass=2.0)
+    world = ParticleWorld([ball])
+    ball.add_force(Vector3(100.0))
+    world.step(0.5)
+    assert ball.velocity == Vector3()
+    ball.add_force(Vector3(100.0))
+    world.start_frame()
+    ball.add_force(Vector3(8.0))
+    world.run_physics(0.5)
+    assert ball.velocity == Vector3(2.0)
+    world.run_physics(0.5)
+    assert ball.velocity == Vector3(2.0)
+    assert ball.position == Vector3(2.0)
+
+
+@pytest.mark.parametrize("duration", [0.0, -1.0, math.nan, math.inf])
+@pytest.mark.parametrize("frame", ["step", "run_physics"])
+def test_a_frame_of_no_duration_leaves_all_as_it_was(frame: str, duration: float) -> None:
+    ball = Particle(velocity=Vector3(1.0))
+    ball.add_force(Vector3(8.0))
+    with pytest.raises(ValueError, match="duration"):
+        getattr(ParticleWorld([ball], [GroundPlane([ball])]), frame)(duration)
+    assert (ball.position, ball.force_accumulator) == (Vector3(), Vector3(8.0))
+
+
+# Conserved quantities
+
+
+def test_mechanical_energy_is_m_v2_over_2_plus_m_g_y() -> None:
+    particles = [
+        Particle(Vector3(9.0, 3.0), Vector3(3.0, 0.0, 4.0), Vector3(0.0, -10.0), mass=2.0),
+        Particle(Vector3(9.0, -1.0), acceleration=Vector3(0.0, -10.0), mass=0.5),
+        Particle(Vector3(9.0, 50.0), Vector3(7.0), Vector3(0.0, -10.0), mass=math.inf),
+        Particle(Vector3(9.0, 50.0), Vector3(2.0), mass=3.0),  # which nothing pulls
+    ]
+    assert mechanical_energy(particles) == 25.0 + 60.0 - 5.0 + 6.0
+    tilted = Particle(Vector3(1.0, 2.0, 3.0), acceleration=Vector3(1.0, -1.0, 2.0), mass=2.0)
+    assert mechanical_energy([tilted]) == -10.0
+    assert mechanical_energy([]) == 0.0
+
+
+def test_a_shot_s_energy_is_kept_where_the_step_is_exact() -> None:
+    """Verlet has no error under constant acceleration, and no damping takes anything."""
+    shot = Particle(Vector3(0.0, 2.0), Vector3(30.0, 40.0), GRAVITY, mass=3.0)
+    world = ParticleWorld([shot], integrator=velocity_verlet)
+    energy = 1.5 * 2500.0 + 3.0 * G * 2.0
+    for _ in range(480):
+        world.step(FRAME)
+        # 480 frames of a few roundings of 3750 J, 2^-53 each.
+        assert mechanical_energy(world.particles) == pytest.approx(energy, rel=1e-12)
+
+
+def tangle() -> tuple[list[Particle], list[ContactGenerator]]:
+    """Return 20 particles that fly about, and rods and cables between neighbours."""
+    draw = random.Random(81)
+
+    def vector(size: float) -> Vector3:
+        return Vector3(*(draw.uniform(-size, size) for _ in range(3)))
+
+    bodies = [Particle(vector(1.0), vector(3.0), mass=draw.uniform(0.2, 5.0)) for _ in range(20)]
+    links: list[ContactGenerator] = []
+    for i, (a, b) in enumerate(pairwise(bodies)):
+        length = (b.position - a.position).magnitude()
+        kinds = [Rod(a, b, length), TwoSidedRod(a, b, length), Cable(a, b, length, 0.5)]
+        links.append(kinds[i % 3])
+    return bodies, links
+
+
+def momentum_of(bodies: Sequence[Particle]) -> list[float]:
+    momenta = [tuple(body.momentum()) for body in bodies]
+    return [math.fsum(column) for column in zip(*momenta, strict=True)]
+
+
+@pytest.mark.parametrize("step", [explicit_euler, semi_implicit_euler, runge_kutta_4])
+def test_rods_and_cables_keep_the_momentum_and_the_way_of_the_centre(step: Integrator) -> None:
+    bodies, links = tangle()
+    world, total = ParticleWorld(bodies, links, integrator=step), sum(b.mass for b in bodies)
+    before = momentum_of(bodies)
+    start = [math.fsum(b.mass * tuple(b.position)[i] for b in bodies) / total for i in range(3)]
+    speeds = [tuple(b.velocity) for b in bodies]
+    for _ in range(300):
+        world.step(FRAME)
+    # 300 frames of up to 80 impulses of some 10 kg m/s, each rounded twice at 2^-53: 5e-11.
+    assert momentum_of(bodies) == pytest.approx(before, abs=5e-11)
+    for i in range(3):
+        center = math.fsum(b.mass * tuple(b.position)[i] for b in bodies) / total
+        assert center == pytest.approx(start[i] + before[i] / total * 5.0, abs=5e-11)
+    assert max(math.dist(a, b.velocity) for a, b in zip(speeds, bodies, strict=True)) > 1.0
+
+
+# Integrators
+
+
+@pytest.mark.parametrize(
+    ("step", "order"),
+    [(explicit_euler, 1), (semi_implicit_euler, 1), (velocity_verlet, 2), (runge_kutta_4, 4)],
+)
+def test_each_step_has_its_order_in_a_world(step: Integrator, order: int) -> None:
+    """On a spring with w = 2 that is let go from 1 m: x = cos(2 t), at 1.3 s."""
+    errors = []
+    for frames in (50, 100, 200):
+        bob = Particle(Vector3(1.0), mass=0.5)
+        world = ParticleWorld([bob], integrator=step)
+        world.registry.add(bob, AnchoredSpring(Vector3(), 2.0, 0.0))
+        for _ in range(frames):
+            world.step(1.3 / frames)
+        errors.append(abs(bob.position.x - math.cos(2.6)))
+    for coarse, fine in pairwise(errors):
+        # The next order adds a part w h, 0.05, at the most a few times.
+        assert math.log2(coarse / fine) == pytest.approx(order, abs=0.15)
+
+
+def test_the_default_step_is_semi_implicit_and_the_world_s_contacts_hold_a_pendulum() -> None:
+    """From p = 0 the first frame moves by g h^2; a rod of 1 m is 1 m long after every frame."""
+    drop = Particle(acceleration=GRAVITY)
+    ParticleWorld([drop]).step(0.5)
+    assert drop.position.y == -0.25 * G
+    bob = Particle(Vector3(1.0), acceleration=GRAVITY)
+    world = ParticleWorld([bob], [AnchoredRod(bob, Vector3(), 1.0)])
+    for _ in range(600):
+        world.step(FRAME)
+        # Depths below the resolver's 1e-9 m are left be.
+        assert bob.position.magnitude() == pytest.approx(1.0, abs=1.1e-9)
+
+
+def test_what_a_world_cannot_be_made_of_is_named() -> None:
+    ball = Particle()
+    with pytest.raises(ValueError, match="twice"):
+        ParticleWorld([ball, ball])
+    with pytest.raises(TypeError, match=r"contact_generators\[0\]"):
+        ParticleWorld([ball], [ball])  # type: ignore[list-item]
+    with pytest.raises(TypeError, match="integrator"):
+        ParticleWorld([ball], integrator=None)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="iterations"):
+        ParticleWorld([ball], iterations=0)

@@ -132,7 +132,7 @@ def load_on_bridge(
 ) -> tuple[Track, int]:
     """Return the over_length of a bridge whose ball has a mass, at 60 frames a second.
 
-    With it comes how often a contact was resolved.
+    It is infinite once the ball has fallen through. With it comes how often a contact was resolved.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)
@@ -144,8 +144,11 @@ def load_on_bridge(
             bridge.step(duration / substeps)
             work += bridge.world.resolver.iterations_used
 
-    run = tracks(move, [lambda: over_length(bridge)], round(seconds / FRAME), FRAME)[0]
-    return run, work
+    def measure() -> float:
+        lowest = min(numbers(end.position)[1] for row in bridge.rows for end in row)
+        return over_length(bridge) if numbers(bridge.ball.position)[1] > lowest else math.inf
+
+    return tracks(move, [measure], round(seconds / FRAME), FRAME)[0], work
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:

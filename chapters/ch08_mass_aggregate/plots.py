@@ -66,6 +66,7 @@ from studies.stability import stopped
 SETTLED = 10.0  # s: from when on scenes are to rest
 STEADY = 0.1  # %: by how much the energy of what rests may vary
 BOUND = 2.0  # %: by how much a cable may be too long
+THROUGH = 1e3  # %, where a picture has what is infinitely too long
 # How each rate is drawn, and for how many seconds: 120 Hz take longest, and are stillest.
 RATES = {30: (RED, 30.0), 60: (BLUE, 30.0), 120: (GREEN, 15.0)}
 
@@ -118,16 +119,17 @@ def mass_ratios() -> Picture:
         ends = f"fails at {bad[0]}:1" if bad else f"holds at {max(worst, default=0)}:1"
         most = max((work for _, work in seen.values()), default=0)
         # What is right to the last digit has its place at the lower edge.
-        shown = {ratio: max(value, 1e-3) for ratio, value in worst.items()}
+        shown = {ratio: min(max(value, 1e-3), THROUGH) for ratio, value in worst.items()}
         label = f"{way}: {ends} (up to {most:,} resolutions)"
         axes.loglog(*zip(*shown.items(), strict=True), "o-", color=color, label=label)
         axes.plot(bad, [shown[ratio] for ratio in bad], "x", color=BLACK, ms=11, mew=2)
         if 300 in worst:
             words.append(f"{way} {worst[300]:.2g} %")
     axes.plot([], [], "x", color=BLACK, ms=9, mew=2, label="fails")
-    axes.axhspan(BOUND, 1e5, color=GREY, alpha=0.12, lw=0)
+    axes.axhline(THROUGH, color=GREY, lw=1, ls=":", label="the ball has fallen through")
+    axes.axhspan(BOUND, 1e6, color=GREY, alpha=0.12, lw=0)
     axes.axhline(BOUND, color=GREY, lw=1, ls="--", label=f"{BOUND:g} %: more is a fail")
-    axes.set_ylim(8e-4, 2e4)
+    axes.set_ylim(8e-4, 2e5)
     axes.set_xticks(ratios, [f"{ratio}:1" for ratio in ratios])
     axes.set_xticks([], minor=True)
     axes.set_title(
@@ -138,7 +140,7 @@ def mass_ratios() -> Picture:
     axes.set(xlabel="mass of the ball to that of a plank's end")
     axes.set_ylabel("worst cable too long by, %, from 3 to 4 s (60 Hz)")
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=8.5)
+    axes.legend(fontsize=8.5, loc="upper left")
     notes = [f"{key}: {run.message}" for key, (run, _) in found.items() if run.message]
     tell(figure, notes)
     return Picture(

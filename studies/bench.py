@@ -30,10 +30,11 @@ def main(arguments: list[str]) -> int:
         sparks,
         springs,
         vectors,
+        worlds,
     )
 
     lines = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    lines += [*forces.lines(), *springs.lines(), *constraints.lines()]
+    lines += [*forces.lines(), *springs.lines(), *constraints.lines(), *worlds.lines()]
     lines += grading.lines(console)
     table = Table("what", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("ratio", "spread", "target"):

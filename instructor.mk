@@ -4,7 +4,7 @@ SUBMISSIONS ?= sample_class
 HOSTILE := tests/autograder/test_hostile.py
 OURS := $(wildcard chapters/*/plots*.py chapters/*/demos*.py)
 
-.PHONY: grade handout stubs test lint bench
+.PHONY: grade handout stubs test lint bench soak
 
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3 GIVEN=2 CHECKS=hidden) into build/grades/
 	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(JOBS),--jobs "$(JOBS)")
@@ -23,6 +23,9 @@ lint: $(READY) ## style and types
 	@$(RUN) -m ruff check . $(OURS)
 	@$(RUN) -m ruff format --check . $(OURS)
 	@$(RUN) -m mypy
+
+soak: $(READY) ## ten minutes of bridge and platform at three frame rates, in about ten minutes
+	@$(RUN) -m studies soak
 
 bench: $(READY) ## speed, as ratios measured in turn
 	@$(RUN) -m studies bench

@@ -1,4 +1,4 @@
-"""The reference's plots, drawn once for all tests of plots: that takes half a minute."""
+"""The reference's plots, drawn once for all tests of plots: that takes more than a minute."""
 
 from __future__ import annotations
 
@@ -16,6 +16,6 @@ def drawn(
     from drawn_plots import plot  # tests/ is on the path only once pytest is configured
 
     out = tmp_path_factory.mktemp("plots")
-    done = plot("solutions", out, "2-7")
+    done = plot("solutions", out, "2-8")
     assert done.returncode == 0, done.stdout + done.stderr
     return out, done

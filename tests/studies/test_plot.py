@@ -45,6 +45,15 @@ NAMES = (
     "ch07_constraints/rods_hold",
     "ch07_constraints/pendulum_energy",
     "ch07_constraints/restitution_of_materials",
+    "ch08_mass_aggregate/energy_of_bridge",
+    "ch08_mass_aggregate/energy_of_platform",
+    "ch08_mass_aggregate/mass_ratios",
+    "ch08_mass_aggregate/hanging_rope",
+    "ch08_mass_aggregate/variable_frames",
+    "ch08_mass_aggregate/trebuchet_range",
+    "ch08_mass_aggregate/wheel_deformation",
+    "ch08_mass_aggregate/blob_bonds",
+    "ch08_mass_aggregate/sleeping_balls",
 )
 
 

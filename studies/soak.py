@@ -1,0 +1,74 @@
+"""Let the bridge and the platform of chapter 8 run for ten minutes each, and watch their energy.
+
+At 30, 60 and 120 frames a second: all must stay finite, the energy never rise above its start, and
+change by less than 0.1 % over the last minute.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from collections.abc import Callable
+
+from rich.progress import track
+
+from studies.plot import use_engine
+
+RATES = (30, 60, 120)  # Hz
+MINUTES = 10
+MOST = 0.001  # of the energy, by which it may vary over the last minute
+
+
+def main(arguments: list[str]) -> int:
+    """Run both scenes at every rate and say how each went; return 1 where one has failed."""
+    parser = argparse.ArgumentParser(prog="python -m studies soak", description=__doc__)
+    parser.add_argument("--engine", default="solutions", help="the folder to run")
+    parser.add_argument("--minutes", type=int, default=MINUTES, help="for how long, simulated")
+    options = parser.parse_args(arguments)
+    if options.minutes < 1:
+        parser.error(f"--minutes must be 1 or more, got {options.minutes!r}")
+    use_engine(parser, options.engine)
+    from ch08_mass_aggregate.bridge import Bridge
+    from ch08_mass_aggregate.tilting_platform import TiltingPlatform
+    from ch08_mass_aggregate.world import mechanical_energy
+
+    failed = 0
+    for kind in (Bridge, TiltingPlatform):
+        for rate in RATES:
+            scene = kind()
+
+            def energy(scene: Bridge | TiltingPlatform = scene) -> float:
+                return mechanical_energy(scene.world.particles)
+
+            name = f"{kind.__name__} at {rate} Hz"
+            fault = soak(name, scene.step, energy, rate, options.minutes)
+            print(f"{name}, {options.minutes} minutes: {fault or 'well'}", flush=True)
+            failed += bool(fault)
+    print(f"{failed} of {2 * len(RATES)} runs failed")
+    return 1 if failed else 0
+
+
+def soak(
+    name: str,
+    step: Callable[[float], object],
+    energy: Callable[[], float],
+    rate: int,
+    minutes: int,
+) -> str:
+    """Run a scene; return what is wrong with its energy, or nothing."""
+    start = energy()
+    last: list[float] = []
+    for _ in track(range(minutes), name, transient=True, disable=not sys.stdout.isatty()):
+        last.clear()
+        for frame in range(60 * rate):
+            step(1.0 / rate)
+            last.append(energy())
+            if not math.isfinite(last[-1]):
+                return f"its energy is {last[-1]} in frame {frame}"
+        if max(last) > start:
+            return f"its energy rises from {start:.6g} J to {max(last):.6g} J"
+    change = (max(last) - min(last)) / abs(last[-1])
+    if change > MOST:
+        return f"its energy varies by {change:.2%} over the last minute"
+    return ""

@@ -215,6 +215,8 @@ def releases(design: Design) -> list[Release]:
             machine.world.step(STEP)
             x, y, _ = numbers(machine.projectile.position)
             vx, vy, vz = numbers(machine.projectile.velocity)
+            if y <= 0.0:  # on the sling to the ground: no throw
+                return
             if vx <= 0.0 or y <= PIVOT_HEIGHT:
                 continue
             angle = math.degrees(math.atan2(vy, vx))

@@ -109,15 +109,16 @@ def slept(mass: float, speed: float) -> dict[str, Any]:
     return told
 
 
-def woken_by_hand(how: str) -> tuple[list[int], float, Components]:
+def woken_by_hand(how: str) -> tuple[list[int], list[int], float, Components]:
     """Let a particle fall asleep on the ground, and do something to it.
 
-    Return who sleeps after a frame, its mass, and its velocity.
+    Return who sleeps before, and after a frame, its mass, and its velocity.
     """
     particle = Particle(acceleration=DOWN, mass=2.0)
     world = SleepingWorld([particle], [GroundPlane([particle])], sleep_frames=3)
     for _ in range(5):
         world.step(FRAME)
+    before = asleep(world, [particle])
     if how == "velocity":
         particle.velocity.x = 3.0
     elif how == "place":
@@ -128,7 +129,7 @@ def woken_by_hand(how: str) -> tuple[list[int], float, Components]:
     if how == "force":
         particle.add_force(Vector3(60.0))
     world.run_physics(FRAME)
-    return asleep(world, [particle]), particle.mass, xyz(particle.velocity)
+    return before, asleep(world, [particle]), particle.mass, xyz(particle.velocity)
 
 
 def woken_by_force(old: float, new: float, frames: int, late: bool = False) -> list[list[int]]:
@@ -195,10 +196,11 @@ def woken_by_contact(speed: float, frames: int, first: bool) -> dict[str, Any]:
     return {"before": before, "seen": seen, "momenta": momenta}
 
 
-def dropped_on(speed: float) -> tuple[float, float]:
+def dropped_on(speed: float) -> tuple[list[int], float, float]:
     """Throw a ball down at one that sleeps on the ground.
 
-    Return how fast along Y the lower one moves after the frame in which it wakes, and its place.
+    Return who sleeps before, and of the lower one velocity and place along Y after the frame in
+    which it wakes.
     """
     lower, upper = (Particle(Vector3(0.0, 0.5 + 3.0 * i), acceleration=DOWN) for i in range(2))
     balls = [lower, upper]
@@ -206,11 +208,14 @@ def dropped_on(speed: float) -> tuple[float, float]:
     world = SleepingWorld([lower], grounds, iterations=200, sleep_frames=3)
     for _ in range(5):
         world.step(FRAME)
+    before = asleep(world, balls)
     upper.velocity.y = -speed
     world.particles.append(upper)
-    while lower in world.asleep and upper.position.y > 0.0:
+    for _ in range(60):
+        if lower not in world.asleep:
+            break
         world.step(FRAME)
-    return lower.velocity.y, lower.position.y
+    return before, lower.velocity.y, lower.position.y
 
 
 def support_gone(frames: int) -> tuple[list[int], list[int], float]:

@@ -137,7 +137,8 @@ def test_what_is_moved_by_hand_wakes(
     if how == "nothing":
         call = "a particle of 2 kg asleep on the ground, and nothing happens; 1/60 s, wake_moved()"
     cause = "look for it before the integrator moves what is awake: the frame counts for it already"
-    got, now, fast = woken_by_hand(how)
+    before, got, now, fast = woken_by_hand(how)
+    expect_exactly(f"{call}: who slept before", before, [0], cause=cause, read=read)
     expect_exactly(f"{call}: who sleeps", got, sleeps, cause=cause, read=read)
     cause = "its mass is what it was, unless it was given another"
     name = f"{call}: 1 / mass"
@@ -205,7 +206,8 @@ def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
     call += "velocity and height of the lower one, after the frame in which it wakes"
     cause = "what sleeps has no contact with the ground: look for contacts again when one wakes, "
     cause += "or it is pushed into the ground"
-    got = dropped_on(speed)
+    before, *got = dropped_on(speed)
+    expect_exactly(f"{call}: who slept before", before, [0], cause=cause, read=read)
     # Two hundred iterations leave some 1e-9 m/s.
     expect_close(call, got, (0.0, 0.5), cause=cause, read=read, tolerance=1e-6)
 

@@ -1,0 +1,36 @@
+"""Fixed step."""
+
+from ch03_laws_of_motion.arguments import not_negative, positive
+
+SHARE = 1e-9
+
+
+class FixedStep:
+    def __init__(self, step, duration, max_steps=None):
+        if not callable(step):
+            raise TypeError(f"step must be something to call, got {step!r}")
+        if max_steps is not None:
+            if not isinstance(max_steps, int) or isinstance(max_steps, bool):
+                raise TypeError(f"max_steps must be a whole number or None, got {max_steps!r}")
+            if max_steps < 1:
+                raise ValueError(f"max_steps must be 1 or more, got {max_steps!r}")
+        self.step = step
+        self.duration = positive("duration", duration)
+        self.max_steps = max_steps
+        self.left = 0.0
+        self.dropped = 0.0
+
+    def advance(self, elapsed):
+        not_negative("elapsed", elapsed)
+        self.left += elapsed
+        steps = 0
+        while self.left >= self.duration:
+            if self.max_steps is not None and steps == self.max_steps:
+                # too late: forget all of it
+                self.dropped += self.left
+                self.left = 0.0
+                break
+            self.step(self.duration)
+            self.left -= self.duration
+            steps += 1
+        return steps

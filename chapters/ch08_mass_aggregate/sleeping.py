@@ -30,7 +30,7 @@ class Sleep:
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
-    acceleration: Vector3  # m/s^2, with that of its forces
+    acceleration: Vector3  # m/s^2, with that of its forces: its last_acceleration
     neighbours: tuple[Particle, ...]  # what it touched, or was joined to
 
 
@@ -90,9 +90,10 @@ class SleepingWorld(ParticleWorld):
         """Wake what the generators of the registry push otherwise than when it fell asleep.
 
         The acceleration of now, a + f / m with their forces, is compared with the one of then. A
-        change of more than SAME of what acts wakes: of |a| + |f / m|, or of what it was then. Only
-        generators that are registered for what sleeps are asked, and each has its own mass for that
-        time. The accumulators of what sleeps are empty before and afterwards.
+        change of more than SAME of what acts wakes: of |a| + |f / m| now, or of the acceleration of
+        then, whichever is larger. Only generators that are registered for what sleeps are asked,
+        and each particle has its own mass for that time. The accumulators of what sleeps are empty
+        before and afterwards.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

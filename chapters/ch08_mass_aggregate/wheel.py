@@ -47,8 +47,9 @@ class RimDrive:
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
     """Return how fast a wheel turns about its hub, in rad/s: angular momentum by moment of inertia.
 
-    That is the sum of m (x v_y - y v_x), divided by that of m (x^2 + y^2), seen from the hub. 0
-    where the rim has no moment of inertia.
+    That is the sum of m (x v_y - y v_x), divided by that of m (x^2 + y^2), with places and
+    velocities as they are seen from the hub, should that move. 0 where the rim has no moment of
+    inertia.
     """
     raise NotImplementedError("Exercise 8.3b: Drive its rim")
 

@@ -21,10 +21,13 @@ G = 9.81
 
 
 def draw_design(rng: Random) -> tuple[float, ...]:
-    """Draw counterweight, short arm, long arm, sling and release angle of one that throws well."""
-    short = positive_number(rng, 1.3, 1.5)
+    """Draw counterweight, short arm, long arm, sling and release angle of one that throws well.
+
+    It is a small one, which throws within 1.1 s.
+    """
+    short = positive_number(rng, 0.7, 0.8)
     return (
-        positive_number(rng, 180.0, 220.0),
+        positive_number(rng, 350.0, 400.0),
         short,
         2.0 * short,
         short,
@@ -108,17 +111,18 @@ def test_a_throw_agrees_with_lagrange(rng: Random) -> None:
     cause += "world's step used until it lets go?"
     distance, share, _ = throw(design)
     true_distance, true_share = thrown(*design)
-    # First order in the frame: at 1/250 s range and share are up to 2.7 % too small.
+    # First order in the frame: at 1/250 s range and share are up to 6.5 % too small, for
+    # rods of either kind.
     expect_close(
         f"{call}: range",
         distance,
         true_distance,
         cause=cause,
         read=read,
-        tolerance=0.04 * true_distance,
+        tolerance=0.1 * true_distance,
     )
     expect_close(
-        f"{call}: share", share, true_share, cause=cause, read=read, tolerance=0.04 * true_share
+        f"{call}: share", share, true_share, cause=cause, read=read, tolerance=0.1 * true_share
     )
 
 

@@ -75,7 +75,7 @@ def deck(
 
     Particles are numbered: the ball is 0, and then come the ends of the rows.
     """
-    particle = Particle(Vector3(*ball))
+    particle = Particle(Vector3(*ball), Vector3(0.0, 3.0, 0.0))  # on its way up: it touches as well
     made = [(Particle(Vector3(*a)), Particle(Vector3(*b))) for a, b in rows]
     generator = bridge.Deck(particle, radius, made, c)
     nearest: Any = generator.nearest()
@@ -104,7 +104,7 @@ def platform_rods(places: Sequence[Components]) -> list[tuple[int, int, float]]:
 
 
 def weighed(weights: Sequence[tuple[float, float]]) -> tuple[list[float], str]:
-    """Put weights, mass and place, on a platform; return the masses, and the last one's error."""
+    """Put weights, mass and place, on a platform; return all masses, and the last one's error."""
     platform = tilting_platform.TiltingPlatform()
     error = ""
     for mass, x in weights:
@@ -112,7 +112,7 @@ def weighed(weights: Sequence[tuple[float, float]]) -> tuple[list[float], str]:
             platform.put_weight(mass, x)
         except (ValueError, TypeError) as raised:
             error = type(raised).__name__
-    return [particle.mass for particle in platform.particles[2:]], error
+    return [particle.mass for particle in platform.particles], error
 
 
 def tipped(mass: float, x: float, frames: int, duration: float) -> list[Components]:
@@ -124,13 +124,15 @@ def tipped(mass: float, x: float, frames: int, duration: float) -> list[Componen
     return [xyz(particle.position) for particle in platform.particles]
 
 
-def freed(frames: int, duration: float) -> dict[str, Any]:
-    """Free the pivot of a platform and wait.
+def freed(frames: int, duration: float, weight: float = 0.0) -> dict[str, Any]:
+    """Free the pivot of a platform, with a weight on its right end, and wait.
 
     Return the masses, the rods between its particles, of the list and of the world, where its
     particles were and are, and where they were at most below the ground.
     """
     platform = tilting_platform.TiltingPlatform()
+    for end in platform.particles[4:]:
+        end.mass += 0.5 * weight
     platform.free_pivot()
     particles = platform.particles
     generators = platform.world.contact_generators
@@ -155,12 +157,13 @@ def bonded(
     break_length: float,
     way: Components,
     swap: bool = False,
+    origin: Components = (1.0, 2.0, 3.0),
 ) -> list[tuple[Components, Components, bool]]:
     """Pull the ends of a bond to these distances, one after the other.
 
     Return the force on a, that on b, and whether it holds, at each; with ``swap`` b is asked first.
     """
-    a, b = Particle(Vector3(1.0, 2.0, 3.0)), Particle()
+    a, b = Particle(Vector3(*origin)), Particle()
     bond = blob.Bond(a, b, stiffness, rest_length, limit, share, break_length)
     seen = []
     for length in lengths:
@@ -172,9 +175,12 @@ def bonded(
     return seen
 
 
-def spread_of(places: Sequence[Components], masses: Sequence[float]) -> Any:
-    """Return the spread of particles."""
-    return blob.spread([Particle(Vector3(*p), mass=m) for p, m in zip(places, masses, strict=True)])
+def spread_of(
+    places: Sequence[Components], masses: Sequence[float]
+) -> tuple[Any, list[Components]]:
+    """Return the spread of particles, and where they are then."""
+    made = [Particle(Vector3(*p), mass=m) for p, m in zip(places, masses, strict=True)]
+    return blob.spread(made), [xyz(particle.position) for particle in made]
 
 
 def settled_blob(frames: int, duration: float) -> tuple[list[Components], list[Components]]:
@@ -218,14 +224,20 @@ def wheel_rods(hub: Components, rim: Sequence[Components]) -> list[tuple[int, in
     return rods(wheel.rods_of(particles[0], particles[1:]), particles)
 
 
-def driven(hub: Components, force: float, places: Sequence[Components]) -> list[Components]:
-    """Return the force of a RimDrive on particles at these places."""
+def driven(
+    hub: Components, force: float, places: Sequence[Components], already: Components
+) -> list[tuple[Components, Components]]:
+    """Return the forces on particles of 2 kg at these places, and where they are then.
+
+    They are those of one RimDrive, and one that was added already.
+    """
     drive = wheel.RimDrive(Particle(Vector3(*hub), mass=math.inf), force)
     seen = []
     for place in places:
-        particle = Particle(Vector3(*place))
+        particle = Particle(Vector3(*place), mass=2.0)
+        particle.add_force(Vector3(*already))
         drive.update_force(particle, 0.1)
-        seen.append(xyz(particle.force_accumulator))
+        seen.append((xyz(particle.force_accumulator), xyz(particle.position)))
     return seen
 
 
@@ -233,9 +245,13 @@ def spun(
     hub: tuple[Components, Components],
     rim: Sequence[tuple[Components, Components, float]],
 ) -> Any:
-    """Return the spin of a rim: place, velocity and mass of each; of the hub place and velocity."""
+    """Return the spin of a rim: place, velocity and mass of each; of the hub place and velocity.
+
+    It is asked for twice: to look at a wheel moves nothing.
+    """
     middle = Particle(Vector3(*hub[0]), Vector3(*hub[1]), mass=math.inf)
     made = [Particle(Vector3(*p), Vector3(*v), mass=m) for p, v, m in rim]
+    wheel.spin(middle, made)
     return wheel.spin(middle, made)
 
 
@@ -246,6 +262,7 @@ def deformed(rods_told: Sequence[tuple[float, float]], way: Components) -> Any:
         a = Particle(Vector3(1.0, 2.0, 3.0))
         b = Particle(a.position + Vector3(*way) * apart)
         made.append(wheel.Rod(a, b, length))
+    wheel.deformation(made)  # to look at rods moves nothing: a second look finds the same
     return wheel.deformation(made)
 
 
@@ -266,13 +283,15 @@ def ruled(rows: int, events: Sequence[int]) -> list[tuple[int, int, list[int], b
     return seen
 
 
-def refused_row(rows: int, row: int) -> str:
-    """Tell rules of a landing; return the error's name."""
+def refused_row(rows: int, row: int) -> tuple[str, int, list[int]]:
+    """Tell rules of a landing; return the error's name, the score, and the visited rows."""
+    rules = ball_game.Rules(rows)
+    error = ""
     try:
-        ball_game.Rules(rows).landed(row)
-    except ValueError:
-        return "ValueError"
-    return ""
+        rules.landed(row)
+    except ValueError as raised:
+        error = type(raised).__name__
+    return error, rules.score, sorted(rules.visited)
 
 
 def landing(height: float, velocity: float, x: float) -> tuple[int, Any, Any]:
@@ -281,11 +300,13 @@ def landing(height: float, velocity: float, x: float) -> tuple[int, Any, Any]:
     Return how many contacts there were, and the row that was noted at first, and then.
     """
     game = ball_game.BallGame()
+    game.landings.row = 0  # as of a frame before
     game.ball.position, game.ball.velocity = Vector3(x, height), Vector3(1.0, velocity)
     count = len([*game.landings.contacts()])
     first = game.landings.row
     game.ball.position.y += 10.0
-    game.landings.contacts()
+    for _ in game.landings.contacts():
+        pass
     return count, first, game.landings.row
 
 
@@ -297,9 +318,11 @@ def played(
     velocity: Components,
     lives: int = 3,
     visited: Sequence[int] = (),
+    mass: float = 1.0,
 ) -> list[dict[str, Any]]:
     """Play a game from a place of the ball; return what there is after each frame."""
     game = ball_game.BallGame()
+    game.ball.mass = mass
     game.direction = direction
     game.rules.lives = lives
     game.rules.visited = set(visited)
@@ -342,31 +365,31 @@ def lets_go(numbers: Sequence[float], flights: Sequence[tuple[float, Components]
     return seen
 
 
-def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, int]:
-    """Throw; return the range, the share, and how many frames it took.
+def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, int, bool]:
+    """Throw; return range and share, how many times STEP it took, and whether it flies.
 
-    Instead of the physics a frame may do "nothing", put the projectile on the "ground", or "let go"
-    of it, at a place and a speed that are given, with the counterweight 1 m lower.
+    Instead of the physics a frame may do "nothing", put the projectile on the "ground", or let go
+    of it, "up" or "down", at a place and a speed that are given, the counterweight 1 m lower.
     """
     made = machine(numbers)
-    frames = [0]
+    times: list[float] = []
     step = made.world.step
 
     def counted(duration: float) -> None:
-        frames[0] += 1
+        times.append(duration)
         if not instead:
             step(duration)
         if instead == "ground":
             made.projectile.position.y = 0.0
-        if instead != "let go":
+        if instead not in ("up", "down"):
             return
         made.weight.position.y -= 1.0
         made.projectile.position = Vector3(2.0, 8.0)
-        made.projectile.velocity = Vector3(30.0, 10.0)
+        made.projectile.velocity = Vector3(30.0, 10.0 if instead == "up" else -10.0)
 
     made.world.step = counted  # type: ignore[method-assign]
     thrown = made.throw()
-    return thrown.range, thrown.share, frames[0]
+    return thrown.range, thrown.share, round(sum(times) / trebuchet.STEP), bool(made.flies)
 
 
 def my_design() -> tuple[float, ...]:

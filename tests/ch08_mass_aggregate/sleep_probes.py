@@ -21,25 +21,27 @@ FRAME = 1.0 / 60.0
 class Push:
     """A force that can be changed; it counts how often it was asked."""
 
-    def __init__(self, x: float = 0.0) -> None:
-        self.x = x
+    def __init__(self, x: float = 0.0, y: float = 0.0) -> None:
+        self.x, self.y = x, y
         self.asked = 0
+        self.durations: set[float] = set()
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        del duration
         self.asked += 1
-        particle.add_force(Vector3(self.x * particle.mass))
+        self.durations.add(duration)
+        particle.add_force(Vector3(self.x * particle.mass, self.y * particle.mass))
 
 
 class Touch:
-    """A generator of contacts of depth 0 between pairs of particles, named by their numbers."""
+    """A generator of contacts of depth 0 between pairs of numbered particles; -1 is a wall."""
 
     def __init__(self, particles: Sequence[Particle], pairs: Sequence[tuple[int, int]]) -> None:
         self.particles, self.pairs = particles, pairs
 
     def contacts(self) -> list[Contact]:
         right = Vector3(1.0)
-        return [Contact(self.particles[i], self.particles[j], right) for i, j in self.pairs]
+        one = [*self.particles, None]
+        return [Contact(self.particles[i], one[j], right) for i, j in self.pairs]
 
 
 def asleep(world: SleepingWorld, particles: Sequence[Particle]) -> list[int]:
@@ -106,6 +108,14 @@ def slept(mass: float, speed: float) -> dict[str, Any]:
         world.step(FRAME)
         frames += 1
     told["frames to sleep again"] = frames
+    world.wake(particle)
+    for _ in range(2):
+        world.step(FRAME)
+    world.wake(particle)  # which is awake already
+    told["frames from then on"] = 0
+    while not world.asleep and told["frames from then on"] < 10:
+        world.step(FRAME)
+        told["frames from then on"] += 1
     return told
 
 
@@ -256,13 +266,19 @@ def on_a_spring(frames: int) -> tuple[list[list[int]], list[Components]]:
     return seen, [xyz(particle.position) for particle in made]
 
 
-def hung(frames: int) -> list[list[int]]:
-    """Let a mass hang nearly still on a spring, where its forces cancel; return who sleeps."""
+def hung(frames: int, late: int, push: float) -> list[list[int]]:
+    """Let a mass hang nearly still on a spring, where its forces cancel; return who sleeps.
+
+    From one frame on it is pushed along X as well.
+    """
     particle = Particle(Vector3(0.0, -2.0), Vector3(0.0, 0.05), DOWN)
     world = SleepingWorld([particle], sleep_frames=3)
     world.registry.add(particle, AnchoredSpring(Vector3(), 10.0, 1.0))
+    extra = Push()
+    world.registry.add(particle, extra)
     seen = []
-    for _ in range(frames):
+    for i in range(frames):
+        extra.x = push if i >= late else 0.0
         world.step(FRAME)
         seen.append(asleep(world, [particle]))
     return seen

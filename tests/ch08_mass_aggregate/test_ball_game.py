@@ -7,13 +7,13 @@ from random import Random
 import pytest
 
 from ch08_mass_aggregate.scene_probes import landing, played, refused_row, ruled
+from draw import positive_number
 from expect import expect_close, expect_exactly
 
 RULES = "the docstrings of Rules, landed and fell"
 LANDINGS = "the docstrings of Landings and Landings.contacts"
 STEP = "the docstring of BallGame.step"
 FRAME = 1.0 / 60.0
-DAMPED = 0.6**FRAME  # the share of its velocity that the ball keeps in a frame
 FIRST = -5.0  # m, where the first row is
 
 
@@ -37,7 +37,7 @@ def test_a_row_counts_once(rng: Random) -> None:
 @pytest.mark.exercise("P8.1a")
 def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     read = RULES
-    rows, falls = rng.randint(3, 6), rng.randint(0, 2)
+    rows, falls = rng.randint(3, 6), rng.randint(1, 2)
     order = rng.sample(range(rows), rows)
     events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
     call = f"Rules({rows}); rules.landed() on rows, or -1 for a fall: {events}"
@@ -82,11 +82,14 @@ def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
     cause = "rows are numbered from 0: ValueError for any other"
     for row in (rows, -1):
         call = f"Rules({rows}).landed({row}): the error"
-        expect_exactly(call, refused_row(rows, row), "ValueError", cause=cause, read=read)
+        error, *after = refused_row(rows, row)
+        expect_exactly(call, error, "ValueError", cause=cause, read=read)
+        name = f"Rules({rows}).landed({row}): score and visited then"
+        expect_exactly(name, after, [0, []], cause="what is refused does not count", read=read)
     cause = "what is right must not be refused"
     for row in (0, rows - 1):
         call = f"Rules({rows}).landed({row}): the error"
-        expect_exactly(call, refused_row(rows, row), "", cause=cause, read=read)
+        expect_exactly(call, refused_row(rows, row)[0], "", cause=cause, read=read)
 
 
 @pytest.mark.exercise("P8.1b")
@@ -94,7 +97,7 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
     read = LANDINGS
     row = rng.randint(0, 5)
     x = FIRST + 2.0 * row + rng.choice((-0.5, 0.5))
-    depth, speed = round(rng.uniform(0.01, 0.2), 3), round(rng.uniform(1.0, 9.0), 3)
+    depth, speed = round(rng.uniform(0.01, 0.2), 3), round(rng.uniform(0.01, 9.0), 3)
     for what, height, velocity, wanted, cause in (
         ("in the deck, falling", 4.5 - depth, -speed, (2, row), "the row that the deck names"),
         (
@@ -104,6 +107,7 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
             (2, -1),
             "on its way up it is in contact, but lands nowhere",
         ),
+        ("in the deck, at rest", 4.5 - depth, 0.0, (2, -1), "it lands only on its way down"),
         ("above the deck, falling", 4.5 + depth, -speed, (0, -1), "it touches nothing yet"),
     ):
         call = f"a ball at x = {x}, {what}: landings.contacts(), how many; row, -1 for None"
@@ -120,13 +124,15 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
 def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     read = STEP
     x, speed = round(rng.uniform(-3.0, 3.0), 3), round(rng.uniform(-2.0, 2.0), 3)
-    call = f"a game with direction {direction}, the ball at ({x}, 9, 0), velocity ({speed}, 0, 0); "
-    call += "three times game.step(1/60): its velocity"
+    frame, mass = round(rng.uniform(0.005, 0.03), 4), positive_number(rng)
+    damped = 0.6**frame
+    call = f"a game with direction {direction}, the ball at ({x}, 9, 0), velocity ({speed}, 0, 0), "
+    call += f"mass {mass}; three times game.step({frame}): its velocity"
     cause = "PUSH * mass is a force, of PUSH = 8 m/s^2, added between start_frame and run_physics"
     vx, vy = speed, 0.0
     for _ in range(3):
-        vx, vy = (vx + 8.0 * direction * FRAME) * DAMPED, (vy - 9.81 * FRAME) * DAMPED
-    seen = played(3, FRAME, direction, (x, 9.0, 0.0), (speed, 0.0, 0.0))
+        vx, vy = (vx + 8.0 * direction * frame) * damped, (vy - 9.81 * frame) * damped
+    seen = played(3, frame, direction, (x, 9.0, 0.0), (speed, 0.0, 0.0), mass=mass)
     got = seen[-1]["velocity"]
     expect_close(call, got, (vx, vy, 0.0), cause=cause, read=read, tolerance=1e-12)
 
@@ -146,8 +152,14 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
     call = f"a game, the ball 0.05 m above row {row} at -6 m/s: score, lives; 20 game.step(1/60)"
     cause = "it lands once, and flies on from there"
     seen = played(20, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
-    got = (seen["score"], seen["lives"], seen["velocity"][1] < 6.0)
-    expect_close(call, got[:2], (10.0, 3.0), cause=cause, read=read, tolerance=0.0)
+    got = (seen["score"], seen["lives"])
+    expect_close(call, got, (10.0, 3.0), cause=cause, read=read, tolerance=0.0)
+    call = f"a game with row {row} visited, the ball 0.05 m above it at -6 m/s: its velocity along "
+    call += "Y, and score, after game.step(1/60)"
+    cause = "it jumps from every row that it lands on, whether that counts or not"
+    seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=[row])[-1]
+    got = (seen["velocity"][1], seen["score"])
+    expect_close(call, got, (6.0, 0.0), cause=cause, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("P8.1b")
@@ -157,13 +169,23 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     call = f"a game, the ball at ({x}, 0.6, 0), beside the bridge, at -9 m/s; game.step(1/60)"
     cause = "where its lowest point is at the ground, a life goes, and the ball starts anew: over "
     cause += "the first row, 2 m above where the bridge begins, at rest"
-    seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0))[-1]
+    seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
     expect_exactly(f"{call}: lives", seen["lives"], 2, cause=cause, read=read)
+    name = f"{call}: visited, of rows 2 and 4 before"
+    kept = "it takes a life, and nothing else"
+    expect_exactly(name, seen["visited"], [2, 4], cause=kept, read=read)
     got = seen["place"] + seen["velocity"]
     name = f"{call}: place and velocity"
     place = (FIRST, 6.0, 0.0, 0.0, 0.0, 0.0)
     # The cables, too short at first, have pulled the row inwards by 0.13 m in that frame.
     expect_close(name, got, place, cause=cause, read=read, tolerance=0.2)
+    cause = "where its lowest point is no more than TOUCH, 1e-6 m, above the ground, a life goes"
+    for above, lives in ((5e-7, 2), (5e-6, 3)):
+        call = f"a game, the ball beside the bridge, its lowest point {above} m above the ground "
+        call += "at the end of a frame: lives"
+        # Its speed upwards is what gravity takes in that frame: it stays where it is.
+        seen = played(1, FRAME, 0, (x, 0.5 + above, 0.0), (0.0, 9.81 * FRAME, 0.0))[-1]
+        expect_exactly(call, seen["lives"], lives, cause=cause, read=read)
     call = f"a game with one life left, the ball at ({x}, 0.6, 0) at -9 m/s; 3 game.step(1/60)"
     cause = "after the last life it is over: the ball stays where it is, and no frame moves it"
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)

@@ -92,6 +92,22 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
 
 
 @pytest.mark.exercise("B8.8")
+def test_a_bond_at_its_very_limits(rng: Random) -> None:
+    read = BOND
+    rest = 0.25 * rng.randint(3, 6)
+    most = rest + 0.25 * rng.randint(2, 5)
+    lengths = [most, most + 1e-6, rest + 1e-6, rest]
+    call = f"Bond(a, b, 30, {rest}, {rest}, 0.5, {most}) along X, pulled to {lengths} in turn: "
+    call += "whether it holds at each"
+    cause = "longer than break_length it breaks, and holds again from rest_length on: at the very "
+    cause += "lengths it holds"
+    # These lengths are told exactly: quarters of a metre, from the origin.
+    seen = bonded(lengths, 30.0, rest, rest, 0.5, most, (1.0, 0.0, 0.0), origin=ZERO)
+    got = [holds for _, _, holds in seen]
+    expect_exactly(call, got, [True, False, False, True], cause=cause, read=read)
+
+
+@pytest.mark.exercise("B8.8")
 def test_bonds_keep_a_blob_together() -> None:
     read = BOND
     call = "seven particles with bonds between all of them, let go over the ground, after 3 s"
@@ -117,17 +133,22 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     cause = "each is sqrt(2) m from the middle"
     x, y, z = components(rng)
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
-    got = spread_of(square, [3.0] * 4)
+    got, after = spread_of(square, [3.0] * 4)
     expect_close(call, got, math.sqrt(2.0), cause=cause, read=read, tolerance=1e-12)
+    numbers = [number for place in square for number in place]
+    got = [number for place in after for number in place]
+    cause = "to look at them moves none: work on new vectors"
+    expect_close(f"{call}: where they are", got, numbers, cause=cause, read=read, tolerance=0.0)
     m, n = positive_number(rng), positive_number(rng)
     p, q = components(rng), components(rng)
     call = f"spread of a mass {m} at {p} and a mass {n} at {q}"
     cause = "the distances are those from the centre of mass, and each counts by its mass: here "
     cause += "sqrt(m n) / (m + n) times the distance of the two"
     wanted = math.sqrt(m * n) / (m + n) * math.dist(p, q)
-    expect_close(call, spread_of([p, q], [m, n]), wanted, cause=cause, read=read, tolerance=1e-12)
+    got = spread_of([p, q], [m, n])[0]
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
     call, cause = f"spread of one particle at {p}", "it is where its centre is"
-    expect_close(call, spread_of([p], [m]), 0.0, cause=cause, read=read, tolerance=1e-12)
+    expect_close(call, spread_of([p], [m])[0], 0.0, cause=cause, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.9")
@@ -142,12 +163,12 @@ def test_a_spread_of_nothing_is_refused() -> None:
         "spread([])", lambda: spread([]), ValueError, allowed=allowed, cause=cause, read=read
     )
     cause = "what is immovable has no share: its mass is infinite"
-    call = "spread of a particle and an immovable one"
-    expect_error(
-        call,
-        lambda: spread_of([ZERO, (1.0, 0.0, 0.0)], [1.0, math.inf]),
-        ValueError,
-        allowed=allowed,
-        cause=cause,
-        read=read,
-    )
+    for masses in ([1.0, math.inf], [math.inf, 1.0]):
+        expect_error(
+            f"spread of two particles of {masses} kg",
+            lambda masses=masses: spread_of([ZERO, (1.0, 0.0, 0.0)], masses),
+            ValueError,
+            allowed=allowed,
+            cause=cause,
+            read=read,
+        )

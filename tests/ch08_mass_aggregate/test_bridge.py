@@ -146,6 +146,35 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B8.5")
+def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
+    read = NEAREST
+    heights = [positive_number(rng, 3.0, 5.0) for _ in range(3)]
+    points = [(2.0 * i, y) for i, y in enumerate(heights)]
+    rows = [((x, y, -1.0), (x, y, 1.0)) for x, y in points]
+    for i, (x, y) in enumerate(points):
+        call = f"a deck through {points}, the ball at x = {x}: nearest()"
+        cause = "right above a row it is that row, and its height"
+        got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
+        expect_close(call, got, (float(i), y), cause=cause, read=read, tolerance=1e-12)
+    for i, (low, high) in enumerate(pairwise(heights)):
+        call = f"a deck through {points}, the ball at x = {2.0 * i + 1.0}: nearest()"
+        cause = "of two rows that are equally near it is the first"
+        got = deck((2.0 * i + 1.0, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
+        wanted = (float(i), 0.5 * (low + high))
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    for x, i in ((-1.0, 0), (5.0, 2)):
+        call = f"a deck through {points}, the ball at x = {x}: nearest()"
+        cause = "None where it is further than half a SPACING beyond: just so far it is a deck"
+        got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
+        expect_close(call, got, (float(i), heights[i]), cause=cause, read=read, tolerance=1e-12)
+    for x in (-0.5, 0.0, 0.5):
+        call = f"a deck of the row at {points[0]} alone, the ball at x = {x}: nearest()"
+        cause = "one row is the first and the last"
+        got = deck((x, 9.0, 0.5), rows[:1], 0.5, 0.0)["nearest"]
+        expect_close(call, got, (0.0, heights[0]), cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("B8.5")
 def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
     read = NEAREST
     rows = draw_rows(rng, 3)
@@ -159,12 +188,12 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         (last + 0.99, 2, high),
     ):
         call = f"a deck through {points}, the ball at x = {at}: nearest()"
-        got = deck((at, 9.0, 0.0), rows, 0.5, 0.0)["nearest"]
+        got = deck((at, 9.0, 0.0), rows, 0.3, 0.0)["nearest"]
         expect_close(call, got, (float(row), height), cause=cause, read=read, tolerance=1e-12)
     cause = "further out there is no deck: None, and no contact"
-    for at in (first - 1.01, last + 1.01):
+    for at in (first - 1.001, last + 1.001):
         call = f"a deck through {points}, the ball at ({at}, 1, 0)"
-        got = deck((at, 1.0, 0.0), rows, 0.5, 0.0)
+        got = deck((at, 1.0, 0.0), rows, 0.3, 0.0)
         nearest = -1.0 if got["nearest"] is None else got["nearest"]
         expect_close(f"{call}: nearest(), -1 for None", nearest, -1.0, cause=cause, read=read)
         count = len(got["contacts"])

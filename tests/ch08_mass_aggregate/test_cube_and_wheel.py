@@ -78,7 +78,8 @@ def draw_rim(rng: Random, count: int) -> tuple[tuple[float, float, float], list]
     rim = []
     for i in range(count):
         angle, radius = math.tau * i / count, positive_number(rng, 1.0, 2.0)
-        place = (hub[0] + radius * math.cos(angle), hub[1] + radius * math.sin(angle), hub[2])
+        z = hub[2] + number(rng)
+        place = (hub[0] + radius * math.cos(angle), hub[1] + radius * math.sin(angle), z)
         rim.append(place)
     return hub, rim
 
@@ -106,23 +107,29 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
 @pytest.mark.exercise("8.3b")
 def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     read = DRIVE
-    hub, force = components(rng), number(rng)
+    hub, force, already = components(rng), number(rng), components(rng)
+    cause = "the force is F (-sin, cos, 0) of the spoke's angle in the X-Y plane: a right angle "
+    cause += "to it, counter-clockwise, and of the same size at every distance"
+    places, wanted = [], []
     for _ in range(3):
-        angle, radius = positive_number(rng, 0.1, 6.0), positive_number(rng, 0.5, 3.0)
+        angle, radius = positive_number(rng, 0.1, 6.0), positive_number(rng, 0.01, 3.0)
         c, s = math.cos(angle), math.sin(angle)
-        place = (hub[0] + radius * c, hub[1] + radius * s, hub[2] + number(rng))
-        call = f"RimDrive(hub at {hub}, {force}).update_force(particle at {place}, 0.1)"
-        cause = (
-            "the force is F (-sin, cos, 0) of the spoke's angle in the X-Y plane: a right angle "
-        )
-        cause += "to it, counter-clockwise, and of the same size at every distance"
-        got = driven(hub, force, [place])[0]
-        wanted = (-force * s, force * c, 0.0)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
-    call = f"RimDrive(hub at {hub}, {force}).update_force(particle at the hub, 0.1)"
-    cause = "at the hub there is no direction, and no force"
-    got = driven(hub, force, [hub])[0]
-    expect_close(call, got, (0.0, 0.0, 0.0), cause=cause, read=read, tolerance=0.0)
+        places.append((hub[0] + radius * c, hub[1] + radius * s, hub[2] + number(rng)))
+        wanted.append((already[0] - force * s, already[1] + force * c, already[2]))
+    call = f"RimDrive(hub at {hub}, {force}).update_force(particle, 0.1), after "
+    call += f"particle.add_force(Vector3{already}); the particle at "
+    done = driven(hub, force, places, already)
+    for place, force_of_all, (got, after) in zip(places, wanted, done, strict=True):
+        # The angle of a spoke of a centimetre is rounded to 1e-13.
+        name = f"{call}{place}"
+        expect_close(name, got, force_of_all, cause=cause, read=read, tolerance=1e-11)
+        name = f"{call}{place}; its place then"
+        moves = "a force moves nothing by itself: work on a new vector"
+        expect_close(name, after, place, cause=moves, read=read, tolerance=0.0)
+    cause = "at the hub, and right before it, there is no direction, and no force"
+    for place in (hub, (hub[0], hub[1], hub[2] + 1.0)):
+        got = driven(hub, force, [place], already)[0][0]
+        expect_close(f"{call}{place}", got, already, cause=cause, read=read, tolerance=0.0)
 
 
 @pytest.mark.exercise("8.3b")
@@ -150,9 +157,11 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     cause += "does the square of the distance"
     got = spun((hub, (0.0, 0.0, 0.0)), list(zip(rim, v, masses, strict=True)))
     expect_close(call, got, turning / inertia, cause=cause, read=read, tolerance=1e-12)
-    call, cause = "spin(hub, []) of a rim without particles", "no moment of inertia, no spin: 0"
-    got = spun((hub, drift), [])
-    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=0.0)
+    cause = "no moment of inertia, no spin: 0"
+    for where, rim in (("no particles", []), ("one at the hub", [(hub, components(rng), 2.0)])):
+        got = spun((hub, drift), rim)
+        call = f"spin(hub, rim) of a rim of {where}"
+        expect_close(call, got, 0.0, cause=cause, read=read, tolerance=0.0)
 
 
 @pytest.mark.exercise("8.3c")

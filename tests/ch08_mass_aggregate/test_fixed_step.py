@@ -60,18 +60,36 @@ def test_rounding_makes_no_step_late(rate: int) -> None:
 
 
 @pytest.mark.exercise("B8.3")
+@pytest.mark.parametrize("duration", [1e-6, STEP, 1000.0])
+def test_a_share_of_a_step_is_due(duration: float) -> None:
+    read = READ
+    for lack, steps, cause in (
+        (1e-7, 0, "what lacks more than SHARE of a step is not due yet"),
+        (1e-10, 1, "what lacks less than SHARE of a step is due: of the step, whatever its length"),
+    ):
+        elapsed = duration * (1.0 - lack)
+        call = f"a FixedStep of {duration} s; advance({elapsed!r}): steps, left"
+        row = advanced(duration, [elapsed])["rows"][0]
+        expect_exactly(call, row[0], steps, cause=cause, read=read)
+        left = elapsed - steps * duration
+        expect_close(call, row[1], left, cause=cause, read=read, tolerance=1e-9 * duration)
+
+
+@pytest.mark.exercise("B8.3")
 def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     read = READ
     limit, late = rng.randint(2, 5), rng.randint(3, 30)
-    elapsed = [STEP * (limit + late + 0.25), STEP * (limit + 0.25), STEP * (limit - 1)]
+    elapsed = [STEP * (limit + late + 0.25), STEP * (limit + 0.5), STEP * (limit - 1)]
+    elapsed.append(STEP * (limit + 1))
     call = f"a FixedStep of {STEP} s, max_steps={limit}; advance by {elapsed}: steps, left, dropped"
     cause = "after max_steps the whole steps that are left are added to dropped; less than a step "
     cause += "is still left"
     done = advanced(STEP, elapsed, limit)
     wanted = [
         (limit, 0.25 * STEP, STEP * late),
-        (limit, 0.5 * STEP, STEP * late),
-        (limit - 1, 0.5 * STEP, STEP * late),
+        (limit, 0.75 * STEP, STEP * late),
+        (limit - 1, 0.75 * STEP, STEP * late),
+        (limit, 0.75 * STEP, STEP * (late + 1)),
     ]
     for i, row in enumerate(done["rows"]):
         expect_exactly(f"{call}: call {i}: steps", row[0], wanted[i][0], cause=cause, read=read)
@@ -86,6 +104,11 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     # Rounding of a few times 0.1 s, many times less than a step.
     name = f"{call}: left, dropped"
     expect_close(name, row[1:], (0.0, 0.1 * late), cause=cause, read=read, tolerance=1e-9)
+    call = f"a FixedStep of {STEP} s, no max_steps; advance by 5000 steps"
+    cause = "None means no limit"
+    row = advanced(STEP, [5000.0 * STEP])["rows"][0]
+    expect_exactly(f"{call}: steps", row[0], 5000, cause=cause, read=read)
+    expect_close(f"{call}: left, dropped", row[1:], (0.0, 0.0), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B8.3")
@@ -96,6 +119,8 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     cause = "take the time of a step off left after it was made: what it raises comes out, and the "
     cause += "step is made anew by the next call"
     done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
+    name = f"{call}: what the first call returns, -1 where the step's error comes out"
+    expect_exactly(name, done["rows"][0][0], -1, cause=cause, read=read)
     name = f"{call}: left after the first call"
     got = done["rows"][0][1]
     expect_close(name, got, (6 - good) * STEP, cause=cause, read=read, tolerance=1e-12)

@@ -22,6 +22,13 @@ from ch08_mass_aggregate.sleep_probes import (
     woken_by_hand,
     work_asleep,
 )
+from ch08_mass_aggregate.wake_probes import (
+    group_woken,
+    parted,
+    pushed,
+    touched_gently,
+    woken_by_little,
+)
 from draw import positive_number
 from expect import expect_close, expect_exactly
 
@@ -58,6 +65,18 @@ def test_slow_frames_count_in_a_row(rng: Random) -> None:
 
 
 @pytest.mark.exercise("G8.1")
+def test_what_has_parted_is_no_group(rng: Random) -> None:
+    read = FALL
+    last = rng.randint(1, 4)
+    call = f"a slow particle, in contact with a fast one in the first {last} frames; sleep_frames "
+    call += "5; fall_asleep(): who sleeps after each frame"
+    cause = "a group is what was in contact in one of the last sleep_frames frames: forget older "
+    cause += "contacts, and renew those that last"
+    wanted = [[]] * (last + 4) + [[0]] * 3
+    expect_exactly(call, parted(last, last + 7), wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
 def test_what_touches_the_restless_stays_awake() -> None:
     read = FALL
     for what, speeds, pairs, masses, wanted, cause in (
@@ -78,6 +97,7 @@ def test_what_touches_the_restless_stays_awake() -> None:
             [],
             "in whatever order the contacts come",
         ),
+        ("1 and 0", [0.0, 2.0], [(1, 0)], (), [], "either of the two keeps the other one awake"),
         ("0 and 1", [0.0, 0.0], [(0, 1)], (), [0, 1], "where all are slow, all sleep"),
         (
             "0 and 1, 1 and 2",
@@ -87,10 +107,12 @@ def test_what_touches_the_restless_stays_awake() -> None:
             [0],
             "what is immovable joins nothing: 0 and 2 stand on the same floor",
         ),
+        ("0 and a wall, which is no particle", [0.0], [(0, -1)], (), [0], "a wall wakes nothing"),
     ):
-        call = f"particles of {speeds} m/s, contacts of {what}; fall_asleep(), 8 times: who sleeps"
-        seen = left_alone(speeds, 8, pairs, masses)[-1]
-        expect_exactly(call, seen, wanted, cause=cause, read=read)
+        call = f"particles of {speeds} m/s, contacts of {what}; fall_asleep(): who sleeps after "
+        call += "each of 8 frames, where sleep_frames are 5"
+        seen = left_alone(speeds, 8, pairs, masses)
+        expect_exactly(call, seen, [[]] * 4 + [wanted] * 4, cause=cause, read=read)
 
 
 @pytest.mark.exercise("G8.1")
@@ -116,6 +138,10 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     cause = "it begins to count anew: slow for all of sleep_frames"
     got = done["frames to sleep again"]
     expect_exactly(f"{call}: frames until it sleeps again", got, 3, cause=cause, read=read)
+    call = "world.wake(particle) of one that has been awake and slow for 2 frames; sleep_frames 3"
+    cause = "a particle that is awake begins to count anew as well"
+    got = done["frames from then on"]
+    expect_exactly(f"{call}: frames until it sleeps", got, 3, cause=cause, read=read)
 
 
 @pytest.mark.exercise("G8.1")
@@ -145,6 +171,52 @@ def test_what_is_moved_by_hand_wakes(
     expect_close(name, 1.0 / now, 1.0 / mass, cause=cause, read=read, tolerance=1e-12)
     cause = "it moves in this very frame, by force and gravity"
     expect_close(f"{call}: velocity", fast, velocity, cause=cause, read=read, tolerance=1e-12)
+
+
+@pytest.mark.exercise("G8.1")
+@pytest.mark.parametrize("how", ["velocity", "force", "place"])
+def test_whatever_is_moved_a_little_wakes(how: str) -> None:
+    read = f"{WAKE}wake_moved"
+    for axis in "xyz":
+        call = f"three particles asleep on the ground, the last two given a {how} that is new by "
+        call += f"0.001 along {axis}; then 1/60 s, wake_moved()"
+        cause = "they lie still"
+        before, after = woken_by_little(how, axis)
+        expect_exactly(f"{call}: who slept", before, [0, 1, 2], cause=cause, read=read)
+        cause = "whatever was moved by hand wakes, along each axis, and however little"
+        expect_exactly(f"{call}: who sleeps", after, [0], cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
+def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
+    read = f"{WAKE}wake_pushed"
+    x, y = -positive_number(rng, 6.0, 9.0), positive_number(rng, 0.2, 0.9)
+    for change, velocity in (
+        ((x, 0.0), ((5.0 + x) / 60.0, 0.0, 0.0)),
+        ((0.0, y), (0.0, y / 60.0, 0.0)),
+        ((0.1, 0.0), (0.0, 0.0, 0.0)),
+        ((-0.1, 0.0), (0.0, 0.0, 0.0)),
+    ):
+        call = f"2 kg asleep at a wall under two forces, 3 and 2 N/kg; then one is {change} N/kg "
+        call += "larger, along X and Y; wake_pushed()"
+        cause = (
+            "what is pushed as before sleeps on: compare the sum of its generators' forces, each "
+        )
+        cause += "asked while the particle has its own mass"
+        done = pushed(*change)
+        expect_exactly(f"{call}: who slept", done["before"], [0], cause=cause, read=read)
+        cause = "the accumulators of what sleeps are empty before and afterwards"
+        name = f"{call}: what its accumulator held while it slept"
+        expect_exactly(name, done["sums"], [(0.0, 0.0, 0.0)], cause=cause, read=read)
+        cause = "a change of more than SAME, 1 %, of what acts wakes; it moves in this very frame, "
+        cause += "and each force counts once: clear what you added up to compare"
+        name = f"{call}: velocity after the frame in which it wakes"
+        got = done["velocity"] or (math.nan,) * 3
+        expect_close(name, got, velocity, cause=cause, read=read, tolerance=1e-12)
+        cause = "generators are told the duration of the frame"
+        expect_exactly(
+            f"{call}: what they were told", done["durations"], [1.0 / 60.0], cause=cause, read=read
+        )
 
 
 @pytest.mark.exercise("G8.1")
@@ -199,6 +271,16 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool
 
 
 @pytest.mark.exercise("G8.1")
+def test_what_lies_still_wakes_what_it_touches() -> None:
+    read = f"{WAKE}wake_touched"
+    for order in ((0, 1), (1, 0)):
+        call = f"a particle asleep, and an awake one at rest that touches it, contact of {order}; "
+        call += "wake_touched(): who sleeps before, and after a frame"
+        cause = "the other one can move: how fast it is, or how deep, makes no difference"
+        expect_exactly(call, touched_gently(order), [[0], []], cause=cause, read=read)
+
+
+@pytest.mark.exercise("G8.1")
 def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
     read = RUN
     speed = positive_number(rng, 4.0, 9.0)
@@ -223,6 +305,16 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     expect_exactly(f"{call}: does the upper one sleep", 1 in after, False, cause=cause, read=read)
     name = f"{call}: how fast it moves, along Y"
     expect_close(name, speed, -1.0, cause=cause, read=read, tolerance=0.01)
+    for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
+        for first in range(4):
+            call = f"five particles, contacts of {pairs} but in the frame in which they fall "
+            call += f"asleep; then number {first} moves; wake()"
+            was, now = group_woken(pairs, first)
+            cause = "they lie still"
+            expect_exactly(f"{call}: who slept", was, [0, 1, 2, 3, 4], cause=cause, read=read)
+            cause = "neighbours are what was in contact in one of the last sleep_frames frames, of "
+            cause += "both sides; all of the group wakes, and nothing else"
+            expect_exactly(f"{call}: who sleeps", now, [4], cause=cause, read=read)
     call = "three particles in a row on two springs, asleep; the last one gets 6 m/s; wake()"
     cause = "they rest"
     seen, places = on_a_spring(20)
@@ -243,7 +335,10 @@ def test_what_hangs_still_sleeps_on() -> None:
     cause = (
         "gravity and spring cancel, so compare the change with |a| + |f / m|, not with their sum"
     )
-    expect_exactly(call, hung(40)[4:], [[0]] * 36, cause=cause, read=read)
+    expect_exactly(call, hung(40, 40, 0.0)[4:], [[0]] * 36, cause=cause, read=read)
+    call += ", pushed by 0.15 N/kg more from frame 20 on"
+    cause = "|a| and |f / m| are 10 m/s^2 each: 0.15 is less than SAME of both together"
+    expect_exactly(call, hung(40, 20, 0.15)[4:], [[0]] * 36, cause=cause, read=read)
 
 
 @pytest.mark.exercise("G8.1")

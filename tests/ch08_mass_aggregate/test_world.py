@@ -16,6 +16,7 @@ from ch08_mass_aggregate.probes import (
     rained,
     refused,
     started,
+    told_frame,
 )
 from draw import components, dot, positive_number
 from expect import expect_close, expect_exactly
@@ -54,10 +55,14 @@ def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
     read = ENERGY
     p, v, a, m = draw_body(rng)
     cause = "leave out what has no inverse_mass: its energy would be infinite, or not a number"
-    call = "mechanical_energy of a particle and an immovable one"
     wanted = 0.5 * m * dot(v, v) - m * dot(a, p)
-    got = energy_of([(p, v, a, m), (components(rng), ZERO, components(rng), math.inf)])
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
+    for first, call in (
+        (True, "mechanical_energy of a particle and an immovable one"),
+        (False, "mechanical_energy of an immovable particle and another one"),
+    ):
+        both = [(p, v, a, m), (components(rng), ZERO, components(rng), math.inf)]
+        got = energy_of(both if first else both[::-1])
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
     call = "mechanical_energy of no particles"
     expect_close(call, energy_of([]), 0.0, cause="nothing has no energy", read=read, tolerance=0.0)
 
@@ -66,8 +71,10 @@ def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
 def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     read = f"{WORLD}start_frame"
     bodies = [draw_body(rng) for _ in range(3)]
+    bodies.insert(1, (components(rng), ZERO, ZERO, math.inf))
     force = components(rng)
-    call = f"each of three particles .add_force(Vector3{force}); world.start_frame()"
+    call = f"each of four particles, one of them immovable, .add_force(Vector3{force}); "
+    call += "world.start_frame()"
     cause = "clear_forces() of every particle, and nothing else"
     done = started(bodies, force)
     for i, body in enumerate(bodies):
@@ -81,16 +88,18 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
 @pytest.mark.exercise("B8.2")
 def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     read = f"{WORLD}contacts"
-    count = rng.randint(15, 30)
+    count = rng.randint(150, 300)
     low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
-    call = f"{count} particles at a height of 1, below floors at {low} and {high}: the depths of "
+    call = f"{count} particles at a height of 1, floors at 0, 1, {low} and {high}: the depths of "
     call += "world.contacts()"
     cause = (
         "one generator after the other, in their order, and none of what they find is left out: "
     )
     cause += "the book's world has a maximum, and drops what is above it"
-    wanted = [low - 1.0] * count + [high - 1.0] * count
-    expect_close(call, depths_of(count, [low, high]), wanted, cause=cause, read=read)
+    wanted = [0.0] * count + [low - 1.0] * count + [high - 1.0] * count
+    got = depths_of(count, [0.0, 1.0, low, high])
+    expect_exactly(f"{call}: how many", len(got), 3 * count, cause=cause, read=read)
+    expect_close(call, got, wanted, cause=cause, read=read)
     call, cause = "world.contacts() without a generator", "there are none: an empty list"
     expect_exactly(call, depths_of(count, []), [], cause=cause, read=read)
 
@@ -134,6 +143,9 @@ def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
     expect_close(
         f"{call}; particle.velocity", got, velocity, cause=cause, read=read, tolerance=1e-12
     )
+    call = f"a world whose run_physics only writes down that it is asked; world.step({h})"
+    cause = "call self.run_physics(duration), once: a world that is made from this one has another"
+    expect_exactly(call, told_frame(h), [("run_physics", h)], cause=cause, read=read)
     cause = "its run_physics uses the integrator and the registry as well"
     f = components(rng)
     call = f"a registry with a force -Vector3{f}; world.step({h})"
@@ -161,6 +173,9 @@ def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> 
     count = sum(row[0] == "force" for row in done["diary"])
     name = f"{call}: how often the generators were asked"
     expect_exactly(name, count, 2 * evaluations, cause=cause, read=read)
+    asked = [row[1] for row in done["diary"] if row[0] == "force"]
+    name = f"{call}: the durations that they were told"
+    expect_exactly(name, asked, [h] * count, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B8.2")

@@ -14,8 +14,12 @@ from ch07_constraints.detectors import GroundPlane, ParticlePairs
 from ch08_mass_aggregate.probes import Components, xyz
 from ch08_mass_aggregate.sleeping import SleepingWorld
 
-DOWN = Vector3(0.0, -10.0, 0.0)
 FRAME = 1.0 / 60.0
+
+
+def down() -> Vector3:
+    """Return gravity, in m/s^2."""
+    return Vector3(0.0, -10.0, 0.0)
 
 
 class Push:
@@ -124,7 +128,7 @@ def woken_by_hand(how: str) -> tuple[list[int], list[int], float, Components]:
 
     Return who sleeps before, and after a frame, its mass, and its velocity.
     """
-    particle = Particle(acceleration=DOWN, mass=2.0)
+    particle = Particle(acceleration=down(), mass=2.0)
     world = SleepingWorld([particle], [GroundPlane([particle])], sleep_frames=3)
     for _ in range(5):
         world.step(FRAME)
@@ -187,8 +191,8 @@ def woken_by_contact(speed: float, frames: int, first: bool) -> dict[str, Any]:
 
     Return who sleeps before, and after each frame, and the momentum along X then.
     """
-    balls = [Particle(Vector3(1.0 * i, 0.5), acceleration=DOWN) for i in range(3)]
-    shot = Particle(Vector3(-3.0, 0.5), Vector3(speed), acceleration=DOWN)
+    balls = [Particle(Vector3(1.0 * i, 0.5), acceleration=down()) for i in range(3)]
+    shot = Particle(Vector3(-3.0, 0.5), Vector3(speed), acceleration=down())
     every = [*balls, shot]
     given = [shot, *balls] if first else every
     world = SleepingWorld(balls, sleep_frames=3)
@@ -212,7 +216,7 @@ def dropped_on(speed: float) -> tuple[list[int], float, float]:
     Return who sleeps before, and of the lower one velocity and place along Y after the frame in
     which it wakes.
     """
-    lower, upper = (Particle(Vector3(0.0, 0.5 + 3.0 * i), acceleration=DOWN) for i in range(2))
+    lower, upper = (Particle(Vector3(0.0, 0.5 + 3.0 * i), acceleration=down()) for i in range(2))
     balls = [lower, upper]
     grounds = [GroundPlane(balls, radius=0.5), ParticlePairs(balls, 0.5)]
     world = SleepingWorld([lower], grounds, iterations=200, sleep_frames=3)
@@ -233,7 +237,7 @@ def support_gone(frames: int) -> tuple[list[int], list[int], float]:
 
     And how fast the one above falls after so many frames.
     """
-    lower, upper = (Particle(Vector3(0.0, 0.5 + i), acceleration=DOWN) for i in range(2))
+    lower, upper = (Particle(Vector3(0.0, 0.5 + i), acceleration=down()) for i in range(2))
     balls = [lower, upper]
     grounds = [GroundPlane(balls, radius=0.5), ParticlePairs(balls, 0.5)]
     world = SleepingWorld(balls, grounds, iterations=50, sleep_frames=3)
@@ -271,7 +275,7 @@ def hung(frames: int, late: int, push: float) -> list[list[int]]:
 
     From one frame on it is pushed along X as well.
     """
-    particle = Particle(Vector3(0.0, -2.0), Vector3(0.0, 0.05), DOWN)
+    particle = Particle(Vector3(0.0, -2.0), Vector3(0.0, 0.05), down())
     world = SleepingWorld([particle], sleep_frames=3)
     world.registry.add(particle, AnchoredSpring(Vector3(), 10.0, 1.0))
     extra = Push()
@@ -319,7 +323,7 @@ def both_ways(frames: int) -> tuple[list[Components], list[Components], int]:
     ends, sleepers = [], 0
     for sleep_energy in (0.015, 0.0):
         balls = [
-            Particle(Vector3(float(i), 1.0 + 4.0 * i), Vector3(0.5 * i), DOWN, damping=0.5)
+            Particle(Vector3(float(i), 1.0 + 4.0 * i), Vector3(0.5 * i), down(), damping=0.5)
             for i in range(2)
         ]
         ground = GroundPlane(balls, restitution=0.4)

@@ -9,7 +9,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.probes import xyz
-from ch08_mass_aggregate.sleep_probes import DOWN, FRAME, Push, Touch, Wall, asleep
+from ch08_mass_aggregate.sleep_probes import FRAME, Push, Touch, Wall, asleep, down
 from ch08_mass_aggregate.sleeping import SleepingWorld
 
 
@@ -67,7 +67,7 @@ def woken_by_little(how: str, axis: str) -> tuple[list[int], list[int]]:
 
     Return who sleeps before, and after a frame.
     """
-    made = [Particle(Vector3(3.0 * i), acceleration=DOWN, mass=2.0) for i in range(3)]
+    made = [Particle(Vector3(3.0 * i), acceleration=down(), mass=2.0) for i in range(3)]
     world = SleepingWorld(made, [GroundPlane(made)], sleep_frames=3)
     for _ in range(5):
         world.step(FRAME)

@@ -19,8 +19,8 @@ from autograder.stubs import make_stubs
 from ch04_particle_engine.ballistics import SHOT_TYPES
 from studies import demo as demos
 
-NAMES = ("ballistics", "fireworks", "sniper", "springbridge", "cloth", "bridge", "ball")
-NAMES += ("trebuchet", "platform", "blob", "wheel", "cube")
+NAMES = ("ballistics", "fireworks", "sniper", "springbridge", "cloth", "bridge", "platform")
+NAMES += ("blob", "wheel", "cube", "trebuchet", "ball")
 
 
 def play(*arguments: str) -> subprocess.CompletedProcess[str]:

@@ -19,8 +19,8 @@ from ch05_forces.particle import Particle
 class DirectChain:
     """A chain of rods from an anchor through particles, in their order, that makes their steps.
 
-    Each rod keeps the length in m that it has when the chain is made. The last particle may be
-    immovable: it holds the other end. ValueError where a rod has no length, or another particle is
+    Each rod keeps the length in m that it has when the chain is made. The last of several
+    particles may be immovable: it holds the other end. ValueError where a rod has no length, or another particle is
     immovable.
     """
 
@@ -29,7 +29,8 @@ class DirectChain:
         self.anchor = finite_vector("anchor", anchor)
         self.lengths: list[float] = []
         for i, (start, end) in enumerate(pairwise(self._places())):
-            if not self.particles[i].inverse_mass and i < len(self.particles) - 1:
+            is_other_end = i and i == len(self.particles) - 1
+            if not (self.particles[i].inverse_mass or is_other_end):
                 raise ValueError(f"particles[{i}] must be one that can move, got mass inf")
             self.lengths.append(positive(f"the length of rod {i}", (end - start).magnitude()))
         # N/m: what each rod pulled with in the last frame, for each m of its length

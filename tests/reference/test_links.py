@@ -322,6 +322,8 @@ def test_a_chain_from_horizontal_blows_up_in_long_frames_and_not_in_short_ones()
 def test_what_a_direct_chain_cannot_be_made_of_is_named() -> None:
     with pytest.raises(ValueError, match=r"particles\[0\] must be one that can move"):
         DirectChain([Particle(Vector3(1.0), mass=math.inf), Particle(Vector3(2.0))], Vector3())
+    with pytest.raises(ValueError, match=r"particles\[0\] must be one that can move"):
+        DirectChain([Particle(Vector3(1.0), mass=math.inf)], Vector3())
     with pytest.raises(ValueError, match="the length of rod 1"):
         DirectChain([Particle(Vector3(1.0)), Particle(Vector3(1.0))], Vector3())
     with pytest.raises(ValueError, match="anchor"):

@@ -15,7 +15,7 @@ from autograder.runner import Verdict, run_checks
 
 PATIENCE = 60.0  # seconds; a check that hangs ends its process after a few
 COPIES = multiprocessing.get_context("forkserver")
-COPIES.set_forkserver_preload([verdicts.__name__])
+COPIES.set_forkserver_preload([runner.__name__, verdicts.__name__])
 
 
 def run_checks_warm(

@@ -50,6 +50,14 @@ def behind(request: pytest.FixtureRequest) -> Behind | None:
     return behind_walls() if request.param == "in workers" else None
 
 
+@pytest.fixture(params=[*SEEDS, "in workers"])
+def seed_and_behind(request: pytest.FixtureRequest) -> tuple[str, Behind | None]:
+    """Every seed beside the checks, and one in workers."""
+    if request.param == "in workers":
+        return SEEDS[-1], behind_walls()
+    return request.param, None
+
+
 def exercise_of(chapter: Chapter, wrong: Wrong) -> Exercise:
     """Return the exercise whose body a wrong submission changes."""
     (exercise,) = (e for e in chapter.exercises if wrong.edit in e.edit)
@@ -69,18 +77,20 @@ def lost(verdicts: list[Verdict]) -> dict[str, str]:
     return {v.name: f"{v.status}: {v.message}" for v in verdicts if v.status != "passed"}
 
 
-@pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_the_solution_earns_every_point(chapter: Chapter, seed: str, behind: Behind | None) -> None:
+def test_the_solution_earns_every_point(
+    chapter: Chapter, seed_and_behind: tuple[str, Behind | None]
+) -> None:
+    seed, behind = seed_and_behind
     engine = [ROOT / "solutions", ROOT / "chapters"]
     assert lost(run_checks(chapter, engine, seed=seed, behind=behind)) == {}
 
 
-@pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
 def test_the_second_solution_earns_every_point(
-    chapter: Chapter, seed: str, behind: Behind | None, tmp_path: Path
+    chapter: Chapter, seed_and_behind: tuple[str, Behind | None], tmp_path: Path
 ) -> None:
+    seed, behind = seed_and_behind
     second = ROOT / "tests" / chapter.name / "second"
     assert {file.name for file in second.glob("*.py")} == set(chapter.edited_files)
     shutil.copytree(second, tmp_path / chapter.name)
@@ -106,7 +116,8 @@ def test_doing_nothing_and_refusing_everything_earn_nothing(
 ) -> None:
     """Every body is the same line; without one, the modules are empty."""
     write_all(chapter, body, tmp_path)
-    verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED)
+    ids = [exercise.id for exercise in chapter.exercises]
+    verdicts = run_checks_warm(chapter, engine_with(tmp_path), seed=SEED, exercises=ids)
     assert [verdict.name for verdict in verdicts if verdict.status == "passed"] == []
 
 
@@ -152,12 +163,9 @@ def test_a_wrong_submission_is_told_the_same_both_ways(
 ) -> None:
     """The first wrong submission of each exercise: every verdict and every word of its checks."""
     write_wrong(chapter, wrong, tmp_path)
-    own = [exercise_of(chapter, wrong).id]
-    beside, behind = (
-        run_checks(chapter, engine_with(tmp_path), seed=SEED, exercises=own, behind=where)
-        for where in (None, behind_walls())
-    )
-    assert beside == behind
+    own, engine = [exercise_of(chapter, wrong).id], engine_with(tmp_path)
+    beside = run_checks_warm(chapter, engine, seed=SEED, exercises=own)
+    assert beside == run_checks(chapter, engine, seed=SEED, exercises=own, behind=behind_walls())
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)

@@ -1,21 +1,43 @@
-"""The reference's plots, drawn once for all tests of plots: that takes more than a minute."""
+"""The reference's plots, drawn once for all tests of plots, by all processes of a run together."""
 
 from __future__ import annotations
 
-import subprocess
+import time
 from pathlib import Path
 
 import pytest
 
+from autograder.manifest import load_chapters
+
+PATIENCE = 600.0  # seconds for another process's plots, of which the longest take one
+
 
 @pytest.fixture(scope="session")
-def drawn(
-    tmp_path_factory: pytest.TempPathFactory,
-) -> tuple[Path, subprocess.CompletedProcess[str]]:
-    """Where the reference's plots were drawn to, and how."""
+def drawn(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tuple[Path, str]:
+    """Where the reference's plots were drawn to, and what was said of it.
+
+    Each process draws the chapters that no other has begun, the last ones first: they take longest.
+    """
     from drawn_plots import plot  # tests/ is on the path only once pytest is configured
 
-    out = tmp_path_factory.mktemp("plots")
-    done = plot("solutions", out, "2-8")
-    assert done.returncode == 0, done.stdout + done.stderr
-    return out, done
+    alone = worker_id == "master"
+    base = tmp_path_factory.getbasetemp()
+    out = (base if alone else base.parent) / "plots"
+    out.mkdir(exist_ok=True)
+    numbers = sorted((chapter.number for chapter in load_chapters()), reverse=True)
+    for number in numbers:
+        try:
+            (out / f"{number}.begun").touch(exist_ok=False)
+        except FileExistsError:
+            continue
+        done = plot("solutions", out, str(number))
+        told = done.stdout if done.returncode == 0 else f"{done.stdout}{done.stderr}FAILED"
+        (out / f"{number}.telling").write_text(told, encoding="utf-8")
+        (out / f"{number}.telling").rename(out / f"{number}.told")
+    end = time.monotonic() + PATIENCE
+    while not all((out / f"{number}.told").exists() for number in numbers):
+        assert time.monotonic() < end, "another process has not drawn its plots"
+        time.sleep(0.1)
+    told = "".join((out / f"{number}.told").read_text(encoding="utf-8") for number in numbers)
+    assert "FAILED" not in told, told
+    return out, told

@@ -73,7 +73,7 @@ def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
         (tmp_path / "engine" / path).write_text(stubs[f"chapters/{path}"], encoding="utf-8")
     for name in ("ballistics", "fireworks", "sniper"):
         engine, out = str(tmp_path / "engine"), str(tmp_path / "out")
-        done = play(name, "--engine", engine, "--seconds", "4", "--out", out)
+        done = play(name, "--engine", engine, "--seconds", "1", "--out", out)
         assert done.returncode == 0, done.stdout
         assert (tmp_path / "out" / f"{name}.gif").exists()
 

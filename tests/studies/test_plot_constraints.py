@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import shutil
 from pathlib import Path
-from subprocess import CompletedProcess
 
 import pytest
 
@@ -22,7 +21,7 @@ def table(out: Path, name: str) -> list[list[str]]:
 
 
 @pytest.fixture(scope="module")
-def reference(drawn: tuple[Path, CompletedProcess[str]]) -> Path:
+def reference(drawn: tuple[Path, str]) -> Path:
     """Where the reference's plots were drawn to."""
     return drawn[0]
 

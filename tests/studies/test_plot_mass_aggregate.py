@@ -6,7 +6,6 @@ import shutil
 from collections import defaultdict
 from itertools import pairwise
 from pathlib import Path
-from subprocess import CompletedProcess
 
 import pytest
 
@@ -24,7 +23,7 @@ def table(out: Path, name: str) -> list[list[str]]:
 
 
 @pytest.fixture(scope="module")
-def reference(drawn: tuple[Path, CompletedProcess[str]]) -> Path:
+def reference(drawn: tuple[Path, str]) -> Path:
     """Where the reference's plots were drawn to."""
     return drawn[0]
 

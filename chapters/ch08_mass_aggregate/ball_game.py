@@ -102,8 +102,8 @@ class BallGame:
         """Let a frame of a duration in s pass; nothing happens any more when the game is over.
 
         The ball is pushed by PUSH towards where the player steers. Where it lands on a row, that
-        counts, and it leaves upwards at JUMP, as fast along X as it is by then. Otherwise, where its
-        lowest point is no more than TOUCH above the ground, that takes a life, and the ball starts
-        anew, unless it was the last one.
+        counts, and it leaves upwards at JUMP; its speed along X stays. Otherwise, where its lowest
+        point is no more than TOUCH above the ground, that takes a life, and the ball starts anew,
+        unless it was the last one.
         """
         raise NotImplementedError("Exercise P8.1b: A ball game: the play")

@@ -92,15 +92,13 @@ def rope_particles(places: list[Place]) -> list[Particle]:
     return particles
 
 
-def hang_by_rods(
-    links: int, rate: int, substeps: int, seconds: float, from_v: bool = False
-) -> Hanging:
+def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
     """Let a rope of two-sided rods hang in a ParticleWorld, with substeps in each frame.
 
-    It begins as it should hang, or as a straight V. It is resolved by a HeapResolver, which gives
-    the states of a ContactResolver in less time.
+    It begins as it should hang. It is resolved by a HeapResolver, which gives the states of a
+    ContactResolver in less time.
     """
-    particles = rope_particles(straight_v(links) if from_v else polygon(links))
+    particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
     world = ParticleWorld(particles, rods)
     world.resolver = HeapResolver()

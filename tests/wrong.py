@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -30,10 +30,14 @@ def read_wrong(chapter: Chapter) -> list[Wrong]:
     return [Wrong(**entry) for entry in tomllib.loads(text)["wrong"]]
 
 
-def write_wrong(chapter: Chapter, wrong: Wrong, engine: Path) -> None:
-    """Write the one module that differs from the reference into an engine folder."""
-    module, _, name = wrong.edit.partition(".")
-    _write_changed(chapter, f"{module}.py", {name: wrong.body.strip() + "\n"}, engine)
+def write_wrong(chapter: Chapter, wrongs: Iterable[Wrong], engine: Path) -> None:
+    """Write the modules that differ from the reference into an engine folder."""
+    bodies: dict[str, dict[str, str]] = {}
+    for wrong in wrongs:
+        module, _, name = wrong.edit.partition(".")
+        bodies.setdefault(f"{module}.py", {})[name] = wrong.body.strip() + "\n"
+    for file, changed in bodies.items():
+        _write_changed(chapter, file, changed, engine)
 
 
 def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence[str] = ()) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import positive
+from ch03_laws_of_motion.arguments import finite, positive
 from ch05_forces.particle import Particle
 from ch06_springs.springs import ElasticLimitSpring
 from ch07_constraints.detectors import GroundPlane
@@ -72,12 +72,17 @@ def spread(particles: Sequence[Particle]) -> float:
 class Blob:
     """A blob that falls on the ground: ``particles``, ``bonds`` between all of them, and ``world``.
 
-    It is flat: all is at z = 0. With ``cables`` no bond gets longer than its break_length: a cable
-    holds it. Without them it breaks. ``push`` is the force in N on each particle, a vector.
+    It is flat: all is at z = 0. Its middle is at the height in m. With ``cables`` no bond gets
+    longer than its break_length: a cable holds it. Without them it breaks. ``push`` is the force in
+    N on each particle, a vector.
+
+    Raises ValueError where the height is not finite, or less than RADIUS, which is in the ground.
     """
 
     def __init__(self, height: float = 2.0, cables: bool = False) -> None:
-        middle = Vector3(0.0, positive("height", height))
+        if finite("height", height) < RADIUS:
+            raise ValueError(f"height must be {RADIUS:g} or more, got {height!r}")
+        middle = Vector3(0.0, height)
         places = [middle]
         for i in range(COUNT - 1):
             angle = math.tau * i / (COUNT - 1)

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.arguments import finite, positive
 from ch05_forces.particle import Particle
-from ch07_constraints.contacts import Contact, ContactGenerator
+from ch07_constraints.contacts import Contact, ContactGenerator, a_restitution
 from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.bridge_plan import DAMPING, GRAVITY, HEIGHT, Row, make_rows
 from ch08_mass_aggregate.world import ParticleWorld
@@ -22,23 +22,29 @@ ITERATIONS = 200  # a phase; with twice the contacts a bridge at 30 frames a sec
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
     """Return what holds the rows, which are at their places at the start.
 
-    A rod of WIDTH joins both ends of each row; a cable of CABLE_LENGTH each end to that of the next
-    row on its side; and each end hangs on a cable of support_length(row) from anchor_of(it). No
-    cable bounces.
+    A Rod of WIDTH joins both ends of each row; a Cable of CABLE_LENGTH each end to that of the next
+    row on its side; and each end hangs on an AnchoredCable of support_length(row) from
+    anchor_of(it). No cable bounces.
     """
     raise NotImplementedError("Exercise B8.4: What holds a rope bridge")
 
 
 class Deck:
-    """Generates the contacts of a ball with the rows of planks, which are in order along X."""
+    """Generates the contacts of a ball with the rows of planks, which are in order along X.
+
+    ValueError where the radius is not positive and finite, the restitution is not from 0 to 1, or
+    there are no rows.
+    """
 
     def __init__(
         self, ball: Particle, radius: float, rows: Sequence[Row], restitution: float = 0.0
     ) -> None:
         self.ball = ball
         self.radius = positive("radius", radius)
+        if not rows:
+            raise ValueError("rows must be one or more, got none")
         self.rows = rows
-        self.restitution = restitution
+        self.restitution = a_restitution("restitution", restitution)
 
     def nearest(self) -> tuple[int, float] | None:
         """Return the number of the row that is nearest to the ball along X, and the deck's height.
@@ -83,6 +89,11 @@ class Bridge:
         )
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass, with the ball at its pace."""
-        self.ball.velocity.x = self.pace
+        """Let a frame of a duration in s pass, with the ball at its pace.
+
+        Raises ValueError where the duration is not positive and finite, or the pace not finite; all
+        is then as it was.
+        """
+        positive("duration", duration)
+        self.ball.velocity.x = finite("pace", self.pace)
         self.world.step(duration)

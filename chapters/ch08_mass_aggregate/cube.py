@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, positive
+from ch03_laws_of_motion.arguments import positive
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import TwoSidedRod
@@ -55,6 +55,8 @@ class Cube:
         ]
         self.rods = []
         for i, j in cube_rods() if rods is None else rods:
+            if not (0 <= i < 8 and 0 <= j < 8):
+                raise IndexError(f"rods must join corners from 0 to 7, got {(i, j)!r}")
             a, b = self.particles[i], self.particles[j]
             self.rods.append(TwoSidedRod(a, b, (b.position - a.position).magnitude()))
         ground = GroundPlane(self.particles, restitution=0.3)
@@ -68,8 +70,8 @@ class Cube:
 def _turned(x: float, y: float, z: float) -> Vector3:
     """Return a place turned by a quarter of a right angle about Z, and as much about X.
 
-    Without a turn two opposite corners of each face would fall at once, and nothing would tumble.
+    Without a turn it would land on all four lower corners at once, and nothing would tumble.
     """
     c, s = 0.9238795325112867, 0.3826834323650898  # of pi / 8
-    x, y = c * finite("x", x) - s * y, s * x + c * y
+    x, y = c * x - s * y, s * x + c * y
     return Vector3(x, c * y - s * z, s * y + c * z)

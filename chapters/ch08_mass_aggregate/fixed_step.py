@@ -1,8 +1,8 @@
 """Frames of one length, however long the pictures take: a fixed step with an accumulator.
 
-A picture takes now 5 ms, now half a second, while a disc turns. Steps of those lengths would fall
-through each other, or explode; the same step each time does not, and gives the same run on every
-machine.
+A picture takes now 5 ms, now half a second, while a disc turns. In steps of those lengths bodies
+would fall through each other, or explode; the same step each time prevents that, and gives the same
+run on every machine. What is no number is a TypeError.
 """
 
 from __future__ import annotations

@@ -287,7 +287,7 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
     """Draw energies over time, and by how many percent they differ from the last when at rest."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(
-        {name: _energy_of(*way) for name, way in ways.items()},
+        {name: _energy_of(make, rate, time) for name, (make, rate, time, _) in ways.items()},
     )
     rows: list[Sequence[object]] = []
     reach = 0.0
@@ -327,10 +327,7 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
     return Picture(figure, ("way", "time, s", "energy, J"), rows)
 
 
-def _energy_of(
-    make: Callable[[], Scene], rate: int, seconds: float, color: str
-) -> Callable[[], Track]:
-    del color
+def _energy_of(make: Callable[[], Scene], rate: int, seconds: float) -> Callable[[], Track]:
     return lambda: energy(make(), rate, seconds)
 
 

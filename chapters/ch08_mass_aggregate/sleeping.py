@@ -39,8 +39,9 @@ class SleepingWorld(ParticleWorld):
 
     Slow is what had a kinetic energy of ``sleep_energy`` or less, in J for each kg of it, at the
     end of each of ``sleep_frames`` frames in a row. What sleeps has no velocity, and a mass of
-    math.inf; ``asleep`` is a dict from it to its Sleep. Who moves the ground or an anchor, or joins
-    something new to what sleeps, has to wake it.
+    math.inf; ``asleep`` is a dict from it to its Sleep. Who moves the ground or an anchor, joins
+    something new to what sleeps, or makes it immovable, has to wake it first. What is no number is
+    a TypeError.
 
     Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1,
     TypeError where it is no whole number, and what ParticleWorld raises.
@@ -73,9 +74,9 @@ class SleepingWorld(ParticleWorld):
     def wake(self, particle: Particle) -> None:
         """Wake a particle, its neighbours, theirs, and so on: what fell asleep as one wakes as one.
 
-        The mass of each is what it was, unless it has been given another by hand. It has to be slow
-        again for all of sleep_frames. A particle that is awake stays awake, and begins to count
-        anew.
+        The mass of each is what it was, unless it has been given another finite one by hand. It has
+        to be slow again for all of sleep_frames. A particle that is awake stays awake, and begins
+        to count anew.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

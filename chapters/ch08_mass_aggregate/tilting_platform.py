@@ -1,7 +1,8 @@
 """A platform that tilts on a pivot, and a weight that tips it (book 8.2.2; mini-project 8.1).
 
 Seen from the side it is a V of rods: a pivot at the ground, and two ends above it, of which the
-right one is further away. All of it is there twice, at z = -1 and z = 1, joined by rods.
+right one is further away. All of it is there twice, at z = -1 and z = 1, joined by rods. What is no
+number is a TypeError.
 """
 
 from __future__ import annotations
@@ -73,7 +74,7 @@ class TiltingPlatform:
         """Free the pivot: its particles have MASS from now on, and only stand on the ground (8.1).
 
         The platform stays rigid: if it was only by being immovable that the two kept apart, a rod
-        of self.rods and of the world has to do so from now on. There is no friction.
+        of self.rods and of the world has to do so from now on. There is no friction. Called once.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
 

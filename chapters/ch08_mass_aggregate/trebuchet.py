@@ -35,7 +35,7 @@ class Design:
 
     The sling lets go when the projectile flies forwards at ``release_angle`` above the horizon, or
     lower. Raises ValueError where a number is not finite, a mass or length is not positive, the
-    release angle is not above -90 and below 90, or the projectile would hang below the ground.
+    release angle is not above -90 and below 90, or the projectile would not hang above the ground.
     """
 
     counterweight: float
@@ -51,7 +51,7 @@ class Design:
         positive("sling", self.sling)
         if not -90.0 < finite("release_angle", self.release_angle) < 90.0:
             raise ValueError(f"release_angle must be in (-90, 90), got {self.release_angle!r}")
-        if PIVOT_HEIGHT + self.long_arm * math.sin(START) < self.sling:
+        if PIVOT_HEIGHT + self.long_arm * math.sin(START) <= self.sling:
             raise ValueError(f"sling must not reach the ground, got {self.sling!r}")
 
 

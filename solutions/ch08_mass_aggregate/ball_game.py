@@ -27,10 +27,15 @@ TOUCH = 1e-6  # m: what is no higher above the ground lies on it, however that w
 class Rules:
     """What counts: ``score``, ``lives`` and ``visited``, the rows that were landed on.
 
-    It knows nothing of particles, and is told what happens. ``rows`` is how many there are.
+    It knows nothing of particles, and is told what happens. ``rows`` is how many there are, 1 or
+    more: TypeError and ValueError name what is not.
     """
 
     def __init__(self, rows: int) -> None:
+        if not isinstance(rows, int) or isinstance(rows, bool):
+            raise TypeError(f"rows must be a whole number, got {rows!r}")
+        if rows < 1:
+            raise ValueError(f"rows must be 1 or more, got {rows!r}")
         self.rows = rows
         self.score = 0
         self.lives = LIVES
@@ -51,7 +56,7 @@ class Rules:
 
         Raises ValueError for a row that there is not, from 0 up.
         """
-        if not 0 <= row < self.rows:
+        if row not in range(self.rows):
             raise ValueError(f"row must be from 0 to {self.rows - 1}, got {row!r}")
         if self.over or row in self.visited:
             return

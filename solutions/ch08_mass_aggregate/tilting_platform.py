@@ -1,7 +1,8 @@
 """A platform that tilts on a pivot, and a weight that tips it (book 8.2.2; mini-project 8.1).
 
 Seen from the side it is a V of rods: a pivot at the ground, and two ends above it, of which the
-right one is further away. All of it is there twice, at z = -1 and z = 1, joined by rods.
+right one is further away. All of it is there twice, at z = -1 and z = 1, joined by rods. What is no
+number is a TypeError.
 """
 
 from __future__ import annotations
@@ -62,9 +63,12 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
         for i, (mass, place) in enumerate(zip(masses, places, strict=True))
     ]
     turn = math.fsum(turns)
-    if finite("x", x) * turn > 0.0 or (x == 0.0 and turn):
+    finite("x", x)
+    if not turn:
+        return 0.0
+    if x == 0.0 or (x > 0.0) == (turn > 0.0):
         raise ValueError(f"x must be on the other side of the pivot than what turns it, got {x!r}")
-    return -turn / x if turn else 0.0
+    return finite("the balancing mass", -turn / x)
 
 
 class TiltingPlatform:
@@ -89,7 +93,7 @@ class TiltingPlatform:
         """Free the pivot: its particles have MASS from now on, and only stand on the ground (8.1).
 
         The platform stays rigid: if it was only by being immovable that the two kept apart, a rod
-        of self.rods and of the world has to do so from now on. There is no friction.
+        of self.rods and of the world has to do so from now on. There is no friction. Called once.
         """
         a, b = self.particles[:2]
         for pivot in (a, b):

@@ -81,9 +81,12 @@ class Wheel:
     """A wheel: its ``hub``, ``rim``, ``rods`` and ``world``.
 
     The first ``driven`` particles of the rim are driven by a ``drive`` of a ``force`` in N each.
+    ValueError where the force is not finite, or driven not from 0 to COUNT.
     """
 
     def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:
+        if driven not in range(COUNT + 1):
+            raise ValueError(f"driven must be from 0 to {COUNT}, got {driven!r}")
         self.hub = Particle(mass=math.inf)
         angles = [math.tau * i / COUNT for i in range(COUNT)]
         self.rim = [

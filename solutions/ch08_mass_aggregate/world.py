@@ -1,6 +1,6 @@
 """The world: particles, forces and contacts, put together frame by frame (book 8.1).
 
-Lengths are in m, masses in kg, times in s, energies in J.
+Lengths are in m, masses in kg, times in s, energies in J. What is no number is a TypeError.
 """
 
 from __future__ import annotations
@@ -62,8 +62,8 @@ class ParticleWorld:
         """Move all on by a frame of a duration in s (8.1).
 
         The integrator moves the particles, by the forces of the registry and those that were added
-        by hand since start_frame. Then the contacts of their new places are resolved, all at once.
-        Where there are none, the resolver is not asked.
+        by hand since start_frame. Then the contacts of their new places are resolved, all at once:
+        each generator is asked once a frame. Where there are none, the resolver is not asked.
 
         Raises ValueError where the duration is not positive and finite; all is then as it was.
         """

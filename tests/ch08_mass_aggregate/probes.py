@@ -104,7 +104,7 @@ def frame(
 
     ``early`` is a force that is added by hand before start_frame, ``late`` one before run_physics;
     the method is "step" or "run_physics". With ``record`` contacts are written down, not resolved.
-    Return states, the accumulators, last accelerations, and the diary.
+    Return states and the diary.
     """
     diary: list[Any] = []
     particles = particles_of(bodies)
@@ -131,8 +131,6 @@ def frame(
     getattr(world, method)(duration)
     return {
         "states": states(particles),
-        "sums": [xyz(particle.force_accumulator) for particle in particles],
-        "last": [xyz(particle.last_acceleration) for particle in particles],
         "diary": diary,
     }
 
@@ -150,10 +148,9 @@ def started(bodies: Sequence[Body], force: Components) -> dict[str, Any]:
     world = ParticleWorld(particles)
     for particle in particles:
         particle.add_force(Vector3(*force))
-    before = [xyz(particle.force_accumulator) for particle in particles]
     world.start_frame()
     after = [xyz(particle.force_accumulator) for particle in particles]
-    return {"before": before, "after": after, "states": states(particles)}
+    return {"after": after, "states": states(particles)}
 
 
 def told_frame(duration: float) -> list[tuple[str, float]]:

@@ -127,8 +127,8 @@ def tipped(mass: float, x: float, frames: int, duration: float) -> list[Componen
 def freed(frames: int, duration: float, weight: float = 0.0) -> dict[str, Any]:
     """Free the pivot of a platform, with a weight on its right end, and wait.
 
-    Return the masses, the rods between its particles, of the list and of the world, where its
-    particles were and are, and where they were at most below the ground.
+    Return the masses, the rods between its particles, of the list and of the world, and where its
+    particles were and are.
     """
     platform = tilting_platform.TiltingPlatform()
     for end in platform.particles[4:]:

@@ -123,7 +123,7 @@ def test_a_throw_agrees_with_lagrange(rng: Random) -> None:
     distance, share, *_ = throw(design)
     true_distance, true_share = thrown(*design)
     # First order in the frame: at 1/250 s range and share are up to 6.5 % too small, for
-    # rods of either kind.
+    # every design that is drawn and rods of either kind.
     expect_close(
         f"{call}: range",
         distance,

@@ -11,7 +11,7 @@ import pytest
 
 from autograder.handout import make_handout
 from autograder.manifest import ROOT, load_chapter, load_chapters
-from autograder.stubs import make_stubs
+from made import made_stubs
 
 CH02, CH03 = load_chapters()[:2]
 
@@ -83,7 +83,7 @@ def test_the_stubs_are_made_anew_and_no_solution_goes_along(tmp_path: Path) -> N
         for name in names
         if "_old" in name or "solution" in name or "wrong" in name or "second" in name
     ]
-    for path, text in make_stubs().items():
+    for path, text in made_stubs().items():
         if CH02.name in path:
             assert (out / path).read_text(encoding="utf-8") == text
     assert "](tests/" not in (out / "errata.md").read_text(encoding="utf-8")

@@ -17,20 +17,27 @@ from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.places import next_place
 from autograder.runner import Verdict, run_checks, with_needs
 from autograder.scores import results_of, total
-from autograder.stubs import make_stubs
+from made import made_stubs
 from walls import behind_walls
 from warm import run_checks_warm
 from wrong import Wrong, read_wrong, write_all, write_wrong
 
 CHAPTERS = load_chapters()
 WRONG = [(chapter, wrong) for chapter in CHAPTERS for wrong in read_wrong(chapter)]
-FIRSTS = [
-    next((chapter, wrong) for of, wrong in WRONG if of == chapter and wrong.edit in exercise.edit)
-    for chapter in CHAPTERS
-    for exercise in chapter.exercises
-    if exercise.edit
-]
 EXERCISES = [(chapter, e.id) for chapter in CHAPTERS for e in chapter.exercises if e.edit]
+
+
+def depth_of(chapter: Chapter, exercise: str) -> int:
+    """Return how many exercises build on one another up to this one, without it."""
+    (needs,) = (e.needs for e in chapter.exercises if e.id == exercise)
+    return 1 + max((depth_of(chapter, need) for need in needs), default=-1)
+
+
+LEVELS = [
+    (chapter, depth)
+    for chapter in CHAPTERS
+    for depth in sorted({depth_of(chapter, e.id) for e in chapter.exercises if e.edit})
+]
 SEED = "1"
 REFUSALS = ("ValueError", "TypeError", "ArithmeticError")
 SEEDS = ("1", "2", "a class of its own")
@@ -100,7 +107,7 @@ def test_the_second_solution_earns_every_point(
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
 def test_the_stubs_earn_nothing(chapter: Chapter, behind: Behind | None, tmp_path: Path) -> None:
-    for path, text in make_stubs().items():
+    for path, text in made_stubs().items():
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text, encoding="utf-8")
     engine = engine_with(tmp_path / "chapters")
@@ -138,7 +145,7 @@ def test_an_exercise_needs_no_other_than_it_says(
 def test_a_wrong_submission_loses_exactly_its_checks(
     chapter: Chapter, wrong: Wrong, tmp_path: Path
 ) -> None:
-    write_wrong(chapter, wrong, tmp_path)
+    write_wrong(chapter, [wrong], tmp_path)
     exercise = exercise_of(chapter, wrong)
     reached = built_on(chapter, exercise)
     verdicts = run_checks_warm(chapter, engine_with(tmp_path), seed=SEED, exercises=reached)
@@ -156,16 +163,25 @@ def test_a_wrong_submission_loses_exactly_its_checks(
 
 
 @pytest.mark.parametrize(
-    ("chapter", "wrong"), FIRSTS, ids=[f"{w.edit}: {w.mistake}" for _, w in FIRSTS]
+    ("chapter", "depth"), LEVELS, ids=[f"{chapter.name}, {depth}" for chapter, depth in LEVELS]
 )
 def test_a_wrong_submission_is_told_the_same_both_ways(
-    chapter: Chapter, wrong: Wrong, tmp_path: Path
+    chapter: Chapter, depth: int, tmp_path: Path
 ) -> None:
-    """The first wrong submission of each exercise: every verdict and every word of its checks."""
-    write_wrong(chapter, wrong, tmp_path)
-    own, engine = [exercise_of(chapter, wrong).id], engine_with(tmp_path)
-    beside = run_checks_warm(chapter, engine, seed=SEED, exercises=own)
-    assert beside == run_checks(chapter, engine, seed=SEED, exercises=own, behind=behind_walls())
+    """The first wrong submission of each exercise: every verdict and every word of its checks.
+
+    All exercises that as many build the way to are wrong at once; what they need is right.
+    """
+    ids = [e.id for e in chapter.exercises if e.edit and depth_of(chapter, e.id) == depth]
+    wrongs = [w for w in read_wrong(chapter) if exercise_of(chapter, w).id in ids]
+    firsts = {exercise_of(chapter, wrong).id: wrong for wrong in reversed(wrongs)}
+    assert firsts.keys() == set(ids)
+    write_wrong(chapter, firsts.values(), tmp_path)
+    engine = engine_with(tmp_path)
+    beside = run_checks_warm(chapter, engine, seed=SEED, exercises=ids)
+    assert beside == run_checks(chapter, engine, seed=SEED, exercises=ids, behind=behind_walls())
+    failed = {verdict.exercise for verdict in beside if verdict.status == "failed"}
+    assert failed == set(ids)
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)

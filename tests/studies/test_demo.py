@@ -15,8 +15,8 @@ from matplotlib.backend_bases import KeyEvent, MouseEvent
 from PIL import Image
 
 from autograder.manifest import ROOT
-from autograder.stubs import make_stubs
 from ch04_particle_engine.ballistics import SHOT_TYPES
+from made import made_stubs
 from studies import demo as demos
 
 NAMES = ("ballistics", "fireworks", "sniper", "springbridge", "cloth", "bridge", "platform")
@@ -53,7 +53,7 @@ def test_without_a_display_a_demo_is_an_animation_and_a_contact_sheet(
 def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Path) -> None:
     shutil.copytree(ROOT / "solutions", tmp_path / "engine")
     ballistics = tmp_path / "engine/ch04_particle_engine/ballistics.py"
-    ballistics.write_text(make_stubs()["chapters/ch04_particle_engine/ballistics.py"])
+    ballistics.write_text(made_stubs()["chapters/ch04_particle_engine/ballistics.py"])
     out = tmp_path / "out"
     out.mkdir()
     (out / "ballistics.gif").write_text("an older animation")
@@ -66,7 +66,7 @@ def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Pa
 def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
     """Without grenades, targets, own types, wheel, turns and game there is enough to see."""
     shutil.copytree(ROOT / "solutions", tmp_path / "engine")
-    stubs = make_stubs()
+    stubs = made_stubs()
     missing = ("grenade", "targets", "firework_types", "catherine_wheel", "screen_rotation")
     for module in (*missing, "display"):
         path = f"ch04_particle_engine/{module}.py"

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import ROOT
-from autograder.stubs import make_stubs
 from drawn_plots import plot, table
+from made import made_stubs
 
 NAMES = (
     "ch02_vectors/addition",
@@ -268,7 +268,7 @@ def test_springs_that_are_not_written_are_said(tmp_path: Path) -> None:
     shutil.copytree(ROOT / "solutions", tmp_path / "engine")
     for module in ("springs", "integrators", "closed_form"):
         path = f"ch06_springs/{module}.py"
-        text = make_stubs()[f"chapters/{path}"]
+        text = made_stubs()[f"chapters/{path}"]
         (tmp_path / "engine" / path).write_text(text, encoding="utf-8")
     done = plot(tmp_path / "engine", tmp_path, "6")
     assert done.returncode == 1

@@ -10,7 +10,7 @@ import pytest
 
 import drawn_plots
 from autograder.manifest import ROOT
-from autograder.stubs import make_stubs
+from made import made_stubs
 
 CHAPTER = "ch07_constraints"
 PLOTS = 8
@@ -136,7 +136,7 @@ def test_the_table_of_drops_is_the_reference_s(reference: Path) -> None:
 
 def test_stubs_are_said(tmp_path: Path) -> None:
     shutil.copytree(ROOT / "solutions", tmp_path / "engine")
-    for path, text in make_stubs().items():
+    for path, text in made_stubs().items():
         _, chapter, name = path.split("/")
         if chapter == CHAPTER:
             (tmp_path / "engine" / chapter / name).write_text(text, encoding="utf-8")

@@ -11,7 +11,7 @@ import pytest
 
 import drawn_plots
 from autograder.manifest import ROOT
-from autograder.stubs import make_stubs
+from made import made_stubs
 from studies.ropes import catenary_sag, polygon_sag
 
 CHAPTER = "ch08_mass_aggregate"
@@ -129,7 +129,7 @@ def test_bonds_break_and_heal(reference: Path) -> None:
 
 def test_stubs_are_said(tmp_path: Path) -> None:
     shutil.copytree(ROOT / "solutions", tmp_path / "engine")
-    for path, text in make_stubs().items():
+    for path, text in made_stubs().items():
         _, chapter, name = path.split("/")
         if chapter == CHAPTER:
             (tmp_path / "engine" / chapter / name).write_text(text, encoding="utf-8")

@@ -19,8 +19,8 @@ STUDENT_TOOLS = {
         "runner.py scores.py screen.py verdicts.py"
     ),
     "studies": (
-        "__init__.py __main__.py constraints.py demo.py drawing.py mass_aggregate.py plot.py "
-        "ropes.py scenes.py stability.py timing.py"
+        "__init__.py __main__.py constraints.py demo.py drawing.py links.py mass_aggregate.py "
+        "plot.py ropes.py scenes.py stability.py timing.py"
     ),
     "tests": "conftest.py draw.py expect.py lever.py rigidity.py",
 }

@@ -58,6 +58,11 @@ class Track:
     values: list[float]
     message: str = ""
 
+    @property
+    def points(self) -> list[tuple[float, float]]:
+        """Each time with its value."""
+        return [*zip(self.times, self.values, strict=True)]
+
 
 def track(move: Move, measure: Callable[[], float], frames: int, duration: float = FRAME) -> Track:
     """Measure something at the start and after each frame, until the engine says that it failed."""

@@ -16,7 +16,6 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from ch07_constraints.heap_resolver import HeapResolver
-from ch07_constraints.links import AnchoredCable, Cable
 from ch08_mass_aggregate.blob import Blob, spread
 from ch08_mass_aggregate.bridge import Bridge
 from ch08_mass_aggregate.fixed_step import FixedStep
@@ -35,6 +34,7 @@ from ch08_mass_aggregate.wheel import Wheel, deformation, spin
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 from studies.constraints import Move, Track
 from studies.drawing import Numbers, number, numbers
+from studies.links import over_length
 from studies.stability import stopped
 
 FRAME = 1.0 / 60.0
@@ -107,24 +107,10 @@ def default_bridge() -> Bridge:
 
 def variation(run: Track, since: float) -> float:
     """Return the difference of the largest and the least value from a time on, over the last."""
-    late = [value for time, value in zip(run.times, run.values, strict=True) if time >= since]
+    late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
         return math.nan
     return (max(late) - min(late)) / abs(late[-1])
-
-
-def over_length(bridge: Bridge) -> float:
-    """Return by how many percent the worst cable of a bridge is too long; 0 where none is."""
-    worst = 0.0
-    for link in bridge.links:
-        if isinstance(link, Cable):
-            a, b = numbers(link.a.position), numbers(link.b.position)
-        elif isinstance(link, AnchoredCable):
-            a, b = numbers(link.particle.position), numbers(link.anchor)
-        else:
-            continue
-        worst = max(worst, 100.0 * (math.dist(a, b) / link.max_length - 1.0))
-    return worst
 
 
 def load_on_bridge(
@@ -146,7 +132,7 @@ def load_on_bridge(
 
     def measure() -> float:
         lowest = min(numbers(end.position)[1] for row in bridge.rows for end in row)
-        return over_length(bridge) if numbers(bridge.ball.position)[1] > lowest else math.inf
+        return over_length(bridge.links) if numbers(bridge.ball.position)[1] > lowest else math.inf
 
     return tracks(move, [measure], round(seconds / FRAME), FRAME)[0], work
 

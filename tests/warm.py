@@ -19,7 +19,7 @@ COPIES.set_forkserver_preload([runner.__name__, verdicts.__name__])
 
 
 def run_checks_warm(
-    chapter: Chapter, engine: list[Path], *, seed: str, exercises: list[str]
+    chapter: Chapter, engine: list[Path], *, seed: str, exercises: list[str] | None = None
 ) -> list[Verdict]:
     """Return the verdicts of run_checks, whose first process is a copy of one that waits here.
 

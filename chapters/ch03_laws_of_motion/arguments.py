@@ -45,6 +45,15 @@ def positive_or_infinite(name: str, value: float) -> float:
     return float(value)
 
 
+def whole(name: str, value: int) -> int:
+    """Return a whole number of 1 or more; True is none."""
+    if not isinstance(value, int) or isinstance(value, bool):
+        raise TypeError(f"{name} must be a whole number, got {value!r}")
+    if value < 1:
+        raise ValueError(f"{name} must be 1 or more, got {value!r}")
+    return value
+
+
 def finite_vector(name: str, v: Vector3) -> Vector3:
     """Return a copy of a vector whose components are all finite."""
     if not isinstance(v, Vector3):

@@ -66,8 +66,8 @@ def bounce_heights() -> Picture:
     for (name, c), run in found.items():
         axes = left if c == 1.0 else right
         axes.plot(run.times, run.values, color=COLORS[name], lw=1.2, label=name)
-        rows += [(name, c, *row) for row in zip(run.times, run.values, strict=True)]
-        late = [height for time, height in _rows(run) if time > 18.0]
+        rows += [(name, c, *row) for row in run.points]
+        late = [height for time, height in run.points if time > 18.0]
         if c == 1.0 and late:
             words.append(f"{name}: up to {max(late):.3f} m")
         elif c < 1.0 and name == "time division":
@@ -75,7 +75,7 @@ def bounce_heights() -> Picture:
             words_of = f"the impacts end after {run.times[-1]:.7f} s" if ended else "no end is told"
             ends.append(f"{name}: {words_of}")
         elif c < 1.0:
-            late = [height for time, height in _rows(run) if time > 2.0]
+            late = [height for time, height in run.points if time > 2.0]
             ends.append(f"{name}: up to {1e3 * max(late, default=math.nan):.3g} mm after 2 s")
     true_end = math.sqrt(2.0 * HEIGHT / GRAVITY) * (1.0 + 0.5) / (1.0 - 0.5)
     right.axvline(true_end, color=GREY, lw=1, ls=":", label=f"theory: ends at {true_end:.7f} s")
@@ -117,7 +117,7 @@ def resting_jitter() -> Picture:
         every = slice(None, None, 1 if made == "built-in" else 5)
         color = looks[name, rule]
         axes.plot(run.times[every], mm[every], style, color=color, ms=3, lw=1, label=label)
-        rows += [(c, f"{name}, {rule}, {made}", *row) for row in _rows(run)]
+        rows += [(c, f"{name}, {rule}, {made}", *row) for row in run.points]
     for axes, c in zip(panels, (0.5, 0.9), strict=False):
         most = {key[1:]: 1e3 * _highest(run) for key, run in found.items() if key[0] == c}
         top = max([1.0, *most.values()])
@@ -144,7 +144,7 @@ def resting_jitter() -> Picture:
         mm = [1e3 * height for height in run.values]
         label = f"{name}: {1e3 * _rise(run):.3g} mm"
         axes.plot(run.times, mm, color=color, lw=1.2, label=label)
-        rows += [(c, f"fall of {fall:g} m, {name}", *row) for row in _rows(run)]
+        rows += [(c, f"fall of {fall:g} m, {name}", *row) for row in run.points]
         words.append(f"{1e3 * _rise(run):.3g}")
     axes.set_title(
         f"A fall of {1e3 * fall:g} mm, to {math.sqrt(2.0 * GRAVITY * fall):.2f} m/s, restitution "
@@ -332,10 +332,6 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 def _stacked(count: int, iterations: int | None) -> Callable[[], tuple[Track, Track]]:
     return lambda: stack(count, iterations, 120)
-
-
-def _rows(run: Track) -> list[tuple[float, float]]:
-    return [*zip(run.times, run.values, strict=True)]
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:

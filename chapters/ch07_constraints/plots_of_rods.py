@@ -141,7 +141,7 @@ def pendulum_energy() -> Picture:
             continue
         label = f"{name}, {rate} Hz: {run.values[-1]:.4g} J in the end"
         axes.plot(run.times, run.values, color=color, lw=1.2, label=label)
-        rows += [(name, rate, *row) for row in zip(run.times, run.values, strict=True)]
+        rows += [(name, rate, *row) for row in run.points]
         words.append(f"{100.0 * (run.values[-1] / run.values[0] - 1.0):+.3g} %")
     axes.set_title(
         "A pendulum of 1 m and 1 kg, from horizontal: change of energy in 10 s, in the order of "

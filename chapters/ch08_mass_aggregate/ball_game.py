@@ -7,6 +7,7 @@ counts once. To land on all of them wins; to reach the ground costs a life.
 from __future__ import annotations
 
 from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.arguments import whole
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import GroundPlane
@@ -32,11 +33,7 @@ class Rules:
     """
 
     def __init__(self, rows: int) -> None:
-        if not isinstance(rows, int) or isinstance(rows, bool):
-            raise TypeError(f"rows must be a whole number, got {rows!r}")
-        if rows < 1:
-            raise ValueError(f"rows must be 1 or more, got {rows!r}")
-        self.rows = rows
+        self.rows = whole("rows", rows)
         self.score = 0
         self.lives = LIVES
         self.visited: set[int] = set()

@@ -17,11 +17,11 @@ from ch08_mass_aggregate.demos_common import (
     draw_cables,
     draw_ground,
     lines,
-    overlength,
     seen,
 )
 from ch08_mass_aggregate.demos_of_bodies import Blob, Cube, Platform, Wheel
 from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, RED
+from studies.links import over_length
 
 
 class Bridge(Scene):
@@ -78,7 +78,7 @@ class Bridge(Scene):
             )
         self.say(
             f"the ball is at x = {x:.1f} m, y = {y:.1f} m; the worst cable is "
-            f"{100.0 * overlength(generators):.3f} % too long\n{frames}"
+            f"{over_length(generators):.3f} % too long\n{frames}"
         )
 
     def press(self, key: str) -> None:

@@ -10,10 +10,11 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from ch02_vectors.vector import Vector3
-from ch07_constraints.links import AnchoredCable, Cable, Rod
+from ch07_constraints.links import AnchoredCable, Cable
 from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.drawing import BLACK, GREY, RED, is_written
+from studies.links import ends_of
 from studies.stability import stopped, watching
 
 SPEED_LIMIT = 200.0  # m/s, far more than anything here has while it is well
@@ -116,20 +117,3 @@ def draw_cables(cables: LineCollection, generators: Iterable[object]) -> None:
             colors.append(BLACK if (b - a).magnitude() >= link.max_length else SLACK)
     cables.set_segments(segments)
     cables.set(colors=colors)
-
-
-def overlength(generators: Iterable[object]) -> float:
-    """Return by which share of its length the worst cable is too long, 0 where none is."""
-    worst = 0.0
-    for link in generators:
-        if isinstance(link, Cable | AnchoredCable):
-            a, b = ends_of(link)
-            worst = max(worst, (b - a).magnitude() / link.max_length - 1.0)
-    return worst
-
-
-def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
-    """Return the places of both ends of a link."""
-    if isinstance(link, AnchoredCable):
-        return link.particle.position, link.anchor
-    return link.a.position, link.b.position

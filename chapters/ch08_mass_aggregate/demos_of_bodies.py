@@ -17,11 +17,11 @@ from ch08_mass_aggregate.demos_common import (
     Point,
     Scene,
     draw_ground,
-    ends_of,
     lines,
     seen,
 )
 from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, RED, is_written
+from studies.links import ends_of
 
 DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up": (0.0, 1.0)}
 

@@ -195,8 +195,8 @@ def hanging_rope() -> Picture:
                 right.annotate(
                     words, (spent, error), offset, textcoords="offset points", fontsize=7.5
                 )
-    sinks = [f"{_sinks(found, 10, s)}" for s in (1, 16)]
-    deep = [f"{_sinks(found, 100, s)}" for s in (1, 16)]
+    sinks = [_sinks(found, 10, s) for s in (1, 16)]
+    deep = [_sinks(found, 100, s) for s in (1, 16)]
     stays = "?" if direct is None else f"{direct.sag - polygon_sag(100):.1g}"
     right.set_title(
         f"With 1 and 16 substeps 10 links sink by {sinks[0]} and {sinks[1]} m,\n"
@@ -245,7 +245,7 @@ def variable_frames() -> Picture:
             fixed = name.startswith("FixedStep")
             style = "." if fixed else "-"
             axes.plot(run.times, run.values, style, color=colors[name], ms=4, lw=1.3, label=name)
-            rows += [(what, name, *row) for row in zip(run.times, run.values, strict=True)]
+            rows += [(what, name, *row) for row in run.points]
             if run.message:
                 notes.append(f"{what}, {name}: {run.message}")
             if fixed:
@@ -289,21 +289,22 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
     found = written(
         {name: _energy_of(make, rate, time) for name, (make, rate, time, _) in ways.items()},
     )
+    varies = {name: 100.0 * variation(run, SETTLED) for name, run in found.items()}
+    bad = [name for name, percent in varies.items() if not percent <= STEADY]
     rows: list[Sequence[object]] = []
     reach = 0.0
     for name, run in found.items():
         color = ways[name][-1]
-        varies = 100.0 * variation(run, SETTLED)
-        fails = "" if varies <= STEADY else ": fails"
+        fails = ": fails" if name in bad else ""
         left.plot(run.times, run.values, color=color, lw=1.2, label=name)
-        late = [(t, e) for t, e in zip(run.times, run.values, strict=True) if t >= SETTLED]
+        late = [(t, e) for t, e in run.points if t >= SETTLED]
         energies = [e for _, e in late]
         middle = 0.5 * (max(energies, default=0.0) + min(energies, default=0.0))
         off = [100.0 * (e / middle - 1.0) if middle else math.nan for e in energies]
         reach = max([reach, *map(abs, off)])
-        label = f"{name}, to {run.times[-1]:.0f} s: varies by {varies:.2g} %{fails}"
+        label = f"{name}, to {run.times[-1]:.0f} s: varies by {varies[name]:.2g} %{fails}"
         right.plot([time for time, _ in late], off, color=color, lw=1.0, label=label)
-        rows += [(name, *row) for row in zip(run.times, run.values, strict=True)]
+        rows += [(name, *row) for row in run.points]
     half = 0.5 * STEADY
     right.axhspan(-half, half, color=GREY, alpha=0.12, lw=0, label=f"grey: {STEADY:g} %")
     starts = [run.values[0] for run in found.values()]
@@ -315,7 +316,6 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
     left.set_xlim(0.0, 5.0)
     if 0.0 < reach < math.inf:
         right.set_ylim(-1.3 * reach, 2.2 * reach)
-    bad = [name for name in found if not 100.0 * variation(found[name], SETTLED) <= STEADY]
     steady = "all vary" if not bad else f"all but {', '.join(bad)} vary"
     right.set_title(f"From {SETTLED:g} s on {steady} by less than {STEADY:g} %", fontsize=10)
     left.set(xlabel="time, s", ylabel="mechanical energy, J, from the ground")
@@ -333,7 +333,7 @@ def _energy_of(make: Callable[[], Scene], rate: int, seconds: float) -> Callable
 
 def _late(run: Track, since: float) -> float:
     """Return the largest value from a time on, infinite where the engine failed before."""
-    late = [value for time, value in zip(run.times, run.values, strict=True) if time >= since]
+    late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 from matplotlib import pyplot
@@ -13,7 +14,6 @@ from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.trebuchet import Design, my_design
 from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.constraints import Track
 from studies.drawing import (
     BLACK,
     BLUE,
@@ -51,7 +51,9 @@ def trebuchet_range() -> Picture:
     name, design = next(iter(written(named).items()))
     own = design.counterweight
     weights = sorted({50.0, 100.0, 200.0, 250.0, 300.0, 400.0, own})
-    found = written({weight: partial(releases, _with(design, weight)) for weight in weights})
+    found = written(
+        {weight: partial(releases, replace(design, counterweight=weight)) for weight in weights}
+    )
     rows: list[Sequence[object]] = []
     best: dict[float, Release] = {}
     for (weight, seen), color in zip(
@@ -145,7 +147,7 @@ def wheel_deformation() -> Picture:
         limit = (2.0 * alpha * rate) ** (1.0 / 3.0)
         label = f"$\\sqrt[3]{{2 \\alpha / h}}$ = {limit:.3g} rad/s at {rate} Hz"
         right.axhline(limit, color=color, lw=1, ls=":", label=label)
-        rows += [("spin", COUNT, rate, 10.0, *row) for row in _rows(run)]
+        rows += [("spin", COUNT, rate, 10.0, *row) for row in run.points]
         notes += [run.message] * bool(run.message)
     left.set_title(
         f"Worst rod in the first second, at {FORCES[-1]:g} N and 60 Hz:\n{', '.join(gives) or '?'}",
@@ -188,7 +190,7 @@ def blob_bonds() -> Picture:
             style = "--" if cables else "-"
             label = f"{throw}, {with_cables}: {ended}"
             axes.plot(run.times, run.values, style, color=color, lw=1.4, label=label)
-            rows += [(what, speed, cables, *row) for row in _rows(run)]
+            rows += [(what, speed, cables, *row) for row in run.points]
     for axes, what, unit in ((panels[0], "spread", " m"), (panels[1], "bonds", " bonds")):
         torn, held = (found.get((what, 25.0, cables)) for cables in (False, True))
         words = [f"{run.values[-1]:.2g}{unit}" if run else "?" for run in (torn, held)]
@@ -245,19 +247,9 @@ def sleeping_balls() -> Picture:
     return Picture(figure, columns_of, rows)
 
 
-def _with(design: Design, counterweight: float) -> Design:
-    return Design(
-        counterweight, design.short_arm, design.long_arm, design.sling, design.release_angle
-    )
-
-
 def _released(found: Sequence[Release], angle: float) -> Release | None:
     """Return the first release at an angle or lower, if any."""
     return next((release for release in found if release.angle <= angle), None)
-
-
-def _rows(run: Track) -> list[tuple[float, float]]:
-    return [*zip(run.times, run.values, strict=True)]
 
 
 def _legend(axes: Axes) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ch03_laws_of_motion.arguments import positive
+from ch03_laws_of_motion.arguments import positive, whole
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import Detector
@@ -55,10 +55,7 @@ def time_division_step(
     ``max_impacts`` of them: the particles are then where they are at its time, not yet damped.
     """
     positive("duration", duration)
-    if not isinstance(max_impacts, int) or isinstance(max_impacts, bool):
-        raise TypeError(f"max_impacts must be a whole number, got {max_impacts!r}")
-    if max_impacts < 1:
-        raise ValueError(f"max_impacts must be 1 or more, got {max_impacts!r}")
+    whole("max_impacts", max_impacts)
     for particle in particles:
         _use_forces(particle, duration)
     left, impacts = duration, 0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import positive
+from ch03_laws_of_motion.arguments import positive, whole
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import TwoSidedRod
@@ -25,10 +25,7 @@ def fewest_rods(count: int) -> int:
 
     Raises ValueError where count is below 1, and TypeError where it is no whole number.
     """
-    if not isinstance(count, int) or isinstance(count, bool):
-        raise TypeError(f"count must be a whole number, got {count!r}")
-    if count < 1:
-        raise ValueError(f"count must be 1 or more, got {count!r}")
+    whole("count", count)
     return 3 * count - 6 if count >= 3 else count - 1
 
 

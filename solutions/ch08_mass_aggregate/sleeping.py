@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import not_negative, positive
+from ch03_laws_of_motion.arguments import not_negative, positive, whole
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactGenerator
@@ -61,11 +61,7 @@ class SleepingWorld(ParticleWorld):
             particles, contact_generators, iterations=iterations, integrator=integrator
         )
         self.sleep_energy = not_negative("sleep_energy", sleep_energy)
-        if not isinstance(sleep_frames, int) or isinstance(sleep_frames, bool):
-            raise TypeError(f"sleep_frames must be a whole number, got {sleep_frames!r}")
-        if sleep_frames < 1:
-            raise ValueError(f"sleep_frames must be 1 or more, got {sleep_frames!r}")
-        self.sleep_frames = sleep_frames
+        self.sleep_frames = whole("sleep_frames", sleep_frames)
         self.asleep: dict[Particle, Sleep] = {}
         self._slow: dict[Particle, int] = {}  # for how many frames each has been slow
         self._touched: dict[Pair, int] = {}  # in which frame two were last in contact

@@ -58,7 +58,7 @@ def explain_exception(
 
     A failed expectation has its own words. For other exceptions: what the check was calling, the
     exception, the student's line, and the cause that Python or the check suggests. ``complete``
-    are modules such as ch03_laws_of_motion/arguments.py that the student only calls. An exception
+    are modules such as ch02_vectors/arguments.py that the student only calls. An exception
     that came from a worker brings its ``fault`` along.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)

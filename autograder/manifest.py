@@ -33,7 +33,8 @@ class Exercise:
 class Chapter:
     """A chapter: its folder name (which is its package), number, title and exercises.
 
-    ``complete`` are the modules that students use as they are, such as plots.py.
+    ``complete`` are the modules that students use as they are, such as plots.py. ``builds_on`` are
+    the numbers of the chapters whose modules its own import; None stands for all below it.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Chapter:
     title: str
     complete: list[str]
     exercises: list[Exercise]
+    builds_on: list[int] | None = None
 
     @property
     def edited_files(self) -> list[str]:
@@ -80,7 +82,12 @@ def load_chapter(folder: Path) -> Chapter:
             raise ValueError(f"{path}: {error}") from error
     exercises = [_exercise(path, entry) for entry in data.get("exercise", [])]
     chapter = Chapter(
-        folder.name, int(match[1]), data["title"], data.get("complete", []), exercises
+        folder.name,
+        int(match[1]),
+        data["title"],
+        data.get("complete", []),
+        exercises,
+        data.get("builds_on"),
     )
     _check_needs(path, chapter)
     return chapter
@@ -104,8 +111,11 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """Return the chapters with smaller numbers, on which this one may build."""
-    return [other for other in load_chapters(root) if other.number < chapter.number]
+    """Return the chapters with smaller numbers, on which this one builds."""
+    below = [other for other in load_chapters(root) if other.number < chapter.number]
+    if chapter.builds_on is None:
+        return below
+    return [other for other in below if other.number in chapter.builds_on]
 
 
 def select_chapters(numbers: str) -> list[Chapter]:

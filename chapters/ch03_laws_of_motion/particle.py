@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from ch02_vectors.arguments import finite_vector
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite_vector
 
 
 class Particle:

@@ -6,8 +6,8 @@ its velocity. Only the sparks are particles.
 
 from __future__ import annotations
 
+from ch02_vectors.arguments import finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite_vector, not_negative, positive
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.fireworks import FireworksShow
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from random import Random
 
-from ch03_laws_of_motion.arguments import finite, not_negative
+from ch02_vectors.arguments import finite, not_negative
 from ch03_laws_of_motion.particle import Particle
 
 Numbers = tuple[float, float, float]

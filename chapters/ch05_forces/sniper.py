@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from random import Random
 
+from ch02_vectors.arguments import not_negative
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import not_negative
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ch03_laws_of_motion.arguments import finite, not_negative
+from ch02_vectors.arguments import finite, not_negative
 from ch05_forces.particle import Particle
 
 

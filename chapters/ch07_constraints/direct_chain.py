@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
+from ch02_vectors.arguments import finite_vector, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite_vector, positive
 from ch05_forces.particle import Particle
 
 

@@ -11,8 +11,8 @@ yours to keep right.
 
 from __future__ import annotations
 
+from ch02_vectors.arguments import finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite_vector, not_negative, positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, a_particle, a_restitution
 

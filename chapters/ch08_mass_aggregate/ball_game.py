@@ -6,8 +6,8 @@ counts once. To land on all of them wins; to reach the ground costs a life.
 
 from __future__ import annotations
 
+from ch02_vectors.arguments import whole
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import whole
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import GroundPlane

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import positive
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import TwoSidedRod

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from ch03_laws_of_motion.arguments import positive
+from ch02_vectors.arguments import positive
 
 SHARE = 1e-9  # of a step: what lacks so little of one is due, and only rounding makes it late
 

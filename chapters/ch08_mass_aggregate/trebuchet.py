@@ -10,8 +10,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from ch02_vectors.arguments import finite, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import ContactGenerator
 from ch07_constraints.links import Cable

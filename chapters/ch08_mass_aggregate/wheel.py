@@ -8,8 +8,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from ch02_vectors.arguments import finite
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite
 from ch05_forces.particle import Particle
 from ch07_constraints.links import Rod
 from ch08_mass_aggregate.world import ParticleWorld

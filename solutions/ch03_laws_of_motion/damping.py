@@ -8,8 +8,8 @@ a TypeError.
 
 from __future__ import annotations
 
+from ch02_vectors.arguments import not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import not_negative, positive
 
 
 def damp_per_frame(

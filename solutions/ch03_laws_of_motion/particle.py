@@ -8,13 +8,13 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import (
+from ch02_vectors.arguments import (
     finite_vector,
     not_negative,
     positive,
     positive_or_infinite,
 )
+from ch02_vectors.vector import Vector3
 
 
 class Particle:

@@ -9,7 +9,7 @@ What is no number where one is wanted is a TypeError, in every function of this 
 
 from __future__ import annotations
 
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
+from ch02_vectors.arguments import finite, not_negative, positive
 
 
 def muzzle_energy(mass: float, speed: float) -> float:

@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import positive
 from ch03_laws_of_motion.particle import Particle
 
 

@@ -11,8 +11,8 @@ from __future__ import annotations
 import math
 from typing import Protocol
 
+from ch02_vectors.arguments import finite, finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, finite_vector, not_negative, positive
 from ch05_forces.particle import Particle
 
 

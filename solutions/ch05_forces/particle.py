@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import math
 
+from ch02_vectors.arguments import finite_vector, positive
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import particle
-from ch03_laws_of_motion.arguments import finite_vector, positive
 
 Numbers = tuple[float, float, float]
 

@@ -11,8 +11,8 @@ import math
 from dataclasses import dataclass
 from random import Random
 
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
 from ch05_forces.forces import ForceRegistry, drag_force
 from ch05_forces.particle import Particle
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from ch02_vectors.arguments import not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import not_negative, positive
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator

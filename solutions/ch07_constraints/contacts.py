@@ -13,8 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Protocol
 
+from ch02_vectors.arguments import finite, finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, finite_vector, not_negative, positive
 from ch05_forces.particle import Particle
 
 UNIT_TOLERANCE = 1e-6  # how far from 1 the length of a normal may be

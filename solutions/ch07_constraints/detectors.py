@@ -16,8 +16,8 @@ from collections.abc import Iterable, Sequence
 from itertools import combinations, product
 from typing import Protocol
 
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import (
     VELOCITY_TOLERANCE,

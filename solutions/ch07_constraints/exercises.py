@@ -6,8 +6,8 @@ import math
 import statistics
 from collections.abc import Sequence
 
+from ch02_vectors.arguments import finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite_vector, not_negative, positive
 from ch07_constraints.contacts import a_restitution
 
 Drop = tuple[str, float, float]

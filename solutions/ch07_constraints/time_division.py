@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ch03_laws_of_motion.arguments import positive, whole
+from ch02_vectors.arguments import positive, whole
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import Detector

@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 from itertools import combinations
 
+from ch02_vectors.arguments import finite, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, positive
 from ch05_forces.particle import Particle
 from ch06_springs.springs import ElasticLimitSpring
 from ch07_constraints.detectors import GroundPlane

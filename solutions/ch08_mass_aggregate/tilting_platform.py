@@ -11,8 +11,8 @@ import math
 from collections.abc import Sequence
 from itertools import combinations
 
+from ch02_vectors.arguments import finite, not_negative
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import Rod, TwoSidedRod

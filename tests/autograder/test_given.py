@@ -264,6 +264,7 @@ def test_an_earlier_chapter_of_ones_own_that_cannot_be_read_is_named(tmp_path: P
     make_handout([CH03], [], tmp_path / "out")
     own = tmp_path / "out/chapters/ch02_vectors"
     shutil.copytree(ROOT / "sample_class/dina/ch02_vectors", own)
+    shutil.copy(ROOT / "chapters/ch02_vectors/arguments.py", own)  # each student's folder has it
     done = check("chapters", "--chapter", "3", root=tmp_path / "out")
     assert done.returncode == 1
     assert "ch02_vectors/vector.py cannot be read: '(' was never closed" in done.stdout

@@ -197,7 +197,7 @@ def test_links_and_large_files_are_not_taken(tmp_path: Path) -> None:
 def test_complete_modules_are_ours_whatever_is_handed_in(tmp_path: Path) -> None:
     for name in ("ch02_vectors", "ch03_laws_of_motion"):
         shutil.copytree(ROOT / "solutions" / name, tmp_path / "max" / name)
-    own = tmp_path / "max/ch03_laws_of_motion/arguments.py"
+    own = tmp_path / "max/ch02_vectors/arguments.py"
     own.write_text("raise SystemExit('my own arguments')\n", encoding="utf-8")
     assert states(grade_one(tmp_path / "max", load_chapters()[1:2])) == {"passed"}
 

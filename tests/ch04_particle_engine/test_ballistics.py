@@ -70,7 +70,7 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
 @pytest.mark.exercise("4.3a", weight=0.5)
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_angles_are_finite(bad: float) -> None:
-    cause = "finite and not_negative of arguments.py, in chapter 3, refuse it in one line"
+    cause = "finite and not_negative of arguments.py, in chapter 2, refuse it in one line"
     read = "the docstring of aim"
     for data in ((bad, 0.0, 0.0), (3.0, bad, 0.0), (3.0, 0.0, bad), (-3.0, 0.0, 0.0)):
         call = f"aim{data}"

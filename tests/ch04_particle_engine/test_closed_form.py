@@ -214,7 +214,7 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
 @pytest.mark.exercise("B4.8", weight=0.5)
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
-    cause = "not_negative of arguments.py, in chapter 3, refuses it in one line"
+    cause = "not_negative of arguments.py, in chapter 2, refuses it in one line"
     read = f"{FACTORS}, and of state_after"
     for call, attempt in (
         (f"drag_factors({bad}, 1)", lambda: closed_form.drag_factors(bad, 1.0)),

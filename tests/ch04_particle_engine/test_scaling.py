@@ -65,7 +65,7 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
 @pytest.mark.exercise("B4.1", weight=0.5)
 @pytest.mark.parametrize("bad", [0.0, -2.0, math.inf, math.nan])
 def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
-    cause = "positive of arguments.py, in chapter 3, refuses it in one line"
+    cause = "positive of arguments.py, in chapter 2, refuses it in one line"
     read = "the docstrings in scaling.py"
     for name, data, good in (
         ("muzzle_energy", (bad, 3.0), (2.0, 3.0)),
@@ -88,7 +88,7 @@ def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.exercise("B4.1", weight=0.5)
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_gravity_are_finite(bad: float) -> None:
-    cause = "finite and not_negative of arguments.py, in chapter 3, refuse it in one line"
+    cause = "finite and not_negative of arguments.py, in chapter 2, refuse it in one line"
     read = "the docstrings in scaling.py"
     for call, attempt in (
         (f"muzzle_energy(2, {bad})", lambda: scaling.muzzle_energy(2.0, bad)),

@@ -89,7 +89,7 @@ def test_the_corners_of_a_square(rng: Random) -> None:
 @pytest.mark.exercise("G4.1", weight=0.5)
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_what_is_drawn_is_finite(bad: float) -> None:
-    cause = "finite and positive of arguments.py, in chapter 3, refuse it in one line"
+    cause = "finite and positive of arguments.py, in chapter 2, refuse it in one line"
     read = f"{ANGLE}, and of screen_corners"
     for call, attempt in (
         (f"screen_angle({bad}, 1, 1)", lambda: screen_rotation.screen_angle(bad, 1.0, 1.0)),

@@ -1,6 +1,6 @@
 """Ada's two equations."""
 
-from ch03_laws_of_motion.arguments import not_negative, positive
+from ch02_vectors.arguments import not_negative, positive
 
 
 def damp_per_frame(velocity, acceleration, damping, duration):

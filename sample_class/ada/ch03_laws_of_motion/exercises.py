@@ -3,7 +3,7 @@
 import random
 import statistics
 
-from ch03_laws_of_motion.arguments import finite, positive
+from ch02_vectors.arguments import finite, positive
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 
 G = 6.67428e-11

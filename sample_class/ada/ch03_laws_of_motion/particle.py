@@ -2,13 +2,13 @@
 
 import math
 
-from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import (
+from ch02_vectors.arguments import (
     finite_vector,
     not_negative,
     positive,
     positive_or_infinite,
 )
+from ch02_vectors.vector import Vector3
 
 VECTORS = ("position", "velocity", "acceleration")
 

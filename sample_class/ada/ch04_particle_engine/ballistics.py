@@ -3,8 +3,8 @@
 import math
 from dataclasses import dataclass
 
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.grenade import FUSE, bounce, fragments
 from ch04_particle_engine.targets import strike_first

@@ -2,8 +2,8 @@
 
 import math
 
+from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import positive
 from ch03_laws_of_motion.particle import Particle
 
 

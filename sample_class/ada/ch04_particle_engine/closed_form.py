@@ -2,7 +2,7 @@
 
 import math
 
-from ch03_laws_of_motion.arguments import finite, not_negative
+from ch02_vectors.arguments import finite, not_negative
 
 
 def drag_factors(damping, time):

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from random import Random
 
+from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import positive
 from ch03_laws_of_motion.particle import Particle
 
 GRAVITY = (0.0, -9.81, 0.0)

@@ -1,6 +1,6 @@
 """Ada's slow bullets."""
 
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
+from ch02_vectors.arguments import finite, not_negative, positive
 
 
 def muzzle_energy(mass, speed):

@@ -2,7 +2,7 @@
 
 import math
 
-from ch03_laws_of_motion.arguments import finite, positive
+from ch02_vectors.arguments import finite, positive
 
 
 def screen_angle(start, rate, time):

@@ -1,6 +1,6 @@
 """Ada's targets."""
 
-from ch03_laws_of_motion.arguments import positive
+from ch02_vectors.arguments import positive
 from ch03_laws_of_motion.particle import Particle
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from ch03_laws_of_motion.arguments import not_negative, positive
+from ch02_vectors.arguments import not_negative, positive
 
 
 def terminal_speed(weight, k1, k2):

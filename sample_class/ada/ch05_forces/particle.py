@@ -1,8 +1,8 @@
 """Ada's particle with forces."""
 
+from ch02_vectors.arguments import finite_vector, positive
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import particle
-from ch03_laws_of_motion.arguments import finite_vector, positive
 
 
 class Particle(particle.Particle):

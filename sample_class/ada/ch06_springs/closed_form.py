@@ -2,7 +2,7 @@
 
 import math
 
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
+from ch02_vectors.arguments import finite, not_negative, positive
 
 
 def damped_spring_state(x0, v0, stiffness, damping, mass, time):

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch05_forces.particle import Particle
 
 ApplyForces = Callable[[float], None]

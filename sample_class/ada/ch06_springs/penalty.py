@@ -1,7 +1,7 @@
 """Ada's soft ground."""
 
+from ch02_vectors.arguments import finite, not_negative
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative
 
 
 class PenaltyGround:

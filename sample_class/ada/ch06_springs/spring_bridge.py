@@ -2,8 +2,8 @@
 
 from itertools import pairwise
 
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
 from ch06_springs.springs import AnchoredSpring, connect
 
 

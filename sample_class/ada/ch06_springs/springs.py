@@ -2,8 +2,8 @@
 
 import math
 
+from ch02_vectors.arguments import finite, finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, finite_vector, not_negative, positive
 from ch06_springs.closed_form import damped_spring_state
 
 

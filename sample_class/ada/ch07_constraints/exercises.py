@@ -3,8 +3,8 @@
 import math
 from statistics import fmean, variance
 
+from ch02_vectors.arguments import finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite_vector, not_negative, positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, a_restitution
 

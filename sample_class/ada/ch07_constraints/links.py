@@ -1,6 +1,6 @@
 """Ada's cables and rods."""
 
-from ch03_laws_of_motion.arguments import finite_vector, not_negative, positive
+from ch02_vectors.arguments import finite_vector, not_negative, positive
 from ch07_constraints.contacts import Contact, a_particle, a_restitution, direction_of
 
 

@@ -1,6 +1,6 @@
 """Ada's frames from impact to impact."""
 
-from ch03_laws_of_motion.arguments import positive
+from ch02_vectors.arguments import positive
 
 
 class TooManyImpacts(ArithmeticError):

@@ -1,7 +1,7 @@
 """Ada's ball game."""
 
+from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import positive
 from ch05_forces.particle import Particle
 from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.bridge import RADIUS, Deck, links_of

@@ -3,8 +3,8 @@
 from collections import defaultdict
 from dataclasses import dataclass
 
+from ch02_vectors.arguments import not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import not_negative, positive
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch08_mass_aggregate.joints import joined, touching

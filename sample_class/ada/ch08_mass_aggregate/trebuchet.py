@@ -3,8 +3,8 @@
 import math
 from dataclasses import dataclass
 
+from ch02_vectors.arguments import finite, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, positive
 from ch05_forces.particle import Particle
 from ch07_constraints.links import Cable, Rod
 from ch08_mass_aggregate.world import ParticleWorld

@@ -2,7 +2,7 @@
 
 from itertools import chain
 
-from ch03_laws_of_motion.arguments import positive
+from ch02_vectors.arguments import positive
 from ch05_forces.forces import ForceRegistry
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import ContactResolver

@@ -1,7 +1,7 @@
 """Forces."""
 
+from ch02_vectors.arguments import finite, finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, finite_vector, not_negative, positive
 
 
 class ForceRegistry:

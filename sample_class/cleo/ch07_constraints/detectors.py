@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterable
 from typing import Protocol
 
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
 from ch07_constraints.contacts import (
     VELOCITY_TOLERANCE,
     Contact,

@@ -1,6 +1,6 @@
 """Time division."""
 
-from ch03_laws_of_motion.arguments import positive
+from ch02_vectors.arguments import positive
 from ch07_constraints.contacts import Contact
 
 

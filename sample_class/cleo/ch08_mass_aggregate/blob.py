@@ -3,8 +3,8 @@
 import math
 from itertools import combinations
 
+from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import positive
 from ch05_forces.particle import Particle
 from ch06_springs.springs import ElasticLimitSpring
 from ch07_constraints.detectors import GroundPlane

@@ -1,7 +1,7 @@
 """Rope bridge."""
 
+from ch02_vectors.arguments import finite, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import GroundPlane

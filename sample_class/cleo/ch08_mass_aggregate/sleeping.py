@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from ch02_vectors.arguments import not_negative
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import not_negative
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactGenerator

@@ -2,7 +2,7 @@
 
 from random import Random
 
-from ch03_laws_of_motion.arguments import finite, positive
+from ch02_vectors.arguments import finite, positive
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.particle import Particle
 

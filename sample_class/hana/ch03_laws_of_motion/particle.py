@@ -3,7 +3,7 @@
 import math
 
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion import arguments
+from ch02_vectors import arguments
 
 
 class Particle:

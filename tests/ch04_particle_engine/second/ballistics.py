@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain
 
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import grenade
 from ch04_particle_engine.targets import TargetBlock, strike_first

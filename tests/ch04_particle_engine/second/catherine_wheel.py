@@ -5,8 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 
+from ch02_vectors.arguments import finite, finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, finite_vector, not_negative, positive
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.fireworks import FireworksShow
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 from functools import reduce
 
+from ch02_vectors.arguments import finite, not_negative
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative
 from ch03_laws_of_motion.particle import Particle
 
 _SHORT = 2.0**-6  # of the time that the drag takes to wear a speed down to 1 / e

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 
-from ch03_laws_of_motion.arguments import finite, positive
+from ch02_vectors.arguments import finite, positive
 
 Point = tuple[float, float]
 

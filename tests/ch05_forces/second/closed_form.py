@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from ch03_laws_of_motion.arguments import not_negative, positive
+from ch02_vectors.arguments import not_negative, positive
 
 
 def terminal_speed(weight: float, k1: float, k2: float) -> float:

@@ -5,9 +5,9 @@ Units are SI: forces are in N.
 
 from __future__ import annotations
 
+from ch02_vectors.arguments import finite_vector
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import particle
-from ch03_laws_of_motion.arguments import finite_vector
 
 Numbers = tuple[float, float, float]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
+from ch02_vectors.arguments import finite, not_negative, positive
 
 
 def damped_spring_state(

@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, not_negative, positive
 from ch05_forces.particle import Particle
 
 ApplyForces = Callable[[float], None]

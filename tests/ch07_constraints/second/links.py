@@ -5,8 +5,8 @@ Every link asks one function how far too long it is, and along which way.
 
 from __future__ import annotations
 
+from ch02_vectors.arguments import finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite_vector, not_negative, positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, a_particle, a_restitution, direction_of
 

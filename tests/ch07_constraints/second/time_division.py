@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import Detector

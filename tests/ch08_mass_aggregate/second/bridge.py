@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
+from ch02_vectors.arguments import finite, positive
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion.arguments import finite, positive
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, ContactGenerator
 from ch07_constraints.detectors import GroundPlane

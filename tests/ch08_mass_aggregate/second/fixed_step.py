@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from ch03_laws_of_motion.arguments import not_negative, positive
+from ch02_vectors.arguments import not_negative, positive
 
 SHARE = 1e-9  # of a step: what lacks so little of one is due, and only rounding makes it late
 

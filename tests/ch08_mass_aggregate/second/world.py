@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ch03_laws_of_motion.arguments import positive
+from ch02_vectors.arguments import positive
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, semi_implicit_euler

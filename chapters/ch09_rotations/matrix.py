@@ -1,0 +1,245 @@
+"""Matrices that turn, scale and move vectors (book 9.2.3, 9.4.1 to 9.4.4).
+
+A vector is a column and stands on the right: ``m @ v``; ``a @ b`` is b first and then a. Matrices
+are not changed once they are made: every method returns a new one.
+
+Raises TypeError for what is no Vector3, no Quaternion or no matrix of the same size where one is
+wanted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TypeVar, overload
+
+from ch02_vectors.vector import Vector3
+from ch09_rotations.quaternion import Quaternion
+
+# A determinant below this share of the product of the rows' lengths, the largest that rows of such
+# lengths can have, is rounding.
+SINGULAR = 1e-13
+
+M = TypeVar("M", "Matrix3", "Matrix4")
+
+
+class Matrix3:
+    """Nine numbers, row by row: what turns and scales, and leaves the origin where it is.
+
+    ``m[row, column]`` reads one, both from 0 to 2; ``entries`` is the tuple of all. They are what
+    float() takes. Raises TypeError where there are not nine.
+    """
+
+    __slots__ = ("entries",)
+
+    entries: tuple[float, ...]
+
+    def __init__(self, *entries: float) -> None:
+        if len(entries) != 9:
+            raise TypeError(f"Matrix3 takes nine numbers, row by row, got {len(entries)}")
+        self.entries = tuple(float(entry) for entry in entries)
+
+    def __repr__(self) -> str:
+        return f"Matrix3({', '.join(map(repr, self.entries))})"
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self.entries)
+
+    def __eq__(self, other: object) -> bool:
+        """Exact, number by number."""
+        return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
+
+    def __getitem__(self, place: tuple[int, int]) -> float:
+        """Return the number in a row and column. Raises IndexError where there is none."""
+        row, column = place
+        if row not in range(3) or column not in range(3):
+            raise IndexError(f"row and column must be from 0 to 2, got {place!r}")
+        return self.entries[3 * row + column]
+
+    @overload
+    def __matmul__(self, other: Vector3) -> Vector3: ...
+    @overload
+    def __matmul__(self, other: Matrix3) -> Matrix3: ...
+    def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
+        """Return m.transform(v) or m.product(n), by what is on the right."""
+        if isinstance(other, Vector3):
+            return self.transform(other)
+        return self.product(other) if isinstance(other, Matrix3) else NotImplemented
+
+    def transform(self, v: Vector3) -> Vector3:
+        """Return m v, as new; also written m @ v (9.4.1)."""
+        raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
+
+    def product(self, m: Matrix3) -> Matrix3:
+        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
+        raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
+
+    def transpose(self) -> Matrix3:
+        """Return the matrix whose rows are the columns of this one: a rotation turned back."""
+        raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
+
+    def determinant(self) -> float:
+        """Return the volume that a unit cube comes to have, negative where mirrored (9.4.2)."""
+        raise NotImplementedError("Exercise B9.5: Determinant and inverse")
+
+    def inverse(self) -> Matrix3:
+        """Return the matrix that undoes this one (9.4.2).
+
+        Raises ValueError, with the determinant and what it was compared with, where no matrix
+        does, or nearly so: where |determinant| is not above 1e-13 of the product of the lengths of
+        the rows, as where numbers are not finite, or so small or large that the products do not
+        fit in a float.
+        """
+        raise NotImplementedError("Exercise B9.5: Determinant and inverse")
+
+    def is_rotation(self) -> bool:
+        """Say whether this turns and does nothing else: no scaling, no skewing, no mirroring.
+
+        Then the product of each row with itself is 1 and with each other row 0, both to within
+        UNIT_TOLERANCE of quaternion.py, and the determinant is positive. What is not finite is no
+        rotation.
+        """
+        raise NotImplementedError("Exercise B9.6: Is it a rotation?")
+
+    @staticmethod
+    def from_quaternion(q: Quaternion) -> Matrix3:
+        """Return the rotation of a quaternion: its columns are the turned axes.
+
+        The book prints its transpose, which turns the other way (E-11).
+
+        Raises ValueError where the quaternion's length is not 1 (is_unit).
+        """
+        raise NotImplementedError("Exercise B9.12: From a quaternion to a matrix")
+
+    def to_quaternion(self) -> Quaternion:
+        """Return the quaternion of this rotation, of length 1; q and -q are equally right.
+
+        Four sums of the diagonal give four squares of the components, 4 r^2, 4 i^2, 4 j^2 and
+        4 k^2. The largest is never below 1: its root is safe to divide by, while another may be
+        rounding alone, as r is in a half-turn.
+
+        Raises ValueError where this is no rotation (is_rotation).
+        """
+        raise NotImplementedError("Exercise B9.13: From a matrix to a quaternion")
+
+
+class Matrix4:
+    """Twelve numbers, row by row: a Matrix3, and after each of its rows a number of a translation.
+
+    It is the book's matrix of three rows and four columns, whose fourth row would be 0, 0, 0, 1.
+    ``m[row, column]`` reads a number, rows from 0 to 2 and columns from 0 to 3; ``entries`` is the
+    tuple of all. They are what float() takes. Raises TypeError where there are not twelve.
+    """
+
+    __slots__ = ("entries",)
+
+    entries: tuple[float, ...]
+
+    def __init__(self, *entries: float) -> None:
+        if len(entries) != 12:
+            raise TypeError(f"Matrix4 takes twelve numbers, row by row, got {len(entries)}")
+        self.entries = tuple(float(entry) for entry in entries)
+
+    def __repr__(self) -> str:
+        return f"Matrix4({', '.join(map(repr, self.entries))})"
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self.entries)
+
+    def __eq__(self, other: object) -> bool:
+        """Exact, number by number."""
+        return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
+
+    def __getitem__(self, place: tuple[int, int]) -> float:
+        """Return the number in a row and column. Raises IndexError where there is none."""
+        row, column = place
+        if row not in range(3) or column not in range(4):
+            raise IndexError(f"row must be from 0 to 2 and column from 0 to 3, got {place!r}")
+        return self.entries[4 * row + column]
+
+    @overload
+    def __matmul__(self, other: Vector3) -> Vector3: ...
+    @overload
+    def __matmul__(self, other: Matrix4) -> Matrix4: ...
+    def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
+        """Return m.transform(v) or m.product(n), by what is on the right."""
+        if isinstance(other, Vector3):
+            return self.transform(other)
+        return self.product(other) if isinstance(other, Matrix4) else NotImplemented
+
+    def transform(self, v: Vector3) -> Vector3:
+        """Return where a point is taken, as new: turned, then moved; also written m @ v (9.4.1)."""
+        raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")
+
+    def product(self, m: Matrix4) -> Matrix4:
+        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
+        raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")
+
+    def determinant(self) -> float:
+        """Return the determinant, in which the translation has no part.
+
+        The book's has a plus where a minus belongs (E-28).
+        """
+        raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")
+
+    def inverse(self) -> Matrix4:
+        """Return the matrix that undoes this one: moves back, then turns back (E-13, E-29, E-30).
+
+        Raises ValueError where the nine numbers without the translation have no inverse, as
+        Matrix3.inverse does.
+        """
+        raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")
+
+    @staticmethod
+    def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
+        """Return what takes an object's own coordinates to the world's: turned by q, moved by p.
+
+        Raises ValueError where the quaternion's length is not 1 (is_unit).
+        """
+        raise NotImplementedError("Exercise B9.15: Between an object and the world")
+
+    def transform_inverse(self, v: Vector3) -> Vector3:
+        """Return what transform() takes to v, without the inverse: moved back, then turned back.
+
+        Right only for a rotation and a translation: it turns back by the transpose (9.4.6).
+        """
+        raise NotImplementedError("Exercise B9.15: Between an object and the world")
+
+    def transform_direction(self, v: Vector3) -> Vector3:
+        """Return a direction turned, as new: the translation has no part in it (9.4.6)."""
+        raise NotImplementedError("Exercise B9.15: Between an object and the world")
+
+    def transform_inverse_direction(self, v: Vector3) -> Vector3:
+        """Return a direction turned back, as new: by the transpose, as transform_inverse does."""
+        raise NotImplementedError("Exercise B9.15: Between an object and the world")
+
+
+def change_basis(m: M, basis: M) -> M:
+    """Return what m does, as it is told in other axes: basis m basis^-1 (9.4.6).
+
+    ``m`` is told in one set of axes; ``basis`` takes coordinates in those to coordinates in the
+    others, and both are of one size.
+
+    Raises ValueError where the basis has no inverse, TypeError where the two are not matrices of
+    one size.
+    """
+    raise NotImplementedError("Exercise B9.16: A change of basis")
+
+
+def _rows(m: Matrix3) -> tuple[Vector3, Vector3, Vector3]:
+    """Return the rows as vectors."""
+    raise NotImplementedError("Exercise B9.5: Determinant and inverse")
+
+
+def _linear(m: Matrix4) -> Matrix3:
+    """Return the numbers without the translation."""
+    raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")
+
+
+def _translation(m: Matrix4) -> Vector3:
+    """Return the translation."""
+    raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")
+
+
+def _joined(linear: Matrix3, translation: Vector3) -> Matrix4:
+    """Return a Matrix4 of its two parts."""
+    raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")

@@ -1,0 +1,323 @@
+"""Matrices that turn, scale and move vectors (book 9.2.3, 9.4.1 to 9.4.4).
+
+A vector is a column and stands on the right: ``m @ v``; ``a @ b`` is b first and then a. Matrices
+are not changed once they are made: every method returns a new one.
+
+Raises TypeError for what is no Vector3, no Quaternion or no matrix of the same size where one is
+wanted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TypeVar, overload
+
+from ch02_vectors.vector import Vector3
+from ch09_rotations.quaternion import UNIT_TOLERANCE, Quaternion
+
+# A determinant below this share of the product of the rows' lengths, the largest that rows of such
+# lengths can have, is rounding.
+SINGULAR = 1e-13
+
+M = TypeVar("M", "Matrix3", "Matrix4")
+
+
+class Matrix3:
+    """Nine numbers, row by row: what turns and scales, and leaves the origin where it is.
+
+    ``m[row, column]`` reads one, both from 0 to 2; ``entries`` is the tuple of all. They are what
+    float() takes. Raises TypeError where there are not nine.
+    """
+
+    __slots__ = ("entries",)
+
+    entries: tuple[float, ...]
+
+    def __init__(self, *entries: float) -> None:
+        if len(entries) != 9:
+            raise TypeError(f"Matrix3 takes nine numbers, row by row, got {len(entries)}")
+        self.entries = tuple(float(entry) for entry in entries)
+
+    def __repr__(self) -> str:
+        return f"Matrix3({', '.join(map(repr, self.entries))})"
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self.entries)
+
+    def __eq__(self, other: object) -> bool:
+        """Exact, number by number."""
+        return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
+
+    def __getitem__(self, place: tuple[int, int]) -> float:
+        """Return the number in a row and column. Raises IndexError where there is none."""
+        row, column = place
+        if row not in range(3) or column not in range(3):
+            raise IndexError(f"row and column must be from 0 to 2, got {place!r}")
+        return self.entries[3 * row + column]
+
+    @overload
+    def __matmul__(self, other: Vector3) -> Vector3: ...
+    @overload
+    def __matmul__(self, other: Matrix3) -> Matrix3: ...
+    def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
+        """Return m.transform(v) or m.product(n), by what is on the right."""
+        if isinstance(other, Vector3):
+            return self.transform(other)
+        return self.product(other) if isinstance(other, Matrix3) else NotImplemented
+
+    def transform(self, v: Vector3) -> Vector3:
+        """Return m v, as new; also written m @ v (9.4.1)."""
+        if not isinstance(v, Vector3):
+            raise TypeError(f"v must be a Vector3, got {v!r}")
+        x, y, z = v.x, v.y, v.z
+        a, b, c, d, e, f, g, h, i = self.entries
+        return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
+
+    def product(self, m: Matrix3) -> Matrix3:
+        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
+        if not isinstance(m, Matrix3):
+            raise TypeError(f"m must be a Matrix3, got {m!r}")
+        a, b, c, d, e, f, g, h, i = self.entries
+        j, k, l, n, o, p, q, r, s = m.entries  # noqa: E741
+        return Matrix3(
+            *(a * j + b * n + c * q, a * k + b * o + c * r, a * l + b * p + c * s),
+            *(d * j + e * n + f * q, d * k + e * o + f * r, d * l + e * p + f * s),
+            *(g * j + h * n + i * q, g * k + h * o + i * r, g * l + h * p + i * s),
+        )
+
+    def transpose(self) -> Matrix3:
+        """Return the matrix whose rows are the columns of this one: a rotation turned back."""
+        a, b, c, d, e, f, g, h, i = self.entries
+        return Matrix3(a, d, g, b, e, h, c, f, i)
+
+    def determinant(self) -> float:
+        """Return the volume that a unit cube comes to have, negative where mirrored (9.4.2)."""
+        first, second, third = _rows(self)
+        return first.dot(second.cross(third))
+
+    def inverse(self) -> Matrix3:
+        """Return the matrix that undoes this one (9.4.2).
+
+        Raises ValueError, with the determinant and what it was compared with, where no matrix
+        does, or nearly so: where |determinant| is not above 1e-13 of the product of the lengths of
+        the rows, as where numbers are not finite, or so small or large that the products do not
+        fit in a float.
+        """
+        first, second, third = _rows(self)
+        determinant = self.determinant()
+        limit = SINGULAR * first.magnitude() * second.magnitude() * third.magnitude()
+        if not abs(determinant) > limit:  # "not >" refuses NaN too
+            raise ValueError(
+                f"the matrix must have an inverse, but its determinant {determinant!r} is within "
+                f"{limit!r} of zero, {SINGULAR} of the product of its rows' lengths"
+            )
+        columns = (second.cross(third), third.cross(first), first.cross(second))
+        return Matrix3(*(v / determinant for row in zip(*columns, strict=True) for v in row))
+
+    def is_rotation(self) -> bool:
+        """Say whether this turns and does nothing else: no scaling, no skewing, no mirroring.
+
+        Then the product of each row with itself is 1 and with each other row 0, both to within
+        UNIT_TOLERANCE of quaternion.py, and the determinant is positive. What is not finite is no
+        rotation.
+        """
+        products = self.product(self.transpose())
+        identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+        return self.determinant() > 0.0 and all(
+            abs(got - wanted) <= UNIT_TOLERANCE
+            for got, wanted in zip(products, identity, strict=True)
+        )
+
+    @staticmethod
+    def from_quaternion(q: Quaternion) -> Matrix3:
+        """Return the rotation of a quaternion: its columns are the turned axes.
+
+        The book prints its transpose, which turns the other way (E-11).
+
+        Raises ValueError where the quaternion's length is not 1 (is_unit).
+        """
+        if not isinstance(q, Quaternion):
+            raise TypeError(f"q must be a Quaternion, got {q!r}")
+        if not q.is_unit():
+            raise ValueError(f"q must be of length 1, got {q!r}")
+        r, i, j, k = q
+        return Matrix3(
+            *(1.0 - 2.0 * (j * j + k * k), 2.0 * (i * j - k * r), 2.0 * (i * k + j * r)),
+            *(2.0 * (i * j + k * r), 1.0 - 2.0 * (i * i + k * k), 2.0 * (j * k - i * r)),
+            *(2.0 * (i * k - j * r), 2.0 * (j * k + i * r), 1.0 - 2.0 * (i * i + j * j)),
+        )
+
+    def to_quaternion(self) -> Quaternion:
+        """Return the quaternion of this rotation, of length 1; q and -q are equally right.
+
+        Four sums of the diagonal give four squares of the components, 4 r^2, 4 i^2, 4 j^2 and
+        4 k^2. The largest is never below 1: its root is safe to divide by, while another may be
+        rounding alone, as r is in a half-turn.
+
+        Raises ValueError where this is no rotation (is_rotation).
+        """
+        if not self.is_rotation():
+            raise ValueError(f"the matrix must be a rotation, got {self!r}")
+        a, b, c, d, e, f, g, h, i = self.entries
+        candidates = (
+            Quaternion(1.0 + a + e + i, h - f, c - g, d - b),
+            Quaternion(h - f, 1.0 + a - e - i, b + d, c + g),
+            Quaternion(c - g, b + d, 1.0 - a + e - i, f + h),
+            Quaternion(d - b, c + g, f + h, 1.0 - a - e + i),
+        )
+        q = max(candidates, key=Quaternion.magnitude)  # each is 4 of its component times q
+        q.normalize()
+        return q
+
+
+class Matrix4:
+    """Twelve numbers, row by row: a Matrix3, and after each of its rows a number of a translation.
+
+    It is the book's matrix of three rows and four columns, whose fourth row would be 0, 0, 0, 1.
+    ``m[row, column]`` reads a number, rows from 0 to 2 and columns from 0 to 3; ``entries`` is the
+    tuple of all. They are what float() takes. Raises TypeError where there are not twelve.
+    """
+
+    __slots__ = ("entries",)
+
+    entries: tuple[float, ...]
+
+    def __init__(self, *entries: float) -> None:
+        if len(entries) != 12:
+            raise TypeError(f"Matrix4 takes twelve numbers, row by row, got {len(entries)}")
+        self.entries = tuple(float(entry) for entry in entries)
+
+    def __repr__(self) -> str:
+        return f"Matrix4({', '.join(map(repr, self.entries))})"
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self.entries)
+
+    def __eq__(self, other: object) -> bool:
+        """Exact, number by number."""
+        return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
+
+    def __getitem__(self, place: tuple[int, int]) -> float:
+        """Return the number in a row and column. Raises IndexError where there is none."""
+        row, column = place
+        if row not in range(3) or column not in range(4):
+            raise IndexError(f"row must be from 0 to 2 and column from 0 to 3, got {place!r}")
+        return self.entries[4 * row + column]
+
+    @overload
+    def __matmul__(self, other: Vector3) -> Vector3: ...
+    @overload
+    def __matmul__(self, other: Matrix4) -> Matrix4: ...
+    def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
+        """Return m.transform(v) or m.product(n), by what is on the right."""
+        if isinstance(other, Vector3):
+            return self.transform(other)
+        return self.product(other) if isinstance(other, Matrix4) else NotImplemented
+
+    def transform(self, v: Vector3) -> Vector3:
+        """Return where a point is taken, as new: turned, then moved; also written m @ v (9.4.1)."""
+        if not isinstance(v, Vector3):
+            raise TypeError(f"v must be a Vector3, got {v!r}")
+        x, y, z = v.x, v.y, v.z
+        a, b, c, p, d, e, f, q, g, h, i, r = self.entries
+        return Vector3(
+            a * x + b * y + c * z + p, d * x + e * y + f * z + q, g * x + h * y + i * z + r
+        )
+
+    def product(self, m: Matrix4) -> Matrix4:
+        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
+        if not isinstance(m, Matrix4):
+            raise TypeError(f"m must be a Matrix4, got {m!r}")
+        linear = _linear(self).product(_linear(m))
+        return _joined(linear, self.transform(_translation(m)))
+
+    def determinant(self) -> float:
+        """Return the determinant, in which the translation has no part.
+
+        The book's has a plus where a minus belongs (E-28).
+        """
+        return _linear(self).determinant()
+
+    def inverse(self) -> Matrix4:
+        """Return the matrix that undoes this one: moves back, then turns back (E-13, E-29, E-30).
+
+        Raises ValueError where the nine numbers without the translation have no inverse, as
+        Matrix3.inverse does.
+        """
+        back = _linear(self).inverse()
+        return _joined(back, -back.transform(_translation(self)))
+
+    @staticmethod
+    def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
+        """Return what takes an object's own coordinates to the world's: turned by q, moved by p.
+
+        Raises ValueError where the quaternion's length is not 1 (is_unit).
+        """
+        if not isinstance(p, Vector3):
+            raise TypeError(f"p must be a Vector3, got {p!r}")
+        return _joined(Matrix3.from_quaternion(q), p)
+
+    def transform_inverse(self, v: Vector3) -> Vector3:
+        """Return what transform() takes to v, without the inverse: moved back, then turned back.
+
+        Right only for a rotation and a translation: it turns back by the transpose (9.4.6).
+        """
+        if not isinstance(v, Vector3):
+            raise TypeError(f"v must be a Vector3, got {v!r}")
+        a, b, c, p, d, e, f, q, g, h, i, r = self.entries
+        x, y, z = v.x - p, v.y - q, v.z - r
+        return Vector3(a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
+
+    def transform_direction(self, v: Vector3) -> Vector3:
+        """Return a direction turned, as new: the translation has no part in it (9.4.6)."""
+        if not isinstance(v, Vector3):
+            raise TypeError(f"v must be a Vector3, got {v!r}")
+        x, y, z = v.x, v.y, v.z
+        a, b, c, _, d, e, f, _, g, h, i, _ = self.entries
+        return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
+
+    def transform_inverse_direction(self, v: Vector3) -> Vector3:
+        """Return a direction turned back, as new: by the transpose, as transform_inverse does."""
+        if not isinstance(v, Vector3):
+            raise TypeError(f"v must be a Vector3, got {v!r}")
+        x, y, z = v.x, v.y, v.z
+        a, b, c, _, d, e, f, _, g, h, i, _ = self.entries
+        return Vector3(a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
+
+
+def change_basis(m: M, basis: M) -> M:
+    """Return what m does, as it is told in other axes: basis m basis^-1 (9.4.6).
+
+    ``m`` is told in one set of axes; ``basis`` takes coordinates in those to coordinates in the
+    others, and both are of one size.
+
+    Raises ValueError where the basis has no inverse, TypeError where the two are not matrices of
+    one size.
+    """
+    if not isinstance(m, (Matrix3, Matrix4)) or type(m) is not type(basis):
+        raise TypeError(f"m and basis must be matrices of one size, got {m!r} and {basis!r}")
+    return basis.product(m).product(basis.inverse())
+
+
+def _rows(m: Matrix3) -> tuple[Vector3, Vector3, Vector3]:
+    """Return the rows as vectors."""
+    a, b, c, d, e, f, g, h, i = m.entries
+    return Vector3(a, b, c), Vector3(d, e, f), Vector3(g, h, i)
+
+
+def _linear(m: Matrix4) -> Matrix3:
+    """Return the numbers without the translation."""
+    a, b, c, _, d, e, f, _, g, h, i, _ = m.entries
+    return Matrix3(a, b, c, d, e, f, g, h, i)
+
+
+def _translation(m: Matrix4) -> Vector3:
+    """Return the translation."""
+    return Vector3(m.entries[3], m.entries[7], m.entries[11])
+
+
+def _joined(linear: Matrix3, translation: Vector3) -> Matrix4:
+    """Return a Matrix4 of its two parts."""
+    a, b, c, d, e, f, g, h, i = linear.entries
+    x, y, z = translation
+    return Matrix4(a, b, c, x, d, e, f, y, g, h, i, z)

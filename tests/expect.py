@@ -24,20 +24,24 @@ NAN = "NaN compares false with everything: ask for what is wanted, and refuse th
 class NoVector:
     """Stands for what came back where a vector was wanted: no number, so no expectation holds."""
 
-    def __init__(self, value: Any) -> None:
+    def __init__(self, value: Any, wanted: str = "Vector3") -> None:
         self.value = value
+        self.wanted = wanted
 
     def __repr__(self) -> str:
         if self.value is None:
             return "None"
-        return f"{_shown(self.value)}, a {type(self.value).__name__} and not a Vector3"
+        return f"{_shown(self.value)}, a {type(self.value).__name__} and not a {self.wanted}"
 
 
 def xyz(v: Any) -> Any:
     """Return the components of a vector as a tuple."""
-    if v is None or isinstance(v, (bool, int, float, str, tuple, list, dict)):
-        return NoVector(v)
-    return v.x, v.y, v.z
+    return NoVector(v) if is_plain(v) else (v.x, v.y, v.z)
+
+
+def is_plain(value: Any) -> bool:
+    """Say whether a value is None, a number, a text or a collection, and no object of an engine."""
+    return value is None or isinstance(value, (bool, int, float, str, tuple, list, dict))
 
 
 def expect_vector(call: str, v: Any, *, cause: str, read: str) -> tuple[float, float, float]:

@@ -19,6 +19,10 @@ from ch09_rotations.quaternion import Quaternion
 # lengths can have, is rounding.
 SINGULAR = 1e-13
 
+# How far the products of a rotation's rows may be from 1 and 0: a quaternion that just passes for
+# one of length 1 makes them 4e-6.
+ROTATION_TOLERANCE = 1e-5
+
 M = TypeVar("M", "Matrix3", "Matrix4")
 
 
@@ -85,9 +89,8 @@ class Matrix3:
         """Return the matrix that undoes this one (9.4.2).
 
         Raises ValueError, with the determinant and what it was compared with, where no matrix
-        does, or nearly so: where |determinant| is not above 1e-13 of the product of the lengths of
-        the rows, as where numbers are not finite, or so small or large that the products do not
-        fit in a float.
+        does, or nearly so: where |determinant| is not above SINGULAR, 1e-13, of the product of the
+        lengths of the rows; and where a number is not finite.
         """
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
@@ -95,8 +98,7 @@ class Matrix3:
         """Say whether this turns and does nothing else: no scaling, no skewing, no mirroring.
 
         Then the product of each row with itself is 1 and with each other row 0, both to within
-        UNIT_TOLERANCE of quaternion.py, and the determinant is positive. What is not finite is no
-        rotation.
+        ROTATION_TOLERANCE, and the determinant is positive. What is not finite is no rotation.
         """
         raise NotImplementedError("Exercise B9.6: Is it a rotation?")
 

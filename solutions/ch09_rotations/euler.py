@@ -2,7 +2,7 @@
 
 The angles are turns in radians about axes of the world: by x about X first, then by y about Y, then
 by z about Z. Every orientation can be told so (E-33). But where y is a quarter turn, X has been
-turned onto Z: the first turn and the last are then about one axis, and two of the three angles do
+turned onto Z or its opposite: the first turn and the last are then about one axis, and two of the three angles do
 the work of one. That is gimbal lock, and why an engine keeps a quaternion.
 
 Raises ValueError where an angle or a component is not finite, TypeError for what is no number or no
@@ -15,7 +15,7 @@ import math
 
 from ch02_vectors.arguments import finite, finite_vector
 from ch02_vectors.vector import Vector3
-from ch09_rotations.matrix import Matrix3
+from ch09_rotations.matrix import SINGULAR, Matrix3
 from ch09_rotations.quaternion import Quaternion
 
 
@@ -49,9 +49,13 @@ def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vect
 
     angular_velocity in rad/s, in axes of the world.
 
-    Raises ValueError in gimbal lock, where the rate map has no inverse: no rates make a turn about
-    the axis that is lost. Close to it they are as large as you like.
+    Raises ValueError in gimbal lock, where |cos y|, the determinant of the rate map, is not above
+    SINGULAR of matrix.py: no rates make a turn about the axis that is lost. Close to it they are as
+    large as you like.
     """
-    return (
-        rate_map(x, y, z).inverse().transform(finite_vector("angular_velocity", angular_velocity))
-    )
+    velocity = finite_vector("angular_velocity", angular_velocity)
+    rates = rate_map(x, y, z)
+    # To let its inverse refuse would not do: at z = 0 a whole row is as small as the determinant.
+    if not abs(rates.determinant()) > SINGULAR:
+        raise ValueError(f"y must not be a quarter turn, where two axes are one, got {y!r}")
+    return rates.inverse().transform(velocity)

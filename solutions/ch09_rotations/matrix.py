@@ -13,11 +13,15 @@ from collections.abc import Iterator
 from typing import TypeVar, overload
 
 from ch02_vectors.vector import Vector3
-from ch09_rotations.quaternion import UNIT_TOLERANCE, Quaternion
+from ch09_rotations.quaternion import Quaternion
 
 # A determinant below this share of the product of the rows' lengths, the largest that rows of such
 # lengths can have, is rounding.
 SINGULAR = 1e-13
+
+# How far the products of a rotation's rows may be from 1 and 0: a quaternion that just passes for
+# one of length 1 makes them 4e-6.
+ROTATION_TOLERANCE = 1e-5
 
 M = TypeVar("M", "Matrix3", "Matrix4")
 
@@ -99,32 +103,34 @@ class Matrix3:
         """Return the matrix that undoes this one (9.4.2).
 
         Raises ValueError, with the determinant and what it was compared with, where no matrix
-        does, or nearly so: where |determinant| is not above 1e-13 of the product of the lengths of
-        the rows, as where numbers are not finite, or so small or large that the products do not
-        fit in a float.
+        does, or nearly so: where |determinant| is not above SINGULAR, 1e-13, of the product of the
+        lengths of the rows; and where a number is not finite.
         """
-        first, second, third = _rows(self)
-        determinant = self.determinant()
-        limit = SINGULAR * first.magnitude() * second.magnitude() * third.magnitude()
-        if not abs(determinant) > limit:  # "not >" refuses NaN too
+        rows = _rows(self)
+        lengths = [row.magnitude() for row in rows]
+        first, second, third = (row.normalized() for row in rows)
+        share = first.dot(second.cross(third))  # of the product of the lengths
+        if not abs(share) > SINGULAR:  # "not >" refuses NaN too
             raise ValueError(
-                f"the matrix must have an inverse, but its determinant {determinant!r} is within "
-                f"{limit!r} of zero, {SINGULAR} of the product of its rows' lengths"
+                f"the matrix must have an inverse, but its determinant {self.determinant()!r} is "
+                f"{share!r} of the product of its rows' lengths, which is not above {SINGULAR}"
             )
         columns = (second.cross(third), third.cross(first), first.cross(second))
-        return Matrix3(*(v / determinant for row in zip(*columns, strict=True) for v in row))
+        scaled = [
+            column / (share * length) for column, length in zip(columns, lengths, strict=True)
+        ]
+        return Matrix3(*(number for row in zip(*scaled, strict=True) for number in row))
 
     def is_rotation(self) -> bool:
         """Say whether this turns and does nothing else: no scaling, no skewing, no mirroring.
 
         Then the product of each row with itself is 1 and with each other row 0, both to within
-        UNIT_TOLERANCE of quaternion.py, and the determinant is positive. What is not finite is no
-        rotation.
+        ROTATION_TOLERANCE, and the determinant is positive. What is not finite is no rotation.
         """
         products = self.product(self.transpose())
         identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
         return self.determinant() > 0.0 and all(
-            abs(got - wanted) <= UNIT_TOLERANCE
+            abs(got - wanted) <= ROTATION_TOLERANCE
             for got, wanted in zip(products, identity, strict=True)
         )
 

@@ -1,0 +1,251 @@
+"""The velocity of a point, a step, and what Eq. 9.5 lacks: build tasks B9.18 and B9.19."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch09_rotations.angular import first_order_drift, integrate_rotation, velocity_of_point
+from ch09_rotations.probes import steps
+from ch09_rotations.quaternion import Quaternion
+from draw import components, number, positive_number
+from expect import (
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_finite_numbers,
+    expect_unchanged,
+    xyz,
+)
+from turning import TIGHT, draw_quad, hamilton, quad, rijk, same_sign
+
+POINT = "book 9.5, Eq. 9.6"
+STEP = "the docstring of integrate_rotation"
+DRIFT = "the docstring of first_order_drift, and E-31"
+
+
+@pytest.mark.exercise("B9.18")
+def test_a_point_of_what_turns() -> None:
+    read = POINT
+    call = "velocity_of_point of (1, 0, 0), turning about (0, 0, 0) by (0, 0, 2) rad/s"
+    cause = "w x (q - p): counter-clockwise about Z, so that a point on X moves along Y"
+    args = [Vector3(1, 0, 0), Vector3(), Vector3(), Vector3(0, 0, 2)]
+    got = xyz(velocity_of_point(*args))
+    expect_close(call, got, (0.0, 2.0, 0.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.18")
+def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
+    read = POINT
+    point, place, v, w = (components(rng) for _ in range(4))
+    given = [Vector3(*a) for a in (point, place, v, w)]
+    call = f"velocity_of_point(Vector3{point}, Vector3{place}, Vector3{v}, Vector3{w})"
+    cause = "w x (q - p) + p': the arm is from the position to the point"
+    got = xyz(velocity_of_point(*given))
+    x, y, z = (a - b for a, b in zip(point, place, strict=True))
+    turning = (w[1] * z - w[2] * y, w[2] * x - w[0] * z, w[0] * y - w[1] * x)
+    wanted = [a + b for a, b in zip(turning, v, strict=True)]
+    # Two products of up to 200.
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    names = ("point", "position", "velocity", "angular_velocity")
+    for name, now, before in zip(names, given, (point, place, v, w), strict=True):
+        expect_unchanged(call, name, xyz(now), before, read=read)
+
+
+@pytest.mark.exercise("B9.18", weight=0.5)
+def test_a_point_that_is_nowhere_is_refused() -> None:
+    read = "the docstring of velocity_of_point"
+    good = (1.0, 2.0, 3.0)
+    cause = "finite_vector of arguments.py refuses it, for each of the four"
+    for place in range(4):
+        for bad in ((1.0, math.nan, 3.0), (1.0, 2.0, math.inf), None):
+            vectors = [Vector3(*good) for _ in range(4)]
+            if bad is not None:
+                vectors[place] = Vector3(*bad)
+            shown = [f"Vector3{good}" for _ in range(4)]
+            shown[place] = str(good) if bad is None else f"Vector3{bad}"
+            expect_error(
+                f"velocity_of_point({', '.join(shown)})",
+                lambda vectors=vectors, place=place, bad=bad: velocity_of_point(
+                    *vectors[:place], good if bad is None else vectors[place], *vectors[place + 1 :]
+                ),
+                TypeError if bad is None else ValueError,
+                allowed=lambda: velocity_of_point(*(Vector3(*good) for _ in range(4))),
+                cause=cause,
+                read=read,
+            )
+
+
+@pytest.mark.exercise("B9.18")
+def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
+    read = STEP
+    q, w, a = draw_quad(rng), components(rng), components(rng)
+    h = positive_number(rng, 0.05, 0.2)
+    orientation, velocity, acceleration = Quaternion(*q), Vector3(*w), Vector3(*a)
+    call = f"q, w = Quaternion{q}, Vector3{w}; integrate_rotation(q, w, Vector3{a}, {h}); "
+    returned = integrate_rotation(orientation, velocity, acceleration, h)
+    new = tuple(p + h * r for p, r in zip(w, a, strict=True))
+    cause = "w' = w + alpha h, in place"
+    expect_close(f"{call}w", xyz(velocity), new, cause=cause, read=read, tolerance=TIGHT)
+    wanted = hamilton(quad(new, h * math.hypot(*new)), q)
+    cause = "turn by the new angular velocity times h, by the exponential, about axes of the world"
+    got = same_sign(rijk(orientation), wanted)
+    expect_close(f"{call}q", got, wanted, cause=cause, read=read, tolerance=TIGHT)
+    expect_unchanged(call, "the acceleration", xyz(acceleration), a, read=read)
+    cause = "what changes in place returns nothing"
+    expect_exactly(f"{call}what it returns", returned, None, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.18")
+def test_many_steps_about_one_axis(rng: Random) -> None:
+    read = STEP
+    axis = components(rng)
+    length = math.hypot(*axis)
+    unit = tuple(component / length for component in axis)
+    speed, gain, h, count = 1.5, number(rng, 0.2, 0.9), 0.01, 200
+    w, a = tuple(speed * u for u in unit), tuple(gain * u for u in unit)
+    call = f"{count} times integrate_rotation(q, Vector3{w}, Vector3{a}, {h}), from Quaternion(); q"
+    cause = "step k turns by (w + k alpha h) h, about the same axis"
+    got, after, alpha = steps((1.0, 0.0, 0.0, 0.0), w, a, h, count)
+    angle = speed * h * count + gain * h * h * count * (count + 1) / 2.0
+    wanted = quad(unit, angle)
+    # Rounding of 200 steps.
+    got = same_sign(got, wanted)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    wanted = [p + h * count * r for p, r in zip(w, a, strict=True)]
+    cause = "it gains alpha h in each step"
+    expect_close(f"{call[:-1]}w", after, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_unchanged(call, "alpha", alpha, a, read=read)
+
+
+@pytest.mark.exercise("B9.18")
+def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
+    read = STEP
+    q = tuple(1.001 * component for component in draw_quad(rng))
+    orientation = Quaternion(*q)
+    call = f"q = Quaternion{q}; integrate_rotation(q, w, alpha, 0.1); the length of q"
+    cause = "normalise at the end of the step, so that nothing adds up"
+    integrate_rotation(orientation, Vector3(1.0, 2.0, 3.0), Vector3(), 0.1)
+    got = math.hypot(*rijk(orientation))
+    expect_close(call, got, 1.0, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.18", weight=0.5)
+def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
+    read = STEP
+    q, w, a = draw_quad(rng), components(rng), components(rng)
+    cause = "refuse it before anything is changed: positive and finite_vector of arguments.py"
+    nan = math.nan
+    for velocity, acceleration, h, error in (
+        (w, a, 0.0, ValueError),
+        (w, a, -0.1, ValueError),
+        (w, a, nan, ValueError),
+        (w, a, math.inf, ValueError),
+        (w, a, "0.1", TypeError),
+        ((nan, 0.0, 1.0), a, 0.1, ValueError),
+        (w, (nan, 0.0, 1.0), 0.1, ValueError),
+        (w, (0.0, math.inf, 1.0), 0.1, ValueError),
+        (w, None, 0.1, TypeError),
+    ):
+        orientation, spin = Quaternion(*q), Vector3(*velocity)
+        more = None if acceleration is None else Vector3(*acceleration)
+        shown = "None" if more is None else f"Vector3{acceleration}"
+        call = f"integrate_rotation(q, Vector3{velocity}, {shown}, {h!r})"
+        expect_error(
+            call,
+            lambda orientation=orientation, spin=spin, more=more, h=h: integrate_rotation(
+                orientation, spin, more, h
+            ),
+            error,
+            allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
+            cause=cause,
+            read=read,
+        )
+        expect_unchanged(call, "q", rijk(orientation), q, cause=cause, read=read)
+        if velocity is w:
+            expect_unchanged(call, "the velocity", xyz(spin), w, cause=cause, read=read)
+    spin = Vector3(*w)
+    call = f"integrate_rotation({q}, Vector3{w}, Vector3{a}, 0.1)"
+    expect_error(
+        call,
+        lambda: integrate_rotation(q, spin, Vector3(*a), 0.1),
+        TypeError,
+        allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
+        cause="four numbers are no Quaternion",
+        read=read,
+    )
+    expect_unchanged(call, "the velocity", xyz(spin), w, cause=cause, read=read)
+
+
+def drift_of(speed: float, duration: float, count: int) -> tuple[float, float]:
+    """Return length and missing angle of steps of Eq. 9.5, made one by one in the plane."""
+    point, turned = complex(1.0, 0.0), 0.0
+    for _ in range(count):
+        new = point * complex(1.0, 0.5 * speed * duration / count)
+        ratio = new / point
+        turned += 2.0 * math.atan2(ratio.imag, ratio.real)
+        point = new
+    return abs(point), speed * duration - turned
+
+
+@pytest.mark.exercise("B9.19")
+def test_a_turn_a_second_in_sixty_frames() -> None:
+    read = DRIFT
+    call = "first_order_drift(2 pi, 1, 60)"
+    cause = "each step multiplies the length by the root of 1 + (w h / 2)^2"
+    length, lag = first_order_drift(math.tau, 1.0, 60)
+    # Four decimals, of the known figure of E-31.
+    expect_close(f"{call}, length", length, 1.0856, cause=cause, read=read, tolerance=5e-5)
+    cause = "each step turns by 2 atan(w h / 2) in place of w h"
+    wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
+    expect_close(f"{call}, angle", lag, wanted, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.19")
+def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
+    read = DRIFT
+    for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (500, 20.0, 30.0)):
+        speed, duration = number(rng, low, high), positive_number(rng, 0.5, 1.5)
+        call = f"first_order_drift({speed}, {duration}, {steps_})"
+        length, lag = first_order_drift(speed, duration, steps_)
+        wanted, missing = drift_of(speed, duration, steps_)
+        cause = "the steps multiply: (1 + (w h / 2)^2) to the power of half as many as there are"
+        # Rounding of 500 steps.
+        near = 1e-10 * wanted
+        expect_close(f"{call}, length", length, wanted, cause=cause, read=read, tolerance=near)
+        cause = "w t less what the steps turn by, which is less: negative for a negative speed"
+        expect_close(f"{call}, angle", lag, missing, cause=cause, read=read, tolerance=1e-10)
+
+
+@pytest.mark.exercise("B9.19")
+def test_what_does_not_turn_does_not_drift() -> None:
+    read = DRIFT
+    call = "first_order_drift(0, 2, 10)"
+    cause = "nothing turns: the length stays 1, and no angle is missing"
+    got = tuple(first_order_drift(0.0, 2.0, 10))
+    expect_close(call, got, (1.0, 0.0), cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.19", weight=0.5)
+def test_a_drift_of_nothing_is_refused() -> None:
+    read = DRIFT
+    expect_finite_numbers(
+        "first_order_drift(...), with speed and duration, in 3 steps: ",
+        lambda speed, duration: first_order_drift(speed, duration, 3),
+        (1, 1),
+        ((1, 0.0), (1, -1.0)),
+        read=read,
+    )
+    cause = "whole of arguments.py asks for a whole number of 1 or more"
+    for bad, error in ((0, ValueError), (-2, ValueError), (2.0, TypeError), ("2", TypeError)):
+        expect_error(
+            f"first_order_drift(1, 1, {bad!r})",
+            lambda bad=bad: first_order_drift(1.0, 1.0, bad),
+            error,
+            allowed=lambda: first_order_drift(1.0, 1.0, 2),
+            cause=cause,
+            read=read,
+        )

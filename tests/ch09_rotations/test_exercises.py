@@ -1,0 +1,297 @@
+"""Exercises 9.1 to 9.4; the others are in test_read_off.py and test_stones.py."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch09_rotations.exercises import (
+    back_to_reference,
+    product_without_j_and_k,
+    turned_by_sense,
+    turned_by_steps,
+    two_other_turns,
+)
+from ch09_rotations.quaternion import Quaternion
+from draw import components, number, positive_number
+from expect import (
+    expect_close,
+    expect_error,
+    expect_finite_numbers,
+    expect_unchanged,
+    expect_vector,
+)
+from turning import (
+    TIGHT,
+    X_AXIS,
+    Y_AXIS,
+    Z_AXIS,
+    Quad,
+    draw_quad,
+    hamilton,
+    matrix_of,
+    quad,
+    rijk,
+    same_sign,
+    times,
+    turned,
+)
+
+BACK = "the docstring of back_to_reference"
+PLANE = "the docstring of product_without_j_and_k"
+SENSE = "the docstring of turned_by_sense"
+BY_STEPS = "the docstring of turned_by_steps, and Eq. 9.5"
+
+
+# 9.1 Two turns, and two others
+
+
+@pytest.mark.exercise("9.1")
+def test_two_turns_end_where_two_others_do() -> None:
+    read = "the docstring of two_other_turns"
+    call, cause = "two_other_turns()", "return two angles, in degrees"
+    a, b = two_other_turns()
+    wanted = times(matrix_of(quad(Y_AXIS, math.pi / 2)), matrix_of(quad(X_AXIS, math.pi / 2)))
+    call = f"two_other_turns(): by {a} degrees about Z, then by {b} about X, as a matrix"
+    cause = "fixed axes, right-handed: take a book, and follow one of its axes through both"
+    about_z, about_x = quad(Z_AXIS, math.radians(a)), quad(X_AXIS, math.radians(b))
+    got = times(matrix_of(about_x), matrix_of(about_z))
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9)
+
+
+@pytest.mark.exercise("9.1")
+def test_the_angles_are_within_half_a_turn() -> None:
+    read = "the docstring of two_other_turns"
+    call, cause = "two_other_turns()", "degrees from -180 to 180: 270 is -90"
+    got = tuple(two_other_turns())
+    expect_close(call, got, (0.0, 0.0), cause=cause, read=read, tolerance=180.0)
+
+
+# 9.2 One turn back to the reference
+
+
+def way_back(q: Quad) -> tuple:
+    """Return axis and angle of the way back as plain numbers."""
+    read = BACK
+    call = f"back_to_reference(Quaternion{q})"
+    cause = "return a pair: a Vector3 of length 1, and an angle in radians"
+    axis, angle = back_to_reference(Quaternion(*q))
+    unit = expect_vector(f"{call}, the axis", axis, cause=cause, read=read)
+    length = math.hypot(*unit)
+    expect_close(f"{call}, the axis's length", length, 1.0, cause=cause, read=read, tolerance=TIGHT)
+    cause = "from -pi to pi: a turn by more is one by less about the opposite axis"
+    name = f"{call}, the angle"
+    expect_close(name, angle, 0.0, cause=cause, read=read, tolerance=math.pi + 1e-12)
+    return unit, angle
+
+
+@pytest.mark.exercise("9.2", weight=2)
+def test_one_turn_leads_back(rng: Random) -> None:
+    read = BACK
+    axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
+    cause = "the turn that undoes it is its conjugate: the same axis, the opposite angle"
+    drawn = [draw_quad(rng), quad(axis, small), quad(axis, large), quad(axis, -small)]
+    for q in ((0.5, 0.5, 0.5, 0.5), *drawn):
+        unit, angle = way_back(q)
+        call = f"back_to_reference(Quaternion{q}): after this turn the object is at"
+        got = same_sign(hamilton(quad(unit, angle), q), (1.0, 0.0, 0.0, 0.0))
+        expect_close(call, got, (1.0, 0.0, 0.0, 0.0), cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("9.2")
+def test_the_way_back_at_the_ends(rng: Random) -> None:
+    read = BACK
+    cause = "it is at the reference: the angle is 0, about any axis"
+    for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
+        _, angle = way_back(q)
+        call = f"back_to_reference(Quaternion{q}), the angle"
+        expect_close(call, angle, 0.0, cause=cause, read=read, tolerance=0.0)
+    q = (0.0, *turned(draw_quad(rng), X_AXIS))
+    unit, angle = way_back(q)
+    call = f"back_to_reference(Quaternion{q}), half a turn"
+    cause = "half a turn is undone by half a turn about the same axis, either way"
+    expect_close(call, abs(angle), math.pi, cause=cause, read=read, tolerance=TIGHT)
+    got = same_sign(unit, q[1:])
+    expect_close(f"{call}: the axis", got, q[1:], cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("9.2", weight=0.5)
+def test_no_way_back_from_what_is_no_orientation() -> None:
+    read = BACK
+    cause = "to_axis_angle refuses what has not length 1"
+    for name, attempt, error in (
+        ("Quaternion(1, 1, 0, 0)", lambda: back_to_reference(Quaternion(1, 1, 0, 0)), ValueError),
+        ("Quaternion(0, 0, 0, 0)", lambda: back_to_reference(Quaternion(0, 0, 0, 0)), ValueError),
+        ("(1, 0, 0, 0)", lambda: back_to_reference((1.0, 0.0, 0.0, 0.0)), TypeError),
+    ):
+        expect_error(
+            f"back_to_reference({name})",
+            attempt,
+            error,
+            allowed=lambda: back_to_reference(Quaternion(0.6, 0.8, 0.0, 0.0)),
+            cause=cause,
+            read=read,
+        )
+
+
+# 9.3a Two quaternions without j and k
+
+
+@pytest.mark.exercise("9.3a")
+def test_a_product_without_j_and_k(rng: Random) -> None:
+    read = PLANE
+    (r, i), (s, j) = ((number(rng), number(rng)) for _ in range(2))
+    call = f"product_without_j_and_k(Quaternion({r}, {i}, 0, 0), Quaternion({s}, {j}, 0, 0))"
+    cause = "i i is -1: the scalar part is r r' - i i', beside i stands r i' + i r'"
+    a, b = Quaternion(r, i, 0.0, 0.0), Quaternion(s, j, 0.0, 0.0)
+    got = rijk(product_without_j_and_k(a, b))
+    product = complex(r, i) * complex(s, j)
+    wanted = (product.real, product.imag, 0.0, 0.0)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+    expect_unchanged(call, "a", rijk(a), (r, i, 0.0, 0.0), read=read)
+    expect_unchanged(call, "b", rijk(b), (s, j, 0.0, 0.0), read=read)
+
+
+@pytest.mark.exercise("9.3a", weight=0.5)
+def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
+    read = PLANE
+    r, i, n = number(rng), number(rng), number(rng)
+    good = (r, i, 0.0, 0.0)
+    cause = "a j or a k that is not zero would be lost: ValueError; a NaN is not zero either"
+    for bad in ((r, i, n, 0.0), (r, i, 0.0, n), (r, i, math.nan, 0.0)):
+        for a, b in ((bad, good), (good, bad)):
+            expect_error(
+                f"product_without_j_and_k(Quaternion{a}, Quaternion{b})",
+                lambda a=a, b=b: product_without_j_and_k(Quaternion(*a), Quaternion(*b)),
+                ValueError,
+                allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
+                cause=cause,
+                read=read,
+            )
+    for which, attempt in (
+        ("a complex number, and a Quaternion", lambda: product_without_j_and_k(2.0, Quaternion())),
+        ("a Quaternion, and a number", lambda: product_without_j_and_k(Quaternion(), 2.0)),
+    ):
+        expect_error(
+            f"product_without_j_and_k(...), of {which}",
+            attempt,
+            TypeError,
+            allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
+            cause="a number is no Quaternion: TypeError",
+            read=read,
+        )
+
+
+# 9.4 A steady turn, by sense and by steps
+
+
+@pytest.mark.exercise("9.4")
+def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
+    read = SENSE
+    for q in ((0.5, 0.5, 0.5, 0.5), draw_quad(rng)):
+        rate, duration = number(rng, 0.2, 4.0), positive_number(rng, 0.5, 3.0)
+        orientation = Quaternion(*q)
+        call = f"turned_by_sense(Quaternion{q}, {rate}, {duration})"
+        cause = "one turn by rate times duration about the world's X, on the left of the product"
+        wanted = hamilton(quad(X_AXIS, rate * duration), q)
+        got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        expect_unchanged(call, "orientation", rijk(orientation), q, read=read)
+
+
+def stepped(q: Quad, rate: float, duration: float, steps: int) -> Quad:
+    """Return where steps of Eq. 9.5 about X end, normalised."""
+    half = 0.5 * rate * duration / steps
+    for _ in range(steps):
+        change = hamilton((0.0, half, 0.0, 0.0), q)
+        q = tuple(old + new for old, new in zip(q, change, strict=True))
+    length = math.hypot(*q)
+    return tuple(component / length for component in q)
+
+
+@pytest.mark.exercise("9.4", weight=2)
+def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
+    read = BY_STEPS
+    for q, steps in (((0.5, 0.5, 0.5, 0.5), 1), (draw_quad(rng), 2), (draw_quad(rng), 25)):
+        rate, duration = number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
+        orientation = Quaternion(*q)
+        call = f"turned_by_steps(Quaternion{q}, {rate}, {duration}, {steps})"
+        if steps == 1:
+            call = f"turned_by_steps(Quaternion{q}, {rate}, {duration})"
+            result, error = turned_by_steps(orientation, rate, duration)
+        else:
+            result, error = turned_by_steps(orientation, rate, duration, steps)
+        cause = "add_scaled in steps of duration / steps on a copy, normalised"
+        wanted = stepped(q, rate, duration, steps)
+        got = same_sign(rijk(result), wanted)
+        name = f"{call}, the orientation"
+        expect_close(name, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        turn = abs(rate * duration)
+        missing = turn - 2.0 * steps * math.atan(0.5 * turn / steps)
+        cause = "the angle of the turn from the one to the other, in radians and not negative"
+        name = f"{call}, the error"
+        expect_close(name, error, missing, cause=cause, read=read, tolerance=1e-11)
+        expect_unchanged(call, "orientation", rijk(orientation), q, read=read)
+
+
+@pytest.mark.exercise("9.4")
+def test_an_error_is_at_most_half_a_turn() -> None:
+    read = BY_STEPS
+    q = (0.5, 0.5, 0.5, 0.5)
+    call = f"turned_by_steps(Quaternion{q}, 3, 2), the error"
+    cause = "a turn by more than pi is one by less the other way round"
+    # It should turn by 6 rad, and turns by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 too many.
+    wanted = math.tau - (6.0 - 2.0 * math.atan(3.0))
+    got = turned_by_steps(Quaternion(*q), 3.0, 2.0)[1]
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("9.4", weight=0.5)
+def test_a_turn_of_nothing_is_refused() -> None:
+    bad = ((1, 0.0), (1, -1.0))
+    expect_finite_numbers(
+        "turned_by_sense(...), with rate and duration ",
+        lambda rate, duration: turned_by_sense(Quaternion(), rate, duration),
+        (1, 2),
+        bad,
+        read=SENSE,
+    )
+    expect_finite_numbers(
+        "turned_by_steps(...), with rate and duration ",
+        lambda rate, duration: turned_by_steps(Quaternion(), rate, duration),
+        (1, 2),
+        bad,
+        read=BY_STEPS,
+    )
+    cause = "whole of arguments.py asks for a whole number of 1 or more"
+    for steps, error in ((0, ValueError), (-1, ValueError), (2.0, TypeError)):
+        expect_error(
+            f"turned_by_steps(Quaternion(), 1, 2, {steps})",
+            lambda steps=steps: turned_by_steps(Quaternion(), 1.0, 2.0, steps),
+            error,
+            allowed=lambda: turned_by_steps(Quaternion(), 1.0, 2.0, 3),
+            cause=cause,
+            read=BY_STEPS,
+        )
+    cause = "its length is not 1: to_axis_angle refuses it, or you do"
+    expect_error(
+        "turned_by_steps(Quaternion(2, 0, 0, 0), 1, 2)",
+        lambda: turned_by_steps(Quaternion(2.0, 0.0, 0.0, 0.0), 1.0, 2.0),
+        ValueError,
+        allowed=lambda: turned_by_steps(Quaternion(), 1.0, 2.0),
+        cause=cause,
+        read=BY_STEPS,
+    )
+    cause = "four numbers are no Quaternion: TypeError"
+    q = (1.0, 0.0, 0.0, 0.0)
+    for name, function in (("sense", turned_by_sense), ("steps", turned_by_steps)):
+        expect_error(
+            f"turned_by_{name}((1, 0, 0, 0), 1, 2)",
+            lambda function=function: function(q, 1.0, 2.0),
+            TypeError,
+            allowed=lambda function=function: function(Quaternion(), 1.0, 2.0),
+            cause=cause,
+            read=SENSE,
+        )

@@ -1,0 +1,176 @@
+"""Matrix3, build tasks B9.4 and B9.5."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch09_rotations.matrix import Matrix3
+from draw import components
+from expect import expect_close, expect_error, expect_unchanged, xyz
+from turning import (
+    IDENTITY,
+    TIGHT,
+    Nine,
+    applied,
+    determinant,
+    draw_matrix,
+    entries,
+    times,
+    transposed,
+)
+
+TIMES = "book 9.4.1"
+INVERSE = "book 9.4.2, and the docstring of Matrix3.inverse"
+
+
+@pytest.mark.exercise("B9.4")
+def test_a_matrix_times_a_vector(rng: Random) -> None:
+    read = TIMES
+    m, a = draw_matrix(rng), components(rng)
+    v = Vector3(*a)
+    call = f"Matrix3{m}.transform(Vector3{a})"
+    cause = "each row of the matrix times the vector, like a scalar product"
+    got = xyz(Matrix3(*m).transform(v))
+    wanted = applied(m, a)
+    # Three products of numbers up to 90.
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_unchanged(call, "v", xyz(v), a, read=read)
+    call = f"Matrix3{m} @ Vector3{a}, which calls Matrix3.transform"
+    got = xyz(Matrix3(*m) @ v)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B9.4")
+def test_a_matrix_times_a_matrix(rng: Random) -> None:
+    read = TIMES
+    m, n = draw_matrix(rng), draw_matrix(rng)
+    call = f"Matrix3{m}.product(Matrix3{n})"
+    cause = "each row of self times each column of m: the order matters"
+    first, second = Matrix3(*m), Matrix3(*n)
+    got = entries(first.product(second))
+    expect_close(call, got, times(m, n), cause=cause, read=read, tolerance=1e-11)
+    expect_unchanged(call, "the first", entries(first), m, read=read)
+    expect_unchanged(call, "the second", entries(second), n, read=read)
+    call = f"Matrix3{m} @ Matrix3{n}, which calls Matrix3.product"
+    got = entries(first @ second)
+    expect_close(call, got, times(m, n), cause=cause, read=read, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B9.4")
+def test_a_matrix_times_something_else_is_refused() -> None:
+    read = "the first lines of matrix.py"
+    v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
+    cause = "three numbers are no Vector3: TypeError"
+    expect_error(
+        "Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).transform((1, 2, 3))",
+        lambda: m.transform((1.0, 2.0, 3.0)),
+        TypeError,
+        allowed=lambda: m.transform(v),
+        cause=cause,
+        read=read,
+    )
+    cause = "a vector is no Matrix3, and 2.0 is none: TypeError"
+    for name, other in (("Vector3(1, 2, 3)", v), ("2.0", 2.0)):
+        expect_error(
+            f"Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).product({name})",
+            lambda other=other: m.product(other),
+            TypeError,
+            allowed=lambda: m.product(m),
+            cause=cause,
+            read=read,
+        )
+
+
+@pytest.mark.exercise("B9.4")
+def test_rows_become_columns(rng: Random) -> None:
+    read = "book 9.4.3"
+    m = draw_matrix(rng)
+    matrix = Matrix3(*m)
+    call = f"Matrix3{m}.transpose()"
+    cause = "what stands in row i and column j comes to stand in row j and column i"
+    got = entries(matrix.transpose())
+    expect_close(call, got, transposed(m), cause=cause, read=read, tolerance=0.0)
+    expect_unchanged(call, "the matrix", entries(matrix), m, read=read)
+
+
+@pytest.mark.exercise("B9.5")
+def test_the_determinant(rng: Random) -> None:
+    read = "book 9.4.2"
+    m = draw_matrix(rng)
+    cause = "first . (second x third), of the rows: a mirrored one is negative"
+    for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
+        n = tuple(m[3 * row + column] for row in rows for column in range(3))
+        call = f"Matrix3{n}.determinant()"
+        got = Matrix3(*n).determinant()
+        # Six products of up to 700.
+        expect_close(call, got, determinant(n), cause=cause, read=read, tolerance=1e-10)
+
+
+@pytest.mark.exercise("B9.5", weight=2)
+def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
+    read = INVERSE
+    cause = "rows and columns are easily swapped here: the columns are second x third, and so on"
+    m = draw_matrix(rng)
+    # Entries of 1e-7 have a determinant of 1e-21 and an inverse all the same.
+    for scale in (1.0, 1e-7, 1e7):
+        n = tuple(number * scale for number in m)
+        matrix = Matrix3(*n)
+        call = f"m = Matrix3{n}; m times m.inverse()"
+        got = entries(matrix.inverse())
+        product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
+        expect_close(call, product, IDENTITY, cause=cause, read=read, tolerance=TIGHT)
+        expect_unchanged(call, "m", entries(matrix), n, read=read)
+
+
+def expect_no_inverse(m: Nine, cause: str) -> None:
+    """Expect a ValueError of this matrix, and none of a regular one."""
+    expect_error(
+        f"Matrix3{m}.inverse()",
+        lambda: Matrix3(*m).inverse(),
+        ValueError,
+        allowed=lambda: Matrix3(2.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 4.0).inverse(),
+        cause=cause,
+        read=INVERSE,
+    )
+
+
+@pytest.mark.exercise("B9.5")
+def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
+    cause = "the rows lie in one plane, or are zero: the determinant is 0, and so are the limits"
+    expect_no_inverse((0.0,) * 9, cause)
+    expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0), cause)
+    cause = "rounding leaves 1e-15 of the determinant: compare with SINGULAR times the lengths"
+    for scale in (1.0, 1e6):
+        for _ in range(6):
+            a, b = components(rng), components(rng)
+            s, t = rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)
+            third = [s * p + t * q for p, q in zip(a, b, strict=True)]
+            expect_no_inverse(tuple(scale * number for number in (*a, *b, *third)), cause)
+
+
+@pytest.mark.exercise("B9.5")
+def test_how_near_to_singular_is_too_near() -> None:
+    read = INVERSE
+    # Rows of lengths 2, 3 and 3 whose determinant is 18 times the small number.
+    for small, regular in ((1.1e-13, True), (0.9e-13, False)):
+        m = (2.0, 0.0, 0.0, 3.0, 3.0 * small, 0.0, 0.0, 0.0, 3.0)
+        cause = "|determinant| is above 1e-13 of the product of the rows' lengths: it has one"
+        if not regular:
+            cause = "|determinant| is below 1e-13 of the product of the rows' lengths"
+            expect_no_inverse(m, cause)
+            continue
+        call = f"Matrix3{m}.inverse(), its first number"
+        got = entries(Matrix3(*m).inverse())[0]
+        expect_close(call, got, 0.5, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.5", weight=0.5)
+@pytest.mark.parametrize("bad", [math.nan, math.inf])
+def test_what_is_not_finite_has_no_inverse(bad: float) -> None:
+    cause = "ask for what is wanted: if not abs(determinant) > limit"
+    expect_no_inverse((bad, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0), cause)
+    expect_no_inverse((1.0, 2.0, 0.0, 3.0, bad, 0.0, 0.0, 0.0, 1.0), cause)

@@ -1,0 +1,144 @@
+"""Angles, points and the centre of mass in the plane, build tasks B9.1 to B9.3."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch09_rotations.plane import angle_to_vector, center_of_mass, rotate_point, wrap_angle
+from draw import number, positive_number
+from expect import expect_close, expect_error, expect_finite_numbers
+from turning import TIGHT
+
+WRAP = "book 9.1.1, and the docstring of wrap_angle"
+POINT = "book 9.1.2, Eq. 9.2"
+MASS = "book 9.1.3, and the docstring of center_of_mass"
+
+
+@pytest.mark.exercise("B9.1")
+def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
+    read = WRAP
+    cause = "take off whole turns, 2 pi each, or add them, until it lies above -pi and up to pi"
+    for turns in (0, 1, -1, 7, -12):
+        for low, high in ((0.01, 1.5), (1.6, 3.1)):
+            angle = number(rng, low, high)
+            call = f"wrap_angle({angle} + {turns} * 2 pi)"
+            got = wrap_angle(angle + turns * math.tau)
+            expect_close(call, got, angle, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.1")
+def test_half_a_turn_is_pi_and_not_minus_pi() -> None:
+    read = WRAP
+    cause = "both are the same direction: pi belongs to the range, -pi does not"
+    for angle in (math.pi, -math.pi):
+        call = f"wrap_angle({angle})"
+        got = wrap_angle(angle)
+        expect_close(call, got, math.pi, cause=cause, read=read, tolerance=0.0)
+
+
+@pytest.mark.exercise("B9.1", weight=0.5)
+def test_no_angle_is_no_direction() -> None:
+    expect_finite_numbers("wrap_angle", wrap_angle, (1,), (), read=WRAP)
+    expect_finite_numbers("angle_to_vector", angle_to_vector, (1,), (), read="book 9.1.1, Eq. 9.1")
+
+
+@pytest.mark.exercise("B9.1")
+def test_the_direction_of_an_angle(rng: Random) -> None:
+    read = "book 9.1.1, Eq. 9.1"
+    cause = "the cosine along X, the sine along Y, of an angle in radians"
+    angle = number(rng, 1.7, 3.0)
+    for t in (angle, 0.0, 0.5 * math.pi):
+        call = f"angle_to_vector({t})"
+        got = angle_to_vector(t)
+        wanted = (math.cos(t), math.sin(t))
+        expect_close(call, got, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.2")
+def test_the_headlight_of_the_book() -> None:
+    read = POINT
+    call = "rotate_point((1.5, -0.75), 3 pi / 8, (4, 3.85))"
+    cause = "turn the point counter-clockwise about its own origin, then add the car's position"
+    got = rotate_point((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85))
+    # The book's two decimals.
+    expect_close(call, got, (5.27, 4.95), cause=cause, read=read, tolerance=0.006)
+
+
+@pytest.mark.exercise("B9.2")
+def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
+    read = POINT
+    for _ in range(3):
+        x, y, across, up = (number(rng) for _ in range(4))
+        angle = number(rng, 0.3, 2.9)
+        call = f"rotate_point(({x}, {y}), {angle}, ({across}, {up}))"
+        cause = "x goes to x cos t - y sin t, y to x sin t + y cos t; then add origin"
+        got = rotate_point((x, y), angle, (across, up))
+        end = complex(across, up) + complex(x, y) * complex(math.cos(angle), math.sin(angle))
+        expect_close(call, got, (end.real, end.imag), cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.2", weight=0.5)
+def test_a_point_of_nothing_is_refused() -> None:
+    name = "rotate_point(...), with x, y, angle, across and up: "
+    expect_finite_numbers(
+        name,
+        lambda x, y, t, a, u: rotate_point((x, y), t, (a, u)),
+        (1, 2, 1, 3, 4),
+        (),
+        read="the docstring of rotate_point",
+    )
+
+
+@pytest.mark.exercise("B9.3")
+def test_the_centre_of_two_masses_is_nearer_to_the_larger() -> None:
+    read = MASS
+    call = "center_of_mass([3, 1], [(0, 0), (4, 8)])"
+    cause = "each position counts by its mass: add up m x and m y, and divide by the sum of m"
+    got = center_of_mass([3.0, 1.0], [(0.0, 0.0), (4.0, 8.0)])
+    expect_close(call, got, (1.0, 2.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.3")
+def test_the_centre_of_many_masses(rng: Random) -> None:
+    read = MASS
+    cause = "add up m x and m y, and divide by the sum of m, not by how many there are"
+    for count in (1, 2, 5):
+        masses = [positive_number(rng) for _ in range(count)]
+        positions = [(number(rng), number(rng)) for _ in range(count)]
+        call = f"center_of_mass({masses}, {positions})"
+        got = center_of_mass(masses, positions)
+        total = math.fsum(masses)
+        pairs = list(zip(masses, positions, strict=True))
+        wanted = [math.fsum(m * p[axis] for m, p in pairs) / total for axis in (0, 1)]
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.3")
+def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
+    read = MASS
+    m, x, y = positive_number(rng), number(rng), number(rng)
+    cause = "a mass without a position, a position without a mass, or none at all: ValueError"
+    for masses, positions in (([], []), ([m], []), ([m, m], [(x, y)]), ([m], [(x, y), (y, x)])):
+        call = f"center_of_mass({masses}, {positions})"
+        expect_error(
+            call,
+            lambda masses=masses, positions=positions: center_of_mass(masses, positions),
+            ValueError,
+            allowed=lambda: center_of_mass([m, m], [(x, y), (y, x)]),
+            cause=cause,
+            read=read,
+        )
+
+
+@pytest.mark.exercise("B9.3", weight=0.5)
+def test_what_has_no_mass_has_no_centre() -> None:
+    expect_finite_numbers(
+        "center_of_mass(...), with a mass, x and y beside another: ",
+        lambda m, x, y: center_of_mass([2.0, m], [(1.0, 1.0), (x, y)]),
+        (1, 2, 3),
+        ((0, 0.0), (0, -1.0)),
+        read=MASS,
+    )

@@ -1,0 +1,162 @@
+"""Quaternions: length and product, build tasks B9.7 and B9.8."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch09_rotations.quaternion import Quaternion
+from draw import number
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged
+from turning import Quad, draw_quad, hamilton, rijk
+
+LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
+NORMALIZE = "book 9.4.7, and the docstring of normalize"
+PRODUCT = "book 9.4.8"
+
+
+def draw_four(rng: Random) -> Quad:
+    """Draw four components, none of them near zero."""
+    return number(rng), number(rng), number(rng), number(rng)
+
+
+@pytest.mark.exercise("B9.7")
+def test_the_length_of_four_components(rng: Random) -> None:
+    read = LENGTH
+    cause = "the root of the sum of four squares: r is one of them"
+    call = "Quaternion(1, -3, 5, 1).magnitude()"
+    got = Quaternion(1.0, -3.0, 5.0, 1.0).magnitude()
+    expect_close(call, got, 6.0, cause=cause, read=read)
+    q = draw_four(rng)
+    call = f"Quaternion{q}.magnitude()"
+    got = Quaternion(*q).magnitude()
+    expect_close(call, got, math.hypot(*q), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.7")
+def test_near_which_length_it_is_a_turn(rng: Random) -> None:
+    read = LENGTH
+    q = draw_quad(rng)
+    cause = "within UNIT_TOLERANCE, 1e-6, on both sides of 1"
+    for length, wanted in (
+        (1.0, True),
+        (1.0 + 9e-7, True),
+        (1.0 - 9e-7, True),
+        (1.0 + 1.1e-6, False),
+        (1.0 - 1.1e-6, False),
+        (0.0, False),
+        (-3.0, False),
+        (math.nan, False),
+        (math.inf, False),
+    ):
+        scaled = tuple(component * length for component in q)
+        call = f"Quaternion{scaled}.is_unit(), of length {abs(length)}"
+        got = Quaternion(*scaled).is_unit()
+        expect_exactly(call, got, wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.7")
+def test_normalised_it_has_length_one(rng: Random) -> None:
+    read = NORMALIZE
+    q = draw_four(rng)
+    length = math.hypot(*q)
+    cause = "divide all four by the length, which is worked out once, before the first changes"
+    quaternion = Quaternion(*q)
+    call = f"q = Quaternion{q}; q.normalize(); q"
+    returned = quaternion.normalize()
+    wanted = tuple(component / length for component in q)
+    expect_close(call, rijk(quaternion), wanted, cause=cause, read=read)
+    cause = "what changes in place returns nothing"
+    call = f"Quaternion{q}.normalize(), what it returns"
+    expect_exactly(call, returned, None, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.7")
+def test_zero_becomes_the_reference() -> None:
+    read = NORMALIZE
+    call = "q = Quaternion(0, 0, 0, 0); q.normalize(); q"
+    cause = "zero has no direction: it becomes (1, 0, 0, 0), the turn of nothing"
+    quaternion = Quaternion(0.0, 0.0, 0.0, 0.0)
+    quaternion.normalize()
+    expect_close(call, rijk(quaternion), (1.0, 0.0, 0.0, 0.0), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.7", weight=0.5)
+def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
+    read = NORMALIZE
+    q = draw_four(rng)
+    length = math.hypot(*q)
+    wanted = tuple(component / length for component in q)
+    cause = "their squares fit in no float: math.hypot takes four numbers"
+    for scale in (1e200, 1e-200):
+        scaled = tuple(component * scale for component in q)
+        call = f"Quaternion{scaled}.magnitude() / {scale}"
+        got = Quaternion(*scaled).magnitude() / scale
+        expect_close(call, got, length, cause=cause, read=read)
+        quaternion = Quaternion(*scaled)
+        call = f"q = Quaternion{scaled}; q.normalize(); q"
+        quaternion.normalize()
+        expect_close(call, rijk(quaternion), wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.8")
+def test_the_conjugate_turns_back(rng: Random) -> None:
+    read = "the docstring of conjugate"
+    q = draw_four(rng)
+    quaternion = Quaternion(*q)
+    call = f"q = Quaternion{q}; q.conjugate()"
+    cause = "r stays, and i, j and k change their signs, in a new quaternion"
+    got = rijk(quaternion.conjugate())
+    wanted = (q[0], -q[1], -q[2], -q[3])
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.0)
+    expect_unchanged(call, "q", rijk(quaternion), q, read=read)
+
+
+@pytest.mark.exercise("B9.8")
+def test_the_table_of_i_j_and_k() -> None:
+    read = PRODUCT
+    units = {
+        "1": (1.0, 0.0, 0.0, 0.0),
+        "i": (0.0, 1.0, 0.0, 0.0),
+        "j": (0.0, 0.0, 1.0, 0.0),
+        "k": (0.0, 0.0, 0.0, 1.0),
+    }
+    cause = "i j = k, j k = i and k i = j; the other way round the sign is turned; i i = -1"
+    for first, a in units.items():
+        for second, b in units.items():
+            call = f"Quaternion{a} * Quaternion{b}, which is {first} {second}"
+            got = rijk(Quaternion(*a) * Quaternion(*b))
+            wanted = hamilton(a, b)
+            expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.0)
+
+
+@pytest.mark.exercise("B9.8", weight=2)
+def test_the_product_of_any_two(rng: Random) -> None:
+    read = PRODUCT
+    a, b = draw_four(rng), draw_four(rng)
+    first, second = Quaternion(*a), Quaternion(*b)
+    call = f"a, b = Quaternion{a}, Quaternion{b}; a * b"
+    cause = "the scalar part is r r' - v . v', the rest r v' + r' v + v x v', as a new quaternion"
+    got = rijk(first * second)
+    # Four products of up to 90.
+    expect_close(call, got, hamilton(a, b), cause=cause, read=read, tolerance=1e-12)
+    expect_unchanged(call, "a", rijk(first), a, read=read)
+    expect_unchanged(call, "b", rijk(second), b, read=read)
+
+
+@pytest.mark.exercise("B9.8", weight=0.5)
+def test_a_quaternion_times_a_number_is_refused(rng: Random) -> None:
+    read = "the first lines of quaternion.py"
+    q = draw_four(rng)
+    cause = "ask isinstance(q, Quaternion), and return NotImplemented: Python raises the TypeError"
+    for other in (2.0, "2", None):
+        expect_error(
+            f"Quaternion{q} * {other!r}",
+            lambda other=other: Quaternion(*q) * other,
+            TypeError,
+            allowed=lambda: Quaternion(*q) * Quaternion(),
+            cause=cause,
+            read=read,
+        )

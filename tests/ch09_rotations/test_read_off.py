@@ -1,0 +1,108 @@
+"""Exercises 9.5 and 9.6: what a matrix of twelve numbers says, and its inverse the easy way."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch09_rotations.exercises import easy_inverse, read_off
+from ch09_rotations.matrix import Matrix4
+from draw import components
+from expect import expect_close, expect_error, expect_unchanged, xyz
+from turning import IDENTITY, TIGHT, applied, draw_quad, entries, matrix_of, transposed
+
+OFF = "the docstring of read_off"
+EASY = "the docstring of easy_inverse"
+
+
+def placed(linear: tuple[float, ...], p: tuple[float, ...]) -> tuple[float, ...]:
+    """Return the twelve numbers of a Matrix4."""
+    return (*linear[0:3], p[0], *linear[3:6], p[1], *linear[6:9], p[2])
+
+
+@pytest.mark.exercise("9.5")
+def test_rotation_and_position_are_read_off(rng: Random) -> None:
+    read = OFF
+    m, p = matrix_of(draw_quad(rng)), components(rng)
+    twelve = placed(m, p)
+    matrix = Matrix4(*twelve)
+    call = f"read_off(Matrix4{twelve})"
+    cause = "the rotation is the first three columns, as a Matrix3, the position the last one"
+    rotation, position = read_off(matrix)
+    name = f"{call}, the rotation"
+    expect_close(name, entries(rotation), m, cause=cause, read=read, tolerance=0.0)
+    name = f"{call}, the position"
+    expect_close(name, xyz(position), p, cause=cause, read=read, tolerance=0.0)
+    expect_unchanged(call, "the matrix", entries(matrix), twelve, read=read)
+
+
+@pytest.mark.exercise("9.5", weight=0.5)
+def test_nothing_is_read_off_what_scales(rng: Random) -> None:
+    read = OFF
+    m, p = matrix_of(draw_quad(rng)), components(rng)
+    good = placed(m, p)
+    cause = "what should be a rotation is none: ask is_rotation()"
+    for linear in (tuple(2.0 * n for n in m), tuple(-n for n in m), (math.nan, *m[1:])):
+        twelve = placed(linear, p)
+        expect_error(
+            f"read_off(Matrix4{twelve})",
+            lambda twelve=twelve: read_off(Matrix4(*twelve)),
+            ValueError,
+            allowed=lambda: read_off(Matrix4(*good)),
+            cause=cause,
+            read=read,
+        )
+    expect_error(
+        f"read_off({good})",
+        lambda: read_off(good),
+        TypeError,
+        allowed=lambda: read_off(Matrix4(*good)),
+        cause="twelve numbers are no Matrix4: TypeError",
+        read=read,
+    )
+
+
+@pytest.mark.exercise("9.6", weight=2)
+def test_the_easy_inverse(rng: Random) -> None:
+    read = EASY
+    m, p = matrix_of(draw_quad(rng)), components(rng)
+    twelve = placed(m, p)
+    matrix = Matrix4(*twelve)
+    call = f"easy_inverse(Matrix4{twelve})"
+    cause = "the transpose T of the rotation, and -T p in place of the position p: not T p, not -p"
+    got = entries(easy_inverse(matrix))
+    x, y, z = applied(transposed(m), p)
+    wanted = placed(transposed(m), (-x, -y, -z))
+    # Rounding of numbers up to 17.
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+    expect_unchanged(call, "the matrix", entries(matrix), twelve, read=read)
+
+
+@pytest.mark.exercise("9.6", weight=0.5)
+def test_the_easy_inverse_of_something_else() -> None:
+    twelve = placed(IDENTITY, (1.0, 2.0, 3.0))
+    expect_error(
+        f"easy_inverse({twelve})",
+        lambda: easy_inverse(twelve),
+        TypeError,
+        allowed=lambda: easy_inverse(Matrix4(*twelve)),
+        cause="twelve numbers are no Matrix4: TypeError",
+        read="the first lines of exercises.py",
+    )
+
+
+@pytest.mark.exercise("9.6")
+def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
+    read = EASY
+    m, p, a = matrix_of(draw_quad(rng)), components(rng), components(rng)
+    twelve = placed(m, p)
+    there = tuple(x + y for x, y in zip(applied(m, a), p, strict=True))
+    call = f"easy_inverse(Matrix4{twelve}), at {there}, where the matrix takes {a}"
+    cause = "first the way back, and then the turn back"
+    got = entries(easy_inverse(Matrix4(*twelve)))
+    if isinstance(got, tuple) and len(got) == 12:
+        back = applied((*got[0:3], *got[4:7], *got[8:11]), there)
+        got = tuple(x + y for x, y in zip(back, (got[3], got[7], got[11]), strict=True))
+    expect_close(call, got, a, cause=cause, read=read, tolerance=1e-11)

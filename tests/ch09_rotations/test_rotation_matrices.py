@@ -1,0 +1,206 @@
+"""Matrices that turn, and quaternions: build tasks B9.6, B9.12 and B9.13."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch09_rotations.matrix import Matrix3
+from ch09_rotations.quaternion import Quaternion
+from draw import components
+from expect import expect_close, expect_error, expect_exactly
+from turning import (
+    IDENTITY,
+    TIGHT,
+    Nine,
+    Quad,
+    draw_quad,
+    entries,
+    matrix_of,
+    quad,
+    rijk,
+    same_sign,
+)
+
+IS_ROTATION = "the docstring of is_rotation"
+FROM = "book 9.4.4, and E-11"
+TO = "the docstring of to_quaternion"
+
+
+def expect_rotation(m: Nine, wanted: bool, cause: str) -> None:
+    """Expect a matrix to be a rotation, or to be none."""
+    read = IS_ROTATION
+    call = f"Matrix3{m}.is_rotation()"
+    expect_exactly(call, Matrix3(*m).is_rotation(), wanted, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B9.6")
+def test_rotations_are_known(rng: Random) -> None:
+    cause = "its rows have length 1, stand at right angles, and are right-handed: it is one"
+    for m in (IDENTITY, matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng))):
+        expect_rotation(m, True, cause)
+
+
+@pytest.mark.exercise("B9.6")
+def test_what_is_no_rotation(rng: Random) -> None:
+    m = matrix_of(draw_quad(rng))
+    a, b, c, d, e, f, g, h, i = m
+    cause = "it scales: each row times itself must be 1"
+    expect_rotation(tuple(2.0 * number for number in m), False, cause)
+    expect_rotation((0.0,) * 9, False, cause)
+    for row in range(3):
+        n = [*m]
+        n[3 * row : 3 * row + 3] = [1.5 * number for number in n[3 * row : 3 * row + 3]]
+        expect_rotation(tuple(n), False, cause)
+    cause = "it scales one axis up and another down, and its determinant is 1"
+    expect_rotation((2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0), False, cause)
+    cause = "it is a mirror: its rows are orthonormal, but its determinant is -1"
+    expect_rotation((d, e, f, a, b, c, g, h, i), False, cause)
+    expect_rotation(tuple(-number for number in m), False, cause)
+    cause = "it skews: rows of length 1 that do not stand at right angles"
+    s, t = math.sin(0.3), math.cos(0.3)
+    for n in (
+        (1.0, 0.0, 0.0, s, t, 0.0, 0.0, 0.0, 1.0),
+        (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, s, 0.0, t),
+        (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, s, t),
+    ):
+        expect_rotation(n, False, cause)
+
+
+@pytest.mark.exercise("B9.6")
+def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
+    m = matrix_of(draw_quad(rng))
+    cause = "products of rows may be off by ROTATION_TOLERANCE, 1e-5"
+    for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
+        expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted, cause)
+    for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
+        n = (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0)
+        expect_rotation(n, wanted, cause)
+
+
+@pytest.mark.exercise("B9.6", weight=0.5)
+@pytest.mark.parametrize("bad", [math.nan, math.inf])
+def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
+    cause = "NaN compares false with everything: ask whether each product is near enough"
+    for place in range(9):
+        m = [*IDENTITY]
+        m[place] = bad
+        expect_rotation(tuple(m), False, cause)
+
+
+@pytest.mark.exercise("B9.12")
+def test_ninety_degrees_about_each_axis() -> None:
+    read = FROM
+    half = math.sqrt(0.5)
+    cause = "the columns are where X, Y and Z go; the book prints the transpose (E-11)"
+    for q, axes, wanted in (
+        ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
+        ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
+        ((half, 0.0, 0.0, half), "Z", (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)),
+    ):
+        call = f"Matrix3.from_quaternion(Quaternion{q}), 90 degrees about {axes}"
+        got = entries(Matrix3.from_quaternion(Quaternion(*q)))
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.12")
+def test_the_matrix_of_any_quaternion(rng: Random) -> None:
+    read = FROM
+    cause = "nine terms, each to be looked at: mind the signs and the doubles"
+    for _ in range(3):
+        q = draw_quad(rng)
+        call = f"Matrix3.from_quaternion(Quaternion{q})"
+        got = entries(Matrix3.from_quaternion(Quaternion(*q)))
+        expect_close(call, got, matrix_of(q), cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.12", weight=0.5)
+def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
+    read = "the docstring of from_quaternion"
+    q = draw_quad(rng)
+    cause = "ask is_unit() first: rounding is allowed for, up to 1e-6"
+
+    def of_length(length: float) -> object:
+        return Matrix3.from_quaternion(Quaternion(*(component * length for component in q)))
+
+    for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
+        expect_error(
+            f"Matrix3.from_quaternion(q), of a q of length {length}",
+            lambda length=length: of_length(length),
+            ValueError,
+            allowed=lambda: [of_length(1.0 + 5e-7), of_length(1.0 - 5e-7)],
+            cause=cause,
+            read=read,
+        )
+    cause = "four numbers are no Quaternion: TypeError"
+    expect_error(
+        f"Matrix3.from_quaternion({q})",
+        lambda: Matrix3.from_quaternion(q),
+        TypeError,
+        allowed=lambda: of_length(1.0),
+        cause=cause,
+        read="the first lines of matrix.py",
+    )
+
+
+def expect_back(q: Quad, cause: str) -> None:
+    """Expect the quaternion, or its opposite, of this quaternion's matrix."""
+    read = TO
+    m = matrix_of(q)
+    call = f"Matrix3{m}.to_quaternion()"
+    got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
+    # Components of 1e-8 come from differences of entries of 1: they are right to 1e-16 / 1.
+    expect_close(call, got, q, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.13", weight=2)
+def test_back_from_a_matrix(rng: Random) -> None:
+    cause = "the sum of the diagonal is 4 r^2 - 1; h - f is 4 i r, c - g is 4 j r, d - b is 4 k r"
+    expect_back((1.0, 0.0, 0.0, 0.0), cause)
+    for _ in range(4):
+        expect_back(draw_quad(rng), cause)
+
+
+@pytest.mark.exercise("B9.13")
+def test_back_from_a_half_turn(rng: Random) -> None:
+    cause = "r is 0 here, or as good as: divide by the largest of the four components"
+    for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
+        expect_back((0.0, *axis), cause)
+    for longest in range(3):
+        axis = [0.1 * component for component in components(rng)]
+        axis[longest] = 10.0
+        for short in (0.0, 1e-3, 1e-9, -1e-9):
+            expect_back(quad(axis, math.pi - short), cause)
+
+
+@pytest.mark.exercise("B9.13")
+def test_what_comes_back_has_length_one(rng: Random) -> None:
+    read = TO
+    cause = "normalise what you return: the matrix may be off by rounding, or by more"
+    m = tuple(number * (1.0 + 3e-6) for number in matrix_of(draw_quad(rng)))
+    call = f"Matrix3{m}.to_quaternion(), its length"
+    got = math.hypot(*rijk(Matrix3(*m).to_quaternion()))
+    expect_close(call, got, 1.0, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.13", weight=0.5)
+def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
+    read = TO
+    m = matrix_of(draw_quad(rng))
+    cause = "ask is_rotation() first"
+    for n in (
+        tuple(2.0 * number for number in m),
+        tuple(-number for number in m),
+        (0.0,) * 9,
+        (math.nan, *m[1:]),
+    ):
+        expect_error(
+            f"Matrix3{n}.to_quaternion()",
+            lambda n=n: Matrix3(*n).to_quaternion(),
+            ValueError,
+            allowed=lambda: Matrix3(*m).to_quaternion(),
+            cause=cause,
+            read=read,
+        )

@@ -1,0 +1,179 @@
+"""Exercise 9.7: a box with stones, by sums and by balance lines."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch09_rotations.exercises import balance_offset, center_of_stones, masses_beside
+from ch09_rotations.probes import entered_stones
+from draw import number, positive_number
+from expect import expect_close, expect_error, expect_exactly
+from turning import TIGHT
+
+CENTER = "the docstring of center_of_stones"
+OFFSET = "the docstring of balance_offset"
+BESIDE = "the docstring of masses_beside, and E-32"
+DATA = "exercise 9.7, and the first lines of stones.py"
+
+Stones = list[tuple[str, float, float, float]]
+NAMES = ("a pebble", "slate", "granite", "quartz")
+
+
+def draw_stones(rng: Random, count: int = 4) -> Stones:
+    """Draw stones within 1 m."""
+    return [
+        (
+            name,
+            positive_number(rng, 0.05, 0.9),
+            positive_number(rng, 0.0, 1.0),
+            positive_number(rng, 0.0, 1.0),
+        )
+        for name in NAMES[:count]
+    ]
+
+
+def middle(stones: Stones) -> complex:
+    """Return the centre of mass as a complex number."""
+    total = math.fsum(mass for _, mass, _, _ in stones)
+    return sum(mass * complex(x, y) for _, mass, x, y in stones) / total
+
+
+def left_of(point: complex, angle: float) -> float:
+    """Return how far to the left of a line through 0 a point is."""
+    return (point * complex(math.cos(angle), -math.sin(angle))).imag
+
+
+@pytest.mark.exercise("9.7")
+def test_the_centre_of_a_box_with_stones(rng: Random) -> None:
+    read = CENTER
+    cause = "center_of_mass of the second number of each stone, and of its third and fourth"
+    for count in (1, 4):
+        stones = draw_stones(rng, count)
+        call = f"center_of_stones({stones})"
+        got = center_of_stones(stones)
+        wanted = middle(stones)
+        expect_close(call, got, (wanted.real, wanted.imag), cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("9.7")
+def test_where_the_edge_must_lie(rng: Random) -> None:
+    read = OFFSET
+    stones = draw_stones(rng)
+    call = f"balance_offset({stones}, 0)"
+    cause = "an edge along X, below the centre of mass: its y"
+    got = balance_offset(stones, 0.0)
+    expect_close(call, got, middle(stones).imag, cause=cause, read=read, tolerance=TIGHT)
+    cause = "the centre of mass times (-sin, cos), as a scalar product: mind the sign"
+    for angle in (0.5 * math.pi, number(rng, 0.3, 1.4), number(rng, 1.7, 3.0)):
+        call = f"balance_offset({stones}, {angle})"
+        wanted = left_of(middle(stones), angle)
+        got = balance_offset(stones, angle)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("9.7")
+def test_it_balances_though_the_masses_differ() -> None:
+    read = BESIDE
+    stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
+    call = f"masses_beside({stones}, 0)"
+    cause = "y is 0.5 at the edge: 1 kg lies beyond, on the left of an edge along X, and 3 kg here"
+    got = masses_beside(stones, 0.0)
+    expect_close(call, got, (1.0, 3.0), cause=cause, read=read, tolerance=TIGHT)
+    call = f"masses_beside({stones}, pi / 2)"
+    cause = "x is 0.3 at the edge: an edge along Y has the smaller x on its left"
+    got = masses_beside(stones, 0.5 * math.pi)
+    expect_close(call, got, (3.0, 1.0), cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("9.7")
+def test_the_masses_on_both_sides(rng: Random) -> None:
+    read = BESIDE
+    cause = "a stone is on the left where its own offset is larger than the edge's"
+    tried = 0
+    while tried < 4:
+        stones, angle = draw_stones(rng), number(rng, 0.1, 3.0)
+        line = left_of(middle(stones), angle)
+        sides = [left_of(complex(x, y), angle) - line for _, _, x, y in stones]
+        if min(map(abs, sides)) < 1e-3:  # a stone on the edge has a check of its own
+            continue
+        tried += 1
+        masses = [mass for _, mass, _, _ in stones]
+        pairs = list(zip(sides, masses, strict=True))
+        wanted = (
+            math.fsum(mass for side, mass in pairs if side > 0.0),
+            math.fsum(mass for side, mass in pairs if side < 0.0),
+        )
+        call = f"masses_beside({stones}, {angle})"
+        got = tuple(masses_beside(stones, angle))
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("9.7")
+def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
+    read = BESIDE
+    mass, far = positive_number(rng), positive_number(rng, 0.1, 0.9)
+    x, y, angle = positive_number(rng), positive_number(rng), number(rng, 0.3, 1.4)
+    across = complex(-math.sin(angle), math.cos(angle)) * far
+    stones = [
+        ("over it", mass, x, y),
+        ("left of it", 0.7, x + across.real, y + across.imag),
+        ("right of it", 0.7, x - across.real, y - across.imag),
+    ]
+    call = f"masses_beside({stones}, {angle})"
+    cause = "rounding leaves it at some 1e-16 m: within 1e-9 m is over the edge"
+    got = tuple(masses_beside(stones, angle))
+    expect_close(call, got, (0.7, 0.7), cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("9.7", weight=0.5)
+def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
+    good = draw_stones(rng)
+    calls = (
+        ("center_of_stones", center_of_stones, ()),
+        ("balance_offset", balance_offset, (0.3,)),
+        ("masses_beside", masses_beside, (0.3,)),
+    )
+    cause = "center_of_mass refuses what is no box with stones"
+    for name, function, more in calls:
+        for stones in ([], [("a hole", 0.0, 0.1, 0.2)], [*good, ("nowhere", 1.0, math.nan, 0.2)]):
+            expect_error(
+                f"{name}{(stones, *more)}",
+                lambda function=function, stones=stones, more=more: function(stones, *more),
+                ValueError,
+                allowed=lambda function=function, more=more: function(good, *more),
+                cause=cause,
+                read=f"the docstring of {name}",
+            )
+    cause = "finite of arguments.py refuses an angle that is none"
+    for name, function, _ in calls[1:]:
+        for angle in (math.nan, math.inf):
+            expect_error(
+                f"{name}({good}, {angle})",
+                lambda function=function, angle=angle: function(good, angle),
+                ValueError,
+                allowed=lambda function=function: function(good, 0.3),
+                cause=cause,
+                read=f"the docstring of {name}",
+            )
+
+
+@pytest.mark.exercise("9.7")
+def test_your_own_stones() -> None:
+    read = DATA
+    call = "center_of_stones(the stones of your stones.csv)"
+    cause = "enter your own, one a line, such as: a flat piece of slate,0.212,0.120,0.060"
+    stones = [tuple(stone) for stone in entered_stones()]
+    enough = len(stones) >= 4
+    name = "your stones.csv: are there three stones or more, and the box"
+    expect_exactly(name, enough, True, cause=cause, read=read)
+    cause = "measure where each lies: two cannot lie in one place"
+    places = {(x, y) for _, _, x, y in stones}
+    name = "your stones.csv: how many places of stones are there"
+    expect_exactly(name, len(places), len(stones), cause=cause, read=read)
+    got = center_of_stones(stones)
+    wanted = middle(stones)
+    cause = "center_of_mass of the second number of each stone, and of its third and fourth"
+    expect_close(call, got, (wanted.real, wanted.imag), cause=cause, read=read, tolerance=TIGHT)

@@ -1,0 +1,126 @@
+"""Turns in plain numbers, apart from any engine: what the checks of chapter 9 compare with.
+
+A quaternion is a tuple (r, i, j, k), a matrix of three rows one of nine numbers, row by row.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from random import Random
+from typing import Any
+
+from draw import Components, components, positive_number
+from expect import NoVector, is_plain
+
+Quad = tuple[float, float, float, float]
+Nine = tuple[float, ...]
+IDENTITY = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+X_AXIS, Y_AXIS, Z_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+# Rounding of a few dozen operations on numbers of about 1, with room for any order of them.
+TIGHT = 1e-12
+
+
+def rijk(q: Any) -> Any:
+    """Return the components of a quaternion as a tuple."""
+    return NoVector(q, "Quaternion") if is_plain(q) else (q.r, q.i, q.j, q.k)
+
+
+def entries(m: Any) -> Any:
+    """Return the numbers of a Matrix3 or a Matrix4 as a tuple, row by row."""
+    return NoVector(m, "matrix") if is_plain(m) else tuple(m.entries)
+
+
+def quad(axis: Sequence[float], angle: float) -> Quad:
+    """Return the quaternion of a turn about an axis of any length."""
+    length = math.hypot(*axis)
+    sine = math.sin(0.5 * angle)
+    x, y, z = (component / length * sine for component in axis)
+    return math.cos(0.5 * angle), x, y, z
+
+
+def hamilton(a: Sequence[float], b: Sequence[float]) -> Quad:
+    """Return the product of two quaternions, from the table of i, j and k."""
+    table = {  # which component the product of two of 1, i, j, k goes to, and its sign
+        (1, 2): (3, 1.0),
+        (2, 3): (1, 1.0),
+        (3, 1): (2, 1.0),
+        (2, 1): (3, -1.0),
+        (3, 2): (1, -1.0),
+        (1, 3): (2, -1.0),
+    }
+    total = [0.0, 0.0, 0.0, 0.0]
+    for m in range(4):
+        for n in range(4):
+            place, sign = (0, -1.0) if m == n > 0 else table.get((m, n), (m + n, 1.0))
+            total[place] += sign * a[m] * b[n]
+    return total[0], total[1], total[2], total[3]
+
+
+def turned(q: Sequence[float], v: Sequence[float]) -> Components:
+    """Return a vector turned by a quaternion of length 1."""
+    back = (q[0], -q[1], -q[2], -q[3])
+    _, x, y, z = hamilton(hamilton(q, (0.0, *v)), back)
+    return x, y, z
+
+
+def matrix_of(q: Sequence[float]) -> Nine:
+    """Return the matrix of a quaternion of length 1: its columns are the turned axes."""
+    return transposed([x for axis in (X_AXIS, Y_AXIS, Z_AXIS) for x in turned(q, axis)])
+
+
+def transposed(m: Sequence[float]) -> Nine:
+    """Return a matrix whose rows are the columns of this one."""
+    return tuple(m[3 * row + column] for column in range(3) for row in range(3))
+
+
+def times(m: Sequence[float], n: Sequence[float]) -> Nine:
+    """Return the product of two matrices."""
+    return tuple(
+        math.fsum(m[3 * row + k] * n[3 * k + column] for k in range(3))
+        for row in range(3)
+        for column in range(3)
+    )
+
+
+def applied(m: Sequence[float], v: Sequence[float]) -> Components:
+    """Return a matrix times a vector."""
+    x, y, z = (math.fsum(m[3 * row + k] * v[k] for k in range(3)) for row in range(3))
+    return x, y, z
+
+
+def determinant(m: Sequence[float]) -> float:
+    """Return the determinant, by the rule of Sarrus."""
+    a, b, c, d, e, f, g, h, i = m
+    return math.fsum((a * e * i, b * f * g, c * d * h, -c * e * g, -b * d * i, -a * f * h))
+
+
+def draw_turn(rng: Random) -> tuple[Components, float]:
+    """Draw an axis of some length and an angle from 0.3 to 2.8."""
+    return components(rng), positive_number(rng, 0.3, 2.8)
+
+
+def draw_quad(rng: Random) -> Quad:
+    """Draw a quaternion of length 1, no component of which is near zero."""
+    return quad(*draw_turn(rng))
+
+
+def draw_matrix(rng: Random) -> Nine:
+    """Draw a matrix that is far from singular: the diagonal outweighs the rest of each row."""
+    m = [round(rng.uniform(-2.0, 2.0), 3) for _ in range(9)]
+    for place in (0, 4, 8):
+        m[place] = rng.choice((-1.0, 1.0)) * positive_number(rng, 5.0, 9.0)
+    return tuple(m)
+
+
+def same_sign(got: Any, wanted: Sequence[float]) -> Any:
+    """Return a quaternion or its opposite, whichever is nearer to the one wanted.
+
+    Both are one orientation.
+    """
+    if isinstance(got, NoVector) or len(got) != len(wanted):
+        return got
+    if not all(type(number) in (int, float) for number in got):
+        return got
+    along = math.fsum(g * w for g, w in zip(got, wanted, strict=True))
+    return tuple(-number for number in got) if along < 0.0 else got

@@ -2,8 +2,8 @@
 
 The angles are turns in radians about axes of the world: by x about X first, then by y about Y, then
 by z about Z. Every orientation can be told so (E-33). But where y is a quarter turn, X has been
-turned onto Z or its opposite: the first turn and the last are then about one axis, and two of the three angles do
-the work of one. That is gimbal lock, and why an engine keeps a quaternion.
+turned onto Z or its opposite: the first turn and the last are then about one axis, and two of the
+three angles do the work of one. That is gimbal lock, and why an engine keeps a quaternion.
 
 Raises ValueError where an angle or a component is not finite, TypeError for what is no number or no
 Vector3.

@@ -32,7 +32,7 @@ hint: $(READY) ## a hint for an exercise (EX=2.5; N=2 for the first two)
 plot: $(READY) ## draw a chapter with your engine (CH=2)
 	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)")
 
-demo: $(READY) ## play a demo with your engine (DEMO=fireworks, ballistics, sniper, springbridge, cloth, bridge, platform, blob, wheel, cube, trebuchet or ball)
+demo: $(READY) ## play a demo with your engine (DEMO=fireworks, ballistics, sniper, springbridge, cloth, bridge, platform, blob, wheel, cube, trebuchet, ball or spin)
 	@$(RUN) -m studies demo --engine "$(ENGINE)" "$(or $(DEMO),$(error name a demo: make demo DEMO=fireworks))"
 
 -include instructor.mk

@@ -27,6 +27,7 @@ def main(arguments: list[str]) -> int:
         forces,
         grading,
         particles,
+        rotations,
         sparks,
         springs,
         vectors,
@@ -35,6 +36,7 @@ def main(arguments: list[str]) -> int:
 
     lines = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
     lines += [*forces.lines(), *springs.lines(), *constraints.lines(), *worlds.lines()]
+    lines += rotations.lines(console)
     lines += grading.lines(console)
     table = Table("what", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("ratio", "spread", "target"):

@@ -101,8 +101,7 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
     """Exercise 9.6: return the inverse of a rotation and a translation, without any division.
 
     The rotation is turned back by its transpose, and the translation with it. For other matrices
-    that is no inverse; to look for one would cost more than Matrix4.inverse does, so nothing is
-    looked for.
+    that is no inverse, and it does not look: that would take most of what it saves.
     """
     raise NotImplementedError("Exercise 9.6: The inverse, the easy way")
 

@@ -12,6 +12,8 @@ from ch02_vectors.arguments import finite_vector, positive
 from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 
+X, Y, Z = Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)  # its principal axes, to itself
+
 
 class FreeBox:
     """A box with sides along X, Y and Z of its own, that turns about its middle.
@@ -20,12 +22,13 @@ class FreeBox:
     velocity is told in both. Attributes: ``orientation``; ``inertia``, the moments about the three
     principal axes in kg m^2; ``angular_momentum`` in kg m^2/s, in axes of the world.
 
-    Raises ValueError where a mass or side is not positive and finite, or a component not finite.
+    Raises ValueError where a mass or side is not positive and finite, or a component not finite;
+    TypeError for what is no number or no Vector3.
     """
 
     def __init__(self, mass: float, sides: Vector3, angular_velocity: Vector3) -> None:
         twelfth = positive("mass", mass) / 12.0
-        x, y, z = (positive("sides", side) ** 2 for side in sides)
+        x, y, z = (positive("sides", side) ** 2 for side in finite_vector("sides", sides))
         self.orientation = Quaternion()
         self.inertia = Vector3(twelfth * (y + z), twelfth * (z + x), twelfth * (x + y))
         self.angular_momentum = self.inertia.component_product(
@@ -51,8 +54,7 @@ class FreeBox:
         splitting is of the second order, and its error in the energy stays small for ever.
         """
         half = 0.5 * positive("duration", duration)
-        for axis, time in (("x", half), ("y", half), ("z", duration), ("y", half), ("x", half)):
-            spin = getattr(self.own_velocity(), axis)
-            principal = Vector3(**{axis: 1.0})
-            self.orientation *= Quaternion.from_axis_angle(principal, spin * time)
+        for axis, time in ((X, half), (Y, half), (Z, duration), (Y, half), (X, half)):
+            angle = self.own_velocity().dot(axis) * time
+            self.orientation *= Quaternion.from_axis_angle(axis, angle)
         self.orientation.normalize()

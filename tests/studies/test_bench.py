@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import io
 import math
+import timeit
 from itertools import chain
+from typing import Any
 
 import pytest
 from rich.console import Console
 
 from studies import timing
-from studies.benchmarks import constraints, forces, particles, sparks, springs, vectors
+from studies.benchmarks import constraints, forces, particles, rotations, sparks, springs, vectors
 from studies.scenes import PROJECTILE, make_particle
 
 
@@ -21,18 +23,49 @@ def test_a_ratio_is_the_median_of_the_rounds_and_its_spread_their_quartiles() ->
     assert (low, high) == (2.0, 3.0)
 
 
-def test_a_peer_that_is_not_there_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(vectors.importlib.util, "find_spec", lambda _: None)
+@pytest.mark.parametrize("subject", [vectors, rotations])
+def test_a_peer_that_is_not_there_is_named(subject: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(timing.importlib.util, "find_spec", lambda _: None)
+    monkeypatch.setattr(timing, "TIMES", 1)
     screen = io.StringIO()
-    assert vectors.lines(Console(file=screen)) == []
+    lines = subject.lines(Console(file=screen))
+    assert [line.what for line in lines if "geometric mean" in line.what] == []
     assert "pyglet is not installed: .venv/bin/python -m pip install -r" in screen.getvalue()
 
 
+@pytest.mark.parametrize("subject", [vectors, rotations])
 @pytest.mark.parametrize("library", ["ours", "numpy"])
-def test_every_statement_of_the_libraries_at_hand_can_be_timed(library: str) -> None:
-    statements = vectors.STATEMENTS[library]
-    for name in vectors.OPERATIONS:
-        assert vectors.timeit.Timer(statements[name], statements["setup"]).timeit(1) > 0.0
+def test_every_statement_of_the_libraries_at_hand_can_be_timed(subject: Any, library: str) -> None:
+    statements = subject.STATEMENTS[library]
+    assert set(statements) <= set(subject.STATEMENTS["ours"])
+    for code in statements.values():
+        assert timeit.Timer(code, statements["setup"]).timeit(1) > 0.0
+
+
+def names_of(setup: str) -> dict[str, Any]:
+    names: dict[str, Any] = {}
+    exec(setup, names)
+    return names
+
+
+@pytest.mark.parametrize(("first", "second"), [pair[:2] for pair in rotations.RIVALS[:2]])
+def test_two_ways_to_undo_a_matrix_end_at_the_same(first: str, second: str) -> None:
+    names = names_of(rotations.SETUP)
+    # A dozen roundings of numbers up to 4.
+    assert [*eval(first, names)] == pytest.approx([*eval(second, names)], abs=1e-14)
+
+
+def test_matrices_turn_as_their_quaternions_and_as_numpys_do() -> None:
+    names = names_of(rotations.SETUP)
+    # A dozen roundings of numbers up to 4, as below.
+    assert [*eval("m @ v", names)] == pytest.approx([*eval("q.rotate(v)", names)], abs=1e-14)
+    of_product = [*eval("M3.from_quaternion(q * p)", names)]
+    assert [*eval("m @ n", names)] == pytest.approx(of_product, abs=1e-14)
+    ours, theirs = rotations.STATEMENTS["ours"], rotations.STATEMENTS["numpy"]
+    others = names_of(theirs["setup"])
+    for operation in ("product", "transform", "transpose", "inverse"):
+        wanted = eval(theirs[operation], others).ravel()
+        assert [*eval(ours[operation], names)] == pytest.approx([*wanted], abs=1e-14)
 
 
 def test_what_is_compared_with_the_step_is_the_same_step() -> None:

@@ -20,7 +20,7 @@ from made import made_stubs
 from studies import demo as demos
 
 NAMES = ("ballistics", "fireworks", "sniper", "springbridge", "cloth", "bridge", "platform")
-NAMES += ("blob", "wheel", "cube", "trebuchet", "ball")
+NAMES += ("blob", "wheel", "cube", "trebuchet", "ball", "spin")
 
 
 def play(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -210,6 +210,25 @@ def test_a_click_into_the_dark_is_a_miss_and_keys_launch(window: Any) -> None:
     assert (types.count(2), types.count(6)) == (1, 2)  # one of type 6 begins the game
     demo = window("fireworks", (("axes",), 28.0, 30.0), ("r",))
     assert demo.display.misses == 0
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_keys_choose_the_axis_of_the_spin_and_disturb_it(window: Any) -> None:
+    demo = window("spin", ("1",), ("up",), ("up",))
+    assert (demo.axis, demo.disturbed) == (1, 4)  # Y is the longest side
+    # Nearly all of it about Y, and a fifth about Z, after the last key and one frame.
+    assert demo.velocities[0] == pytest.approx((0.0, demo.SPEED, 0.2 * demo.SPEED), rel=1e-15)
+    for key, turned_over in (("2", 8), ("1", 0), ("3", 0)):
+        demo.press(key)
+        for _ in range(900):
+            demo.update(demos.FRAME)
+        assert demo.turned_over == turned_over
+    demo.press("r")
+    assert (demo.time, demo.turned_over) == (0.0, 0)
+    demo.press(" ")
+    demo.update(demos.FRAME)
+    assert demo.time == 0.0  # it is stopped
+    assert window("spin", *[("down",)] * 9).disturbed == 0
 
 
 @pytest.mark.filterwarnings("ignore:Animation was deleted")

@@ -28,7 +28,7 @@ class Matrix3:
     def __init__(self, *entries: float) -> None:
         if len(entries) != 9:
             raise TypeError(f"Matrix3 takes nine numbers, row by row, got {len(entries)}")
-        self.entries = tuple(float(entry) for entry in entries)
+        self.entries = tuple(map(float, entries))
 
     def __repr__(self) -> str:
         return f"Matrix3({', '.join(map(repr, self.entries))})"
@@ -158,7 +158,7 @@ class Matrix4:
     def __init__(self, *entries: float) -> None:
         if len(entries) != 12:
             raise TypeError(f"Matrix4 takes twelve numbers, row by row, got {len(entries)}")
-        self.entries = tuple(float(entry) for entry in entries)
+        self.entries = tuple(map(float, entries))
 
     def __repr__(self) -> str:
         return f"Matrix4({', '.join(map(repr, self.entries))})"

@@ -1,0 +1,126 @@
+"""Quaternions and matrices: two ways to the same end, and the same way in other libraries."""
+
+from __future__ import annotations
+
+from rich.console import Console
+
+from studies.timing import (
+    ROUNDS,
+    Line,
+    Statements,
+    Timer,
+    against_peers,
+    ratio,
+    statement_timer,
+)
+
+SETUP = """\
+from ch02_vectors.vector import Vector3 as V
+from ch09_rotations.exercises import easy_inverse, read_off
+from ch09_rotations.matrix import Matrix3 as M3, Matrix4 as M4
+from ch09_rotations.quaternion import Quaternion as Q
+v, spin = V(1.5, 2.5, 3.5), V(0.3, -0.2, 0.1)
+q, p = Q(0.5, 0.5, 0.5, 0.5), Q(0.6, 0.0, 0.8, 0.0)
+m, n = M3.from_quaternion(q), M3.from_quaternion(p)
+t, u = M4.from_orientation_and_position(q, v), M4.from_orientation_and_position(p, v)
+c = q.copy()
+"""
+RIVALS = (  # two statements, what their ratio is, and its target
+    (
+        "t.inverse().transform(v)",
+        "t.transform_inverse(v)",
+        "a point taken back by Matrix4.inverse and transform / by transform_inverse",
+        "at least 15",
+    ),
+    (
+        "t.inverse()",
+        "easy_inverse(t)",
+        "Matrix4.inverse / easy_inverse of exercise 9.6",
+        "at least 4.5",
+    ),
+    ("read_off(t)", "t.inverse()", "whether easy_inverse will do, by read_off / the inverse", ""),
+    ("m.is_rotation()", "m.inverse()", "Matrix3.is_rotation / Matrix3.inverse", ""),
+    ("m @ n", "q * p", "one turn after another, as matrices / as quaternions", "at least 1.8"),
+    ("q.rotate(v)", "m @ v", "a vector turned by a quaternion / by its matrix", ""),
+    (
+        "c.rotate_by(spin)",
+        "c.add_scaled(spin, 1.0); c.normalize()",
+        "rotate_by, which is exact / add_scaled and normalize (Eq. 9.5)",
+        "at most 2",
+    ),
+)
+
+
+def lines(console: Console) -> list[Line]:
+    """Return every line about rotations."""
+    measured = [
+        Line(what, *ratio(_timer(first), _timer(second), ROUNDS, what), target)
+        for first, second, what, target in RIVALS
+    ]
+    form, rotate, transform = map(_timer, ("M3.from_quaternion(q)", "q.rotate(v)", "m @ v"))
+    what = "vectors to turn from which on it pays to form the matrix first"
+    saved = ratio(form, lambda: rotate() - transform(), ROUNDS, what)
+    measured.append(Line(what, *saved, ""))
+    peers = (
+        ("pyglet", "pyglet Quaternion, Mat3 and Mat4", ""),
+        ("numpy", "NumPy 3x3 arrays", ""),
+    )
+    return measured + against_peers(console, "Quaternion, Matrix3 and Matrix4", STATEMENTS, peers)
+
+
+def _timer(code: str) -> Timer:
+    return statement_timer(code, SETUP)
+
+
+STATEMENTS: Statements = {
+    "ours": {
+        "setup": SETUP,
+        "a quaternion": "Q(0.5, 0.5, 0.5, 0.5)",
+        "product of quaternions": "q * p",
+        "conjugate": "q.conjugate()",
+        "length": "q.magnitude()",
+        "normalized": "c = q.copy(); c.normalize()",
+        "quaternion to matrix": "M3.from_quaternion(q)",
+        "a matrix": "M3(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0)",
+        "product": "m @ n",
+        "transform": "m @ v",
+        "transpose": "m.transpose()",
+        "determinant": "m.determinant()",
+        "inverse": "m.inverse()",
+        "product with translation": "t @ u",
+        "transform with translation": "t @ v",
+        "inverse with translation": "t.inverse()",
+    },
+    "pyglet": {
+        "setup": "from pyglet.math import Mat3, Mat4, Quaternion as Q, Vec3, Vec4\n"
+        "q, p = Q(0.5, 0.5, 0.5, 0.5), Q(0.6, 0.0, 0.8, 0.0)\n"
+        "v, w = Vec3(1.5, 2.5, 3.5), Vec4(1.5, 2.5, 3.5, 1.0)\n"
+        "m, n = q.to_mat3(), p.to_mat3()\n"
+        "t, u = (Mat4.from_translation(v) @ a.to_mat4() for a in (q, p))",
+        "a quaternion": "Q(0.5, 0.5, 0.5, 0.5)",
+        "product of quaternions": "q @ p",
+        "conjugate": "q.conjugate()",
+        "length": "q.length()",
+        "normalized": "q.normalize()",
+        "quaternion to matrix": "q.to_mat3()",
+        "a matrix": "Mat3(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0)",
+        "product": "m @ n",
+        "transform": "m @ v",
+        "inverse": "~m",
+        "product with translation": "t @ u",
+        "transform with translation": "t @ w",
+        "inverse with translation": "~t",
+    },
+    "numpy": {
+        "setup": "import numpy\n"
+        "m = numpy.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])\n"
+        "n = numpy.array([[-0.28, 0.0, 0.96], [0.0, 1.0, 0.0], [-0.96, 0.0, -0.28]])\n"
+        "v = numpy.array([1.5, 2.5, 3.5])",
+        "a matrix": "numpy.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0], [7.0, 8.0, 10.0]])",
+        "product": "m @ n",
+        "transform": "m @ v",
+        "transpose": "m.T",
+        "determinant": "numpy.linalg.det(m)",
+        "inverse": "numpy.linalg.inv(m)",
+    },
+}

@@ -20,7 +20,7 @@ STUDENT_TOOLS = {
     ),
     "studies": (
         "__init__.py __main__.py constraints.py demo.py drawing.py links.py mass_aggregate.py "
-        "plot.py ropes.py scenes.py stability.py timing.py"
+        "plot.py ropes.py rotations.py scenes.py stability.py timing.py"
     ),
     "tests": "conftest.py draw.py expect.py lever.py rigidity.py turning.py",
 }

@@ -125,14 +125,22 @@ def arrow(
     axes.text(*middle, label, color=color, ha="center", va="center", **LABEL)
 
 
-def arrow_3d(axes: Any, tip: Numbers, label: str, color: str, style: str = "-") -> None:
-    """Draw an arrow from the origin, +Y up on the paper; nothing where a number is NaN."""
-    if not is_drawable(tip):
+def arrow_3d(
+    axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
+) -> None:
+    """Draw an arrow, from the origin or a tail, +Y up on the paper; nothing where a number is NaN.
+
+    Its label stands beyond the tip, and there may be none.
+    """
+    if not is_drawable(tip, tail):
         return
-    x, y, z = tip
+    x, y, z = (end - start for end, start in zip(tip, tail, strict=True))
     # matplotlib's third axis points up, the engine's second.
-    axes.quiver(0, 0, 0, z, x, y, color=color, lw=2.0, linestyle=style, arrow_length_ratio=0.12)
-    axes.text(z * 1.15, x * 1.15, y * 1.15, label, color=color, **LABEL)
+    place = (tail[2], tail[0], tail[1])
+    axes.quiver(*place, z, x, y, color=color, lw=2.0, linestyle=style, arrow_length_ratio=0.12)
+    if label:
+        beyond = (place[0] + 1.15 * z, place[1] + 1.15 * x, place[2] + 1.15 * y)
+        axes.text(*beyond, label, color=color, **LABEL)
 
 
 def axes_3d(figure: Figure, place: Any, size: float) -> Any:

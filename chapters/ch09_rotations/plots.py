@@ -1,1 +1,327 @@
-PLOTS = ()
+"""Pictures of chapter 9: a turning motion, order, the error of Eq. 9.5, gimbal lock, balance.
+
+Titles give what is measured on the picture with plain numbers: a wrong engine cannot hide. What is
+not written yet is left out where there is something else to see. Eq. 9.5 and gimbal lock are in
+plots_of_rates.
+"""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Callable, Iterable, Sequence
+from itertools import product
+from typing import Any
+
+from matplotlib import pyplot
+from matplotlib.patches import Circle
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+from ch02_vectors.vector import Vector3
+from ch09_rotations.exercises import masses_beside
+from ch09_rotations.matrix import Matrix3
+from ch09_rotations.plots_of_rates import drift_of_first_order, gimbal_lock
+from ch09_rotations.quaternion import Quaternion
+from ch09_rotations.stones import own_stones, read_stones
+from studies.drawing import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    LABEL,
+    ORANGE,
+    RED,
+    SKY,
+    Numbers,
+    Picture,
+    arrow_3d,
+    axes_3d,
+    is_drawable,
+    is_written,
+    slope,
+    tell,
+)
+from studies.rotations import (
+    FLIGHT,
+    NOWHERE,
+    Arrows,
+    X,
+    Y,
+    Z,
+    arrows,
+    arrows_by_engine,
+    balance_line,
+    center,
+    columns,
+    components,
+    degrees_between_arrows,
+    disc_orientation,
+    disc_place,
+    largest,
+    nine,
+    off_directions,
+    off_right_angles,
+    off_unit_length,
+    stopped,
+    throw_disc,
+)
+
+ORIGIN = (0.0, 0.0, 0.0)
+COLORS = (RED, GREEN, BLUE)  # of an object's own axes X, Y and Z
+SMALL = LABEL | {"fontsize": 9}
+
+
+def turning_motion() -> Picture:
+    """A thrown disc that wobbles as it flies, with its own axes at seven times."""
+    rates = (120, 240, 480)
+    throws = {rate: throw_disc(rate) for rate in rates}
+    shown = throws[240]
+    figure = pyplot.figure(figsize=(13, 6.4))
+    figure.subplots_adjust(0.0, 0.08, 1.0, 0.88)
+    space = axes_3d(figure, 111, 1.0)
+    space.set(ylim=(-0.6, 6.6), zlim=(-0.6, 2.6), xlabel="z, m", ylabel="x, m", zlabel="y, m")
+    space.set_box_aspect((2.0, 7.2, 3.2), zoom=1.7)
+    space.set_xticks((-1, 0, 1))
+    space.set_zticks((0, 1, 2))
+    space.view_init(elev=18, azim=12)
+    path = [disc_place(FLIGHT * i / 100) for i in range(101)]
+    space.plot(*_on_paper(path), color=GREY, lw=1, ls=":")
+    for i in range(7):
+        n = round(i * FLIGHT / 6.0 * 240)
+        place = disc_place(n / 240)
+        for truth in arrows(disc_orientation(n / 240)):
+            tip = _along(place, truth, 0.95)
+            space.plot(*_on_paper([place, tip]), color=GREY, lw=1.0, ls="--")
+        if n < len(shown.found):
+            found = shown.found[n]
+            _disc(space, place, found)
+            for name, color, v in zip("XYZ", COLORS, found, strict=True):
+                label = name if i in (0, 6) else ""
+                arrow_3d(space, _along(place, v, 0.75), label, color, tail=place)
+    for artist in (*space.collections, *space.lines, *space.texts):
+        artist.set_clip_on(False)  # the picture is wider than what matplotlib takes it for
+    off = [throws[rate].worst_direction() for rate in rates]
+    space.set_title(
+        "A thrown disc that wobbles, by integrate_rotation: its own axes X, Y, Z,"
+        " and where they must be (dashed)\n"
+        f"240 steps a second: off right angles by {shown.worst(off_right_angles):.2g}°, "
+        f"off length 1 by {shown.worst(off_unit_length):.2g} at most,\n"
+        f"off where they must be by {off[0]:.3g}°, {off[1]:.3g}° and {off[2]:.3g}° at most "
+        f"with {rates[0]}, {rates[1]} and {rates[2]} steps a second: "
+        f"of order {-slope(rates, off):.2f} in the step",
+        fontsize=11,
+    )
+    tell(figure, [f"{rate} Hz: {throw.message}" for rate, throw in throws.items() if throw.message])
+    rows: list[Sequence[object]] = []
+    for rate, throw in throws.items():
+        for time, found, wanted in zip(throw.times, throw.found, throw.wanted, strict=True):
+            flat = [value for v in found for value in v]
+            rows.append((rate, time, *disc_place(time), *flat, off_directions(found, wanted)))
+    names = [f"{axis}.{name}" for axis in "XYZ" for name in "xyz"]
+    head = ("steps a second", "time, s", "x, m", "y, m", "z, m", *names, "off, degrees")
+    return Picture(figure, head, rows)
+
+
+def order_of_turns() -> Picture:
+    """An L turned by 90 degrees about X and then Y of the world, and about Y and then X."""
+    figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
+    grid = figure.add_gridspec(2, 3)
+    quarter = {
+        name: components(Quaternion.from_axis_angle(Vector3(*axis), 0.5 * math.pi))
+        for name, axis in (("X", X), ("Y", Y))
+    }
+    rows: list[Sequence[object]] = []
+    notes: list[str] = []
+    ends: dict[str, list[Arrows]] = {"quaternions": [], "matrices": []}
+    for row, order in enumerate(("XY", "YX")):
+        first, second = (Quaternion(*quarter[name]) for name in order)
+        both = Quaternion(*components(second * first))
+        words = ("at the start", f"90° about {order[0]}", f"then 90° about {order[1]}")
+        by_quaternions = [_by_quaternion(q, notes) for q in (Quaternion(), first, both)]
+        by_matrices = _by_matrices(first, second, notes)
+        for column, name in enumerate(words):
+            space = axes_3d(figure, grid[row, column], 1.15)
+            space.set(xticklabels=[], yticklabels=[], zticklabels=[])
+            space.set(xlabel="", ylabel="", zlabel="")
+            space.set_title(name, fontsize=11)
+            space.set_box_aspect((1, 1, 1), zoom=1.15)
+            for axis, label in ((X, "x"), (Y, "y"), (Z, "z")):
+                space.plot(*_on_paper([ORIGIN, _along(ORIGIN, axis, 1.3)]), color=GREY, lw=1)
+                space.text(*_point(_along(ORIGIN, axis, 1.45)), label, color=GREY)
+            _letter(space, by_quaternions[column])
+            for label, color, v in zip("XYZ", COLORS, by_quaternions[column], strict=True):
+                arrow_3d(space, v, label, color)
+            for v in by_matrices[column] if by_matrices else ():
+                space.plot(*_on_paper([ORIGIN, _along(ORIGIN, v, 1.3)]), "k--", lw=1)
+        for how, states in (("quaternions", by_quaternions), ("matrices", by_matrices)):
+            ends[how] += states[2:]
+            for name, state in zip(words, states, strict=False):
+                for label, v in zip("XYZ", state, strict=True):
+                    rows.append((order, name, how, label, *v))
+    angles = {how: degrees_between_arrows(*pair) for how, pair in ends.items() if len(pair) == 2}
+    told = [f"by {how} {angle:.7g}°" for how, angle in angles.items()]
+    lines = [f"One turn leads from the end above to that below: {', '.join(told)}"]
+    if "matrices" in angles:
+        pairs = zip(*ends.values(), strict=True)
+        off = largest([off_directions(*pair) for pair in pairs])
+        lines.append(f"The ends by matrices (dashed) are off those by quaternions by {off:.3g}°")
+    figure.suptitle("\n".join(lines), fontsize=12)
+    tell(figure, notes)
+    return Picture(figure, ("order", "state", "by", "axis", "x", "y", "z"), rows)
+
+
+def balance_lines() -> Picture:
+    """Exercise 9.7: the box with your stones, lines that it balances on, the masses beside them."""
+    masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # a stub says so before an empty file does
+    stones = read_stones(own_stones())
+    if not stones:
+        raise ValueError("there are no stones in stones.csv: weigh some for exercise 9.7")
+    figure, (left, right) = pyplot.subplots(
+        1, 2, figsize=(14, 6.2), layout="constrained", width_ratios=(6, 5)
+    )
+    heaviest = max(mass for _, mass, _, _ in stones)
+    xs, ys = [0.0, *(stone[2] for stone in stones)], [0.0, *(stone[3] for stone in stones)]
+    reach = max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
+    for name, mass, x, y in stones:
+        radius = 0.07 * reach * math.sqrt(mass / heaviest)
+        left.add_patch(Circle((x, y), radius, facecolor=SKY, edgecolor=BLUE, alpha=0.5))
+        words = f"{textwrap.fill(name, 16)}\n{mass:g} kg"
+        left.text(x, y - 1.1 * radius, words, ha="center", va="top", **SMALL)
+    left.axvline(0.0, color=BLACK, lw=2)
+    left.axhline(0.0, color=BLACK, lw=2, label="sides of the box, left and front")
+
+    lines = [balance_line(stones, angle) for angle in range(0, 181, 3)]
+    uneven = max(lines[:-1:10], key=lambda line: abs(line.left - line.right))
+    sides = f"{uneven.left:.3g} kg on the left, {uneven.right:.3g} kg on the right"
+    for line in lines[:-1:10]:
+        if math.isfinite(line.offset):
+            color, width = (RED, 2.5) if line is uneven else (GREY, 1.0)
+            a = math.radians(line.angle)
+            through = (-math.sin(a) * line.offset, math.cos(a) * line.offset)
+            beyond = (through[0] + math.cos(a), through[1] + math.sin(a))
+            left.axline(through, beyond, color=color, lw=width, zorder=1)
+    x, y = center(stones)
+    label = f"centre of mass by plain numbers: {x:.3f} m, {y:.3f} m"
+    left.plot(x, y, "+", color=BLACK, ms=14, mew=2, label=label)
+    left.plot([], [], color=GREY, lw=1, label="balance_offset, every 30°")
+    left.plot([], [], color=RED, lw=2.5, label=f"at {uneven.angle}°: {sides}")
+    left.set(xlabel="x, m", ylabel="y, m")
+    left.set_xlim(min(xs) - 0.2 * reach, max(xs) + 0.2 * reach)
+    left.set_ylim(min(ys) - 0.12 * reach, max(ys) + 0.5 * reach)
+    left.set_aspect("equal")
+    left.legend(fontsize=9, loc="upper left")
+    left.set_title(
+        f"{len(stones)} stones: lines miss the centre of mass by "
+        f"{largest([line.miss for line in lines]):.2g} m at most,\n"
+        f"gravity's torque about them is {largest([line.torque for line in lines]):.2g} N m "
+        "at most",
+        fontsize=11,
+    )
+    angles = [line.angle for line in lines]
+    for name, color, marker in (("left", ORANGE, "o"), ("right", BLUE, "s")):
+        seen = [getattr(line, name) for line in lines]
+        right.plot(angles, seen, marker, color=color, ms=4, label=f"on the {name}, masses_beside")
+        wanted = [getattr(line, f"true_{name}") for line in lines]
+        right.plot(angles, wanted, drawstyle="steps-mid", color=color, lw=1)
+    off = [abs(line.left - line.true_left) for line in lines]
+    off += [abs(line.right - line.true_right) for line in lines]
+    right.set_title(
+        f"At {uneven.angle}°: {sides} (E-32);\n"
+        f"masses_beside is off plain numbers (lines) by {largest(off):.2g} kg at most",
+        fontsize=11,
+    )
+    right.set(xlabel="angle of the balance line, degrees", ylabel="mass, kg")
+    right.set_xticks(range(0, 181, 30))
+    right.set_ylim(0.0, 1.3 * math.fsum(stone[1] for stone in stones))
+    right.legend(fontsize=9, loc="upper right")
+    right.grid(alpha=0.3)
+    tell(figure, [*dict.fromkeys(line.message for line in lines if line.message)])
+    rows: list[Sequence[object]] = [("stone", *stone) for stone in stones]
+    rows += [
+        ("line", line.angle, line.offset, line.left, line.right, line.miss, line.torque)
+        for line in lines
+    ]
+    head = ("row", "what; angle, degrees", "mass, kg; offset, m", "x, m; mass on the left, kg")
+    head = (*head, "y, m; mass on the right, kg", "misses by, m", "torque, N m")
+    return Picture(figure, head, rows)
+
+
+PLOTS: tuple[Callable[[], Picture], ...] = (
+    turning_motion,
+    order_of_turns,
+    drift_of_first_order,
+    gimbal_lock,
+    balance_lines,
+)
+
+
+def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
+    """Return the arrows as the engine turns them: nowhere, and a note, where it refuses."""
+    found: list[Arrows] = []
+    if message := stopped(lambda: found.append(arrows_by_engine(q))):
+        notes.append(message)
+    return found[0] if found else NOWHERE
+
+
+def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
+    """Return the same by matrices: at the start, after the first turn, after both."""
+    found: list[Arrows] = []
+
+    def act() -> None:
+        a, b = (Matrix3(*nine(Matrix3.from_quaternion(q))) for q in (first, second))
+        found.extend([(X, Y, Z), columns(a), columns(b.product(a))])
+
+    messages: list[str] = []
+    if is_written(lambda: messages.append(stopped(act))):
+        notes += filter(None, messages)
+    return found
+
+
+def _letter(space: Any, found: Arrows) -> None:
+    """Draw a letter L, upright and facing along Z, turned as arrows are."""
+    if is_drawable(*found):
+        for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
+            _block(space, found, (x, y, (-0.1, 0.1)))
+
+
+def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
+    """Draw a block between two values of each of its own coordinates, turned as arrows are."""
+    corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
+    faces = []
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        for end in sides[i]:
+            face = [c for c in corners if c[i] == end]
+            face.sort(key=lambda c: (c[j], c[k] if c[j] == sides[j][0] else -c[k]))  # around it
+            faces.append([_point(corners[c]) for c in face])
+    space.add_collection3d(Poly3DCollection(faces, alpha=0.3, facecolor=GREY, edgecolor=BLACK))
+
+
+def _disc(space: Any, place: Numbers, found: Arrows) -> None:
+    """Draw a disc of 0.45 m about its own Y, turned as arrows are."""
+    if is_drawable(*found):
+        around = [math.radians(angle) for angle in range(0, 360, 10)]
+        rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]
+        face = [_point(_beyond(place, found, own)) for own in rim]
+        space.add_collection3d(Poly3DCollection([face], alpha=0.35, facecolor=SKY, edgecolor=GREY))
+
+
+def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
+    """Return where a point is that an object at a place, turned as arrows are, has at ``own``."""
+    x, y, z = (
+        at + math.fsum(v[i] * c for v, c in zip(found, own, strict=True))
+        for i, at in enumerate(place)
+    )
+    return x, y, z
+
+
+def _along(place: Numbers, v: Numbers, length: float) -> Numbers:
+    return place[0] + length * v[0], place[1] + length * v[1], place[2] + length * v[2]
+
+
+def _point(v: Numbers) -> Numbers:
+    """Return the engine's X, Y, Z as matplotlib has them, whose third axis points up."""
+    return v[2], v[0], v[1]
+
+
+def _on_paper(points: Iterable[Numbers]) -> list[tuple[float, ...]]:
+    return [*zip(*map(_point, points), strict=True)]

@@ -116,9 +116,7 @@ class Matrix3:
                 f"{share!r} of the product of its rows' lengths, which is not above {SINGULAR}"
             )
         columns = (second.cross(third), third.cross(first), first.cross(second))
-        scaled = [
-            column / (share * length) for column, length in zip(columns, lengths, strict=True)
-        ]
+        scaled = [column / share / length for column, length in zip(columns, lengths, strict=True)]
         return Matrix3(*(number for row in zip(*scaled, strict=True) for number in row))
 
     def is_rotation(self) -> bool:

@@ -53,6 +53,11 @@ NAMES = (
     "ch08_mass_aggregate/wheel_deformation",
     "ch08_mass_aggregate/blob_bonds",
     "ch08_mass_aggregate/sleeping_balls",
+    "ch09_rotations/turning_motion",
+    "ch09_rotations/order_of_turns",
+    "ch09_rotations/drift_of_first_order",
+    "ch09_rotations/gimbal_lock",
+    "ch09_rotations/balance_lines",
 )
 
 

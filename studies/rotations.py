@@ -1,0 +1,324 @@
+"""Orientations in plain numbers, to measure an engine's by, and the motions that plots turn it by.
+
+An orientation is told by its components r, i, j and k, or by its arrows: where its own axes X, Y
+and Z point in the world.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy
+
+from ch02_vectors.vector import Vector3
+from ch09_rotations.angular import integrate_rotation
+from ch09_rotations.exercises import Stone, balance_offset, masses_beside
+from ch09_rotations.quaternion import Quaternion
+from studies.drawing import Numbers, angle_between, cross, dot, is_drawable, number, numbers
+
+Components = tuple[float, float, float, float]
+Arrows = tuple[Numbers, Numbers, Numbers]
+Step = Callable[[Quaternion, Numbers, float], None]  # an orientation, a velocity, a duration
+Velocity = Callable[[float], Numbers]  # the angular velocity at a time
+
+X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+NOWHERE: Arrows = ((math.nan,) * 3, (math.nan,) * 3, (math.nan,) * 3)
+GRAVITY = 9.81
+TAU = math.tau
+
+
+def components(q: Any) -> Components:
+    """Return the components of what an engine gave back as a quaternion, NaN where it is none."""
+    r, i, j, k = (number(getattr(q, name, None)) for name in "rijk")
+    return r, i, j, k
+
+
+def turn(axis: Numbers, angle: float) -> Components:
+    """Return the components of a turn about an axis of any length but zero."""
+    share = math.sin(0.5 * angle) / math.hypot(*axis)
+    return math.cos(0.5 * angle), axis[0] * share, axis[1] * share, axis[2] * share
+
+
+def product(b: Components, a: Components) -> Components:
+    """Return the components of a and then b."""
+    u, v = b[1:], a[1:]
+    i, j, k = (b[0] * q + a[0] * p + c for p, q, c in zip(u, v, cross(u, v), strict=True))
+    return b[0] * a[0] - dot(u, v), i, j, k
+
+
+def rotated(q: Components, v: Numbers) -> Numbers:
+    """Return where an orientation of length 1 takes a vector."""
+    back = (q[0], -q[1], -q[2], -q[3])
+    _, x, y, z = product(product(q, (0.0, *v)), back)
+    return x, y, z
+
+
+def arrows(q: Components) -> Arrows:
+    """Return the arrows of an orientation of length 1."""
+    return rotated(q, X), rotated(q, Y), rotated(q, Z)
+
+
+def arrows_by_engine(q: Quaternion) -> Arrows:
+    """Return the arrows as the engine turns them."""
+    x, y, z = (numbers(q.rotate(Vector3(*axis))) for axis in (X, Y, Z))
+    return x, y, z
+
+
+def degrees_apart(a: Components, b: Components) -> float:
+    """Return the angle of the one turn from a to b, whatever their lengths; NaN without one."""
+    if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
+        return math.nan
+    r, *axis = product(b, (a[0], -a[1], -a[2], -a[3]))
+    return math.degrees(2.0 * math.atan2(math.hypot(*axis), abs(r)))
+
+
+def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
+    """Return the angle of the one turn from a to b, by 1 + 2 cos, the sum of its diagonal."""
+    if not is_drawable(*a, *b):
+        return math.nan
+    cosine = 0.5 * (math.fsum(dot(p, q) for p, q in zip(a, b, strict=True)) - 1.0)
+    return math.degrees(math.acos(min(max(cosine, -1.0), 1.0)))
+
+
+def off_right_angles(found: Arrows) -> float:
+    """Return by how many degrees at most the angles between arrows are off 90."""
+    x, y, z = found
+    return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
+
+
+def off_unit_length(found: Arrows) -> float:
+    """Return how far at most the lengths of arrows are from 1."""
+    return largest([abs(math.hypot(*v) - 1.0) for v in found])
+
+
+def off_directions(found: Arrows, wanted: Arrows) -> float:
+    """Return by how many degrees at most an arrow points elsewhere than it should."""
+    return largest([angle_between(a, b) for a, b in zip(found, wanted, strict=True)])
+
+
+def largest(values: list[float]) -> float:
+    """Return the largest value; NaN where there is none, or one is NaN."""
+    return max(values, default=math.nan) if not any(map(math.isnan, values)) else math.nan
+
+
+def stopped(act: Callable[[], object]) -> str:
+    """Act, and return what the engine says where it refuses to go on; else nothing."""
+    try:
+        act()
+    except (ArithmeticError, ValueError) as error:
+        return f"{type(error).__name__}: {error}"
+    return ""
+
+
+# A thin disc that is thrown up and turns freely: its axis, TILT from the vertical, goes round that
+# by PRECESSION. Half of the moment about its axis is that about a diameter, from which follows how
+# fast it turns about its axis besides: SPIN, against the precession.
+TILT = math.radians(25.0)
+PRECESSION = TAU * 0.9
+SPIN = -0.5 * PRECESSION * math.cos(TILT)
+FLIGHT = 1.2  # s
+AXIS = (math.sin(TILT), math.cos(TILT), 0.0)
+TILTED = turn((0.0, 0.0, -1.0), TILT)  # its own Y along its axis
+
+
+@dataclass(frozen=True)
+class Throw:
+    """Times, and where the engine's arrows and the true ones are then; what ended it early."""
+
+    times: list[float]
+    found: list[Arrows]
+    wanted: list[Arrows]
+    message: str
+
+    def worst(self, measure: Callable[[Arrows], float]) -> float:
+        """Return the largest of what is measured on the engine's arrows."""
+        return largest([measure(found) for found in self.found])
+
+    def worst_direction(self) -> float:
+        """Return by how many degrees at most an arrow is off the closed form."""
+        pairs = zip(self.found, self.wanted, strict=True)
+        return largest([off_directions(found, wanted) for found, wanted in pairs])
+
+
+def disc_place(time: float) -> Numbers:
+    """Return where the disc is: it lands where it was thrown from, 6 m further."""
+    return 6.0 * time / FLIGHT, 0.5 * GRAVITY * time * (FLIGHT - time), 0.0
+
+
+def disc_orientation(time: float) -> Components:
+    """Return the closed form: turned about its axis first, and then with it about the vertical."""
+    return product(turn(Y, PRECESSION * time), product(turn(AXIS, SPIN * time), TILTED))
+
+
+def disc_acceleration(time: float) -> Numbers:
+    """Return the angular acceleration: the precession turns the spin with the axis."""
+    x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
+    return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))
+
+
+def throw_disc(rate: int) -> Throw:
+    """Turn the disc by integrate_rotation, in so many steps a second."""
+    orientation = Quaternion(*TILTED)
+    velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
+    times: list[float] = []
+    found: list[Arrows] = []
+
+    def run() -> None:
+        for n in range(round(FLIGHT * rate) + 1):
+            if n > 0:
+                acceleration = Vector3(*disc_acceleration((n - 1) / rate))
+                integrate_rotation(orientation, velocity, acceleration, 1.0 / rate)
+            found.append(arrows_by_engine(orientation))
+            times.append(n / rate)
+
+    message = stopped(run)
+    return Throw(times, found, [arrows(disc_orientation(time)) for time in times], message)
+
+
+def by_first_order(q: Quaternion, velocity: Numbers, duration: float) -> None:
+    """Step by Eq. 9.5."""
+    q.add_scaled(Vector3(*velocity), duration)
+
+
+def by_first_order_normalized(q: Quaternion, velocity: Numbers, duration: float) -> None:
+    """Step by Eq. 9.5, and make the length 1 again."""
+    q.add_scaled(Vector3(*velocity), duration)
+    q.normalize()
+
+
+def by_exponential(q: Quaternion, velocity: Numbers, duration: float) -> None:
+    """Step by the exponential of the scaled axis."""
+    q.rotate_by(Vector3(*(component * duration for component in velocity)))
+
+
+# A steady turn a second, slanting, from an orientation that is slanting in another way; and one
+# whose axis goes round Z besides, half a turn a second, as a cone's side does. Their errors are
+# measured at END: a whole turn would undo some of them, and hide a product the wrong way round.
+END = 0.7  # s
+START = turn((1.0, -2.0, 0.5), 1.0)
+STEADY = (TAU * 2.0 / 3.0, -TAU / 3.0, TAU * 2.0 / 3.0)
+CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
+
+
+def steady_velocity(time: float) -> Numbers:
+    """Return the angular velocity of the steady turn, at any time."""
+    del time
+    return STEADY
+
+
+def steady_orientation(time: float) -> Components:
+    """Return where the steady turn must be."""
+    return product(turn(STEADY, TAU * time), START)
+
+
+def coning_velocity(time: float) -> Numbers:
+    """Return the angular velocity whose axis goes round Z."""
+    x, y, z = rotated(turn(Z, CONING * time), SLANTING)
+    return x, y, z + CONING
+
+
+def coning_orientation(time: float) -> Components:
+    """Return where the turn with the moving axis must be: about an axis at rest, then about Z."""
+    return product(turn(Z, CONING * time), product(turn(SLANTING, TAU * time), START))
+
+
+def turn_by_steps(
+    step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
+) -> tuple[list[Components], str]:
+    """Return the orientations before and after each step, and what ended them early, if that.
+
+    ``share`` is when in a step the velocity is taken: 0 at its start, 0.5 in the middle.
+    """
+    q = Quaternion(*START)
+    found = [components(q)]
+
+    def run() -> None:
+        for n in range(steps):
+            step(q, velocity((n + share) / rate), 1.0 / rate)
+            found.append(components(q))
+
+    message = stopped(run)
+    return found, message
+
+
+def worst_axis(distance: float, z: float) -> Numbers:
+    """Return the axis that Euler angles turn about worst, where y lacks a distance to 90 degrees.
+
+    Half-way between Z and what X has become, as the turn about Z has left it; y is above 0.
+    """
+    up = math.sin(0.5 * distance)
+    along = math.cos(0.5 * distance)
+    return math.cos(z) * along, math.sin(z) * along, up
+
+
+def columns(matrix: Any) -> Arrows:
+    """Return the columns of what an engine gave back as a Matrix3: where it takes the axes."""
+    a, b, c, d, e, f, g, h, i = nine(matrix)
+    return (a, d, g), (b, e, h), (c, f, i)
+
+
+def singular_values(matrix: Any) -> Numbers:
+    """Return the three singular values of the same, the largest first; NaN where it is none."""
+    found = nine(matrix)
+    if not all(map(math.isfinite, found)):
+        return math.nan, math.nan, math.nan
+    first, second, third = numpy.linalg.svd(numpy.reshape(found, (3, 3)), compute_uv=False)
+    return float(first), float(second), float(third)
+
+
+def nine(matrix: Any) -> list[float]:
+    """Return the nine numbers of the same, row by row."""
+    found = [number(entry) for entry in getattr(matrix, "entries", ())]
+    return found if len(found) == 9 else [math.nan] * 9
+
+
+@dataclass(frozen=True)
+class BalanceLine:
+    """A line below a box with stones by its angle in degrees: what the engine has, what is true."""
+
+    angle: int
+    offset: float
+    left: float
+    right: float
+    message: str
+    true_left: float
+    true_right: float
+    miss: float  # m, how far it passes the centre of mass
+    torque: float  # N m, of gravity about it
+
+
+def center(stones: Sequence[Stone]) -> tuple[float, float]:
+    """Return the centre of mass of stones."""
+    total = math.fsum(mass for _, mass, _, _ in stones)
+    x = math.fsum(mass * x for _, mass, x, _ in stones) / total
+    y = math.fsum(mass * y for _, mass, _, y in stones) / total
+    return x, y
+
+
+def balance_line(stones: Sequence[Stone], angle: int) -> BalanceLine:
+    """Return what the engine has of a line by balance_offset and masses_beside, measured."""
+    a = math.radians(angle)
+    found: list[object] = []
+    message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))
+    offset, sides = found if found else (None, None)
+    off = number(offset)
+    left, right = (
+        map(number, sides) if isinstance(sides, tuple) and len(sides) == 2 else (math.nan, math.nan)
+    )
+    x, y = center(stones)
+    middle = math.cos(a) * y - math.sin(a) * x
+    arms = [(mass, math.cos(a) * y - math.sin(a) * x) for _, mass, x, y in stones]
+    return BalanceLine(
+        angle,
+        off,
+        left,
+        right,
+        message,
+        math.fsum(mass for mass, arm in arms if arm - middle > 1e-9),
+        math.fsum(mass for mass, arm in arms if arm - middle < -1e-9),
+        abs(off - middle),
+        abs(GRAVITY * math.fsum(mass * (arm - off) for mass, arm in arms)),
+    )

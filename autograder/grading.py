@@ -5,16 +5,23 @@ from __future__ import annotations
 import tempfile
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from autograder.arrange import Behind
 from autograder.faults import clean
-from autograder.given import below_and_not_given, mark_inherited, run_on_given, with_given
+from autograder.given import (
+    Run,
+    below_and_not_given,
+    is_at_hand,
+    mark_inherited,
+    run_on_given,
+    with_given,
+)
 from autograder.isolation.sandbox import Level
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
 from autograder.reports.texts import Report
 from autograder.runner import RUN_LIMIT, TIME_LIMIT, GraderError, Verdict, run_checks
 from autograder.scores import Result, results_of, total
@@ -31,7 +38,8 @@ class Assignment:
     """What a class is graded on, the same for each submission.
 
     The ``given`` chapters are the reference's, whatever is handed in; ``hidden`` is a folder of
-    further checks; ``level`` names the walls.
+    further checks; ``level`` names the walls. ``of_nothing`` keeps, by a chapter's name, the
+    verdicts on those who handed in nothing of it: they are worked out once for the class.
     """
 
     chapters: list[Chapter]
@@ -41,6 +49,7 @@ class Assignment:
     hidden: Path | None = None
     root: Path = ROOT
     time_limit: float = TIME_LIMIT
+    of_nothing: dict[str, list[Verdict]] = field(default_factory=dict, compare=False)
 
 
 def grade_submission(assignment: Assignment, submission: Submission) -> Report:
@@ -53,7 +62,7 @@ def grade_submission(assignment: Assignment, submission: Submission) -> Report:
             staged = stage(submission.path, chapters, box, assignment.root)
             notes, digest = _notes(staged, chapters, box), staged.digest
             with with_given(assignment.given, [box], assignment.root) as engine:
-                pairs = _all_results(assignment, engine, staged)
+                pairs = _all_results(assignment, engine, staged, box)
     except Exception as error:  # ours, whatever it is: the class goes on
         failed = [_errors(chapter, repr(error)) for chapter in assignment.chapters]
         pairs, notes, digest = [(results, results) for results in failed], [], ""
@@ -78,7 +87,7 @@ def digest_of(assignment: Assignment, submission: Submission) -> str:
 
 
 def _all_results(
-    assignment: Assignment, engine: list[Path], staged: Staged
+    assignment: Assignment, engine: list[Path], staged: Staged, box: Path
 ) -> list[tuple[list[Result], list[Result]]]:
     """Return the results of each chapter, on the student's own and on the reference's earlier ones.
 
@@ -104,6 +113,9 @@ def _all_results(
     for chapter in assignment.chapters:
         results = partial(results_of, chapter)
         try:
+            if _is_empty(chapter, staged, box):
+                pairs.append((results(_verdicts_of_nothing(assignment, chapter, run)),) * 2)
+                continue
             verdicts = run(chapter, engine)
         except GraderError as error:
             pairs.append((_errors(chapter, str(error)),) * 2)
@@ -117,6 +129,28 @@ def _all_results(
         own = results(mark_inherited(verdicts, again))
         pairs.append((own, results(again) if again else own))
     return pairs
+
+
+def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
+    """Say whether nothing of a chapter was handed in, be it taken or refused."""
+    refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
+    taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
+    return not (refused or taken)
+
+
+def _verdicts_of_nothing(assignment: Assignment, chapter: Chapter, run: Run) -> list[Verdict]:
+    """Return the verdicts on nothing but the reference's earlier chapters."""
+    if chapter.name not in assignment.of_nothing:
+        below = chapters_below(chapter, assignment.root)
+        at_hand = [other for other in below if is_at_hand(other, assignment.root)]
+        with tempfile.TemporaryDirectory(prefix="nothing-") as folder:
+            box, empty = Path(folder) / "box", Path(folder) / "empty"
+            box.mkdir()
+            empty.mkdir()
+            stage(empty, load_chapters(assignment.root), box, assignment.root)
+            with with_given(at_hand, [box], assignment.root) as engine:
+                assignment.of_nothing[chapter.name] = run(chapter, engine)
+    return assignment.of_nothing[chapter.name]
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:

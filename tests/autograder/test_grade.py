@@ -17,7 +17,7 @@ from autograder import cohort, grading
 from autograder.grading import Assignment, grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.runner import GraderError
+from autograder.runner import GraderError, Verdict, run_checks
 from autograder.submissions.find import Submission
 
 CHAPTER = load_chapters()[0]
@@ -160,6 +160,34 @@ def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
     assert "the disk is full" in messages(report)
     rows = (tmp_path / "out/gradebook.csv").read_text(encoding="utf-8").splitlines()
     assert rows[2].startswith('ann,"error, retry",,')
+
+
+def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    chapters = load_chapters()[:2]
+    runs = []
+
+    def counted(chapter: Chapter, *arguments: Any, **more: Any) -> list[Verdict]:
+        runs.append(chapter.number)
+        return run_checks(chapter, *arguments, **more)
+
+    monkeypatch.setattr(grading, "run_checks", counted)
+    assignment = Assignment(chapters, "1", Level())
+    for student in ("ann", "bob"):
+        shutil.copytree(ROOT / "solutions/ch02_vectors", tmp_path / student / "ch02_vectors")
+        report = grade_submission(assignment, Submission(student, tmp_path / student))
+        assert report["score"] == report["score_on_given"] == 43
+        later = [e for e in report["exercises"] if e["chapter"] == 3]
+        assert {e["status"] for e in later} == {"failed", "blocked"}
+        assert "ch03_laws_of_motion/particle.py is missing: not handed in" in messages(report)
+    assert runs == [2, 3, 2]
+    refused = tmp_path / "bob/ch03_laws_of_motion/particle.py"
+    refused.parent.mkdir()
+    refused.write_bytes(b"\xff")
+    report = grade_submission(assignment, Submission("bob", tmp_path / "bob"))
+    assert "ch03_laws_of_motion/particle.py was not taken: it is not UTF-8" in messages(report)
+    assert runs[3:5] == [2, 3]
 
 
 def test_nothing_falls_back_on_the_work_in_this_repository(tmp_path: Path) -> None:

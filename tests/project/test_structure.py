@@ -153,9 +153,10 @@ def test_the_readme_shows_what_the_sample_class_really_gets() -> None:
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     rows = re.findall(r"(?m)^ {5}(\w+) +([\d.]+)/(\d+) +([\d.]+) +(\d+)/(\d+) +graded", readme)
     assert len(rows) == 5
+    assignment = Assignment(CHAPTERS, "1", Level())
     for student, score, possible, on_given, passed, checks in rows:
         submission = Submission(student, ROOT / "sample_class" / student)
-        report = grade_submission(Assignment(CHAPTERS, "1", Level()), submission)
+        report = grade_submission(assignment, submission)
         statuses = [check["status"] for e in report["exercises"] for check in e["checks"]]
         assert (float(score), int(possible)) == (report["score"], report["points"])
         assert float(on_given) == report["score_on_given"]

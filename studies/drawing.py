@@ -44,6 +44,15 @@ def is_written(call: Callable[[], object]) -> bool:
     return True
 
 
+def stopped(act: Callable[[], object]) -> str:
+    """Act, and return what the engine says where it refuses to go on; else nothing."""
+    try:
+        act()
+    except (ArithmeticError, ValueError) as error:
+        return f"{type(error).__name__}: {error}"
+    return ""
+
+
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
     """Run scenes by their keys and leave out what ends in a stub; say so where all of them do."""
     found: dict[Key, Found] = {}

@@ -17,7 +17,16 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import integrate_rotation
 from ch09_rotations.exercises import Stone, balance_offset, masses_beside
 from ch09_rotations.quaternion import Quaternion
-from studies.drawing import Numbers, angle_between, cross, dot, is_drawable, number, numbers
+from studies.drawing import (
+    Numbers,
+    angle_between,
+    cross,
+    dot,
+    is_drawable,
+    number,
+    numbers,
+    stopped,
+)
 
 Components = tuple[float, float, float, float]
 Arrows = tuple[Numbers, Numbers, Numbers]
@@ -102,15 +111,6 @@ def off_directions(found: Arrows, wanted: Arrows) -> float:
 def largest(values: list[float]) -> float:
     """Return the largest value; NaN where there is none, or one is NaN."""
     return max(values, default=math.nan) if not any(map(math.isnan, values)) else math.nan
-
-
-def stopped(act: Callable[[], object]) -> str:
-    """Act, and return what the engine says where it refuses to go on; else nothing."""
-    try:
-        act()
-    except (ArithmeticError, ValueError) as error:
-        return f"{type(error).__name__}: {error}"
-    return ""
 
 
 # A thin disc that is thrown up and turns freely: its axis, TILT from the vertical, goes round that

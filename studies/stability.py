@@ -30,7 +30,7 @@ from ch06_springs.integrators import (
 )
 from ch06_springs.penalty import PenaltyGround
 from ch06_springs.springs import FakeStiffSpring
-from studies.drawing import number, numbers
+from studies.drawing import number, numbers, stopped
 
 Solver = Callable[[float, float, float, float, float, float], tuple[float, float]]
 
@@ -96,15 +96,6 @@ def watching(integrator: Integrator, limit: float) -> Integrator:
     except NotImplementedError:
         return integrator
     return step if callable(step) else integrator
-
-
-def stopped(act: Callable[[], object]) -> str:
-    """Act, and return what the engine says where that explodes; else nothing."""
-    try:
-        act()
-    except (ArithmeticError, ValueError) as error:
-        return f"{type(error).__name__}: {error}"
-    return ""
 
 
 def swing(

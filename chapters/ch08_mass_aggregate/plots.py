@@ -35,6 +35,7 @@ from studies.drawing import (
     Numbers,
     Picture,
     numbers,
+    stopped,
     tell,
     written,
 )
@@ -61,7 +62,6 @@ from studies.ropes import (
     hang_by_rods,
     polygon_sag,
 )
-from studies.stability import stopped
 
 SETTLED = 10.0  # s: from when on scenes are to rest
 STEADY = 0.1  # %: by how much the energy of what rests may vary

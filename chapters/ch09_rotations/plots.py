@@ -39,6 +39,7 @@ from studies.drawing import (
     is_drawable,
     is_written,
     slope,
+    stopped,
     tell,
 )
 from studies.rotations import (
@@ -62,7 +63,6 @@ from studies.rotations import (
     off_directions,
     off_right_angles,
     off_unit_length,
-    stopped,
     throw_disc,
 )
 

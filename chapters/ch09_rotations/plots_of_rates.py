@@ -26,6 +26,7 @@ from studies.drawing import (
     number,
     numbers,
     slope,
+    stopped,
     tell,
     written,
 )
@@ -44,7 +45,6 @@ from studies.rotations import (
     singular_values,
     steady_orientation,
     steady_velocity,
-    stopped,
     turn_by_steps,
     worst_axis,
 )

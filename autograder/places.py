@@ -27,10 +27,14 @@ OPERATORS = {  # as the calls of checks have them
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
     """Return where to go: the line that the message names, or the body that the check called.
 
-    A line does not count where it lies in a body of another exercise, which may well be right.
+    A line does not count where it lies in a body of another exercise, which may well be right. A
+    check of the student's own data leads to its file.
     """
     told = re.search(r"(?m)^where +(ch\d\d_\w+)/(\w+\.py), line (\d+)", failed.message)
     called = re.search(r"(?m)^called +(.*)", failed.message)
+    data = [name for name in exercise.files if called and name in called[1]]
+    if data and not (told and told[2] in chapter.edited_files):
+        return str(_file(engine, chapter.name, data[0]))
     if told:
         body = _body_at(engine, told[1], told[2], int(told[3]))
         others = {name for other in chapter.exercises for name in other.edit} - {*exercise.edit}

@@ -354,7 +354,8 @@ def _mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
         needs = [need for need in chapter.exercise(verdict.exercise).needs if need in failing]
         if needs and verdict.status == "failed":
             titles = ", ".join(f"{need} ({chapter.exercise(need).title})" for need in needs)
-            message = f"blocked until {titles} passes\n{verdict.message}"
+            verb = "pass" if len(needs) > 1 else "passes"
+            message = f"blocked until {titles} {verb}\n{verdict.message}"
             verdict = replace(verdict, status="blocked", message=message)
         marked.append(verdict)
     return marked

@@ -24,9 +24,10 @@ def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
 def rate_map(x: float, y: float, z: float) -> Matrix3:
     """Return the matrix that takes the rates of the three angles to the angular velocity.
 
-    It depends on the angles. The rates are the components of a Vector3, in rad/s; the angular
-    velocity is in axes of the world. Each column is the axis that its angle turns about: Z itself,
-    Y as the turn about Z has left it, X as the turns about Y and then Z have.
+    It depends on y and z; x is looked at all the same, and refused where it is none. The rates are
+    the components of a Vector3, in rad/s; the angular velocity is in axes of the world. Each column
+    is the axis that its angle turns about: Z itself, Y as the turn about Z has left it, X as the
+    turns about Y and then Z have.
     """
     raise NotImplementedError("Exercise B9.17: Three angles, and where they fail")
 
@@ -38,6 +39,6 @@ def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vect
 
     Raises ValueError in gimbal lock, where |cos y|, the determinant of the rate map, is not above
     SINGULAR of matrix.py: no rates make a turn about the axis that is lost. Close to it they are as
-    large as you like.
+    large as you like. Matrix3.inverse cannot tell, where the lengths of the rows shrink as well.
     """
     raise NotImplementedError("Exercise B9.17: Three angles, and where they fail")

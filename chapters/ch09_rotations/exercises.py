@@ -141,4 +141,5 @@ def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
 
 
 def _quaternion(name: str, q: Quaternion) -> None:
+    """Refuse what is no Quaternion."""
     raise NotImplementedError("Exercise 9.2: One turn back to the reference")

@@ -4,7 +4,7 @@ A vector is a column and stands on the right: ``m @ v``; ``a @ b`` is b first an
 are not changed once they are made: every method returns a new one.
 
 Raises TypeError for what is no Vector3, no Quaternion or no matrix of the same size where one is
-wanted.
+wanted. Of vectors only the type is looked at: any components will do.
 """
 
 from __future__ import annotations

@@ -19,7 +19,7 @@ def wrap_angle(angle: float) -> float:
 
     Raises ValueError where the angle is not finite, TypeError where it is no number.
     """
-    raise NotImplementedError("Exercise B9.1: Angles and directions in the plane")
+    raise NotImplementedError("Exercise B9.1: An angle and its whole turns")
 
 
 def angle_to_vector(angle: float) -> Point:
@@ -27,7 +27,7 @@ def angle_to_vector(angle: float) -> Point:
 
     Raises ValueError where the angle is not finite, TypeError where it is no number.
     """
-    raise NotImplementedError("Exercise B9.1: Angles and directions in the plane")
+    raise NotImplementedError("Exercise B9.2: A direction, and a point of an object, in the plane")
 
 
 def rotate_point(point: Point, angle: float, origin: Point) -> Point:
@@ -42,7 +42,7 @@ def rotate_point(point: Point, angle: float, origin: Point) -> Point:
 
     Raises ValueError where a number is not finite, TypeError where one is no number.
     """
-    raise NotImplementedError("Exercise B9.2: A point of an object in the plane")
+    raise NotImplementedError("Exercise B9.2: A direction, and a point of an object, in the plane")
 
 
 def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point:

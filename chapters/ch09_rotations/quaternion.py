@@ -4,7 +4,8 @@ A quaternion of length 1 stands for an orientation: a turn by ``angle`` about ``
 (cos(angle/2), axis sin(angle/2)), and q and -q are the same one. Turns are right-handed and, as the
 book has them, about axes of the world: ``b * a`` is a first and then b.
 
-Raises TypeError for what is no number, no Vector3 or no Quaternion where one is wanted.
+Raises TypeError for what is no number, no Vector3 or no Quaternion where one is wanted. Of a vector
+that is turned only the type is looked at: any components will do.
 """
 
 from __future__ import annotations
@@ -111,8 +112,8 @@ class Quaternion:
         """Turn on by a scaled axis, in place: about its direction, by its length in radians.
 
         The axis is one of the world. This is exp((0, vector)/2) times q, of which Eq. 9.9 is the
-        first order; the listing multiplies by (0, vector) instead, from the wrong side (E-12).
-        Zero leaves the quaternion as it was.
+        first order. The listing multiplies by (0, vector) itself, which is no turn, on the wrong
+        side (E-12). Zero leaves the quaternion as it was.
 
         Raises ValueError where the vector is not finite.
         """

@@ -1,7 +1,8 @@
 """Read the stones in a box for exercise 9.7, from a CSV file with a line for each.
 
 Its columns are what, mass, x and y: a name, the mass in kg, and where the stone's middle is, in m
-from the left and from the front side of the box. The empty box has a line of its own.
+from the left and from the front side of the box. At least three stones, and the empty box, have a
+line each.
 """
 
 from __future__ import annotations

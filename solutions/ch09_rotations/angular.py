@@ -40,7 +40,7 @@ def integrate_rotation(
     normalised, so that rounding does not add up. angular_acceleration in rad/s^2, duration in s.
 
     Raises ValueError where the duration is not positive and finite, or a component of the two
-    vectors not finite, and then changes nothing.
+    vectors not finite. What is refused, with TypeError too, changes nothing.
     """
     positive("duration", duration)
     if not isinstance(orientation, Quaternion):
@@ -59,7 +59,8 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
     An orientation of length 1 turns about one axis, by angular_speed in rad/s for duration in s, in
     so many equal steps of ``Quaternion.add_scaled``, and is not normalised. The length is what its
     1 has become; the angle, in radians, is angular_speed times duration less what it has really
-    turned by. Normalising would mend the length (E-31) and leave the angle as it is.
+    turned by, negative for a negative speed. Normalising would mend the length (E-31) and leave the
+    angle as it is.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)

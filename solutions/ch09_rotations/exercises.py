@@ -183,5 +183,6 @@ def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
 
 
 def _quaternion(name: str, q: Quaternion) -> None:
+    """Refuse what is no Quaternion."""
     if not isinstance(q, Quaternion):
         raise TypeError(f"{name} must be a Quaternion, got {q!r}")

@@ -40,12 +40,16 @@ def test_half_a_turn_is_pi_and_not_minus_pi() -> None:
 
 
 @pytest.mark.exercise("B9.1", weight=0.5)
-def test_no_angle_is_no_direction() -> None:
+def test_what_is_no_angle_is_not_wrapped() -> None:
     expect_finite_numbers("wrap_angle", wrap_angle, (1,), (), read=WRAP)
+
+
+@pytest.mark.exercise("B9.2", weight=0.5)
+def test_no_angle_is_no_direction() -> None:
     expect_finite_numbers("angle_to_vector", angle_to_vector, (1,), (), read="book 9.1.1, Eq. 9.1")
 
 
-@pytest.mark.exercise("B9.1")
+@pytest.mark.exercise("B9.2")
 def test_the_direction_of_an_angle(rng: Random) -> None:
     read = "book 9.1.1, Eq. 9.1"
     cause = "the cosine along X, the sine along Y, of an angle in radians"

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from autograder.manifest import Chapter, load_chapters
+from autograder.manifest import Chapter, chapters_below, load_chapters
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> dict[str, Any]:
     """Put what is needed into a folder of our own, and return where everything is."""
-    chapters = [c for c in load_chapters(root) if c.number <= chapter.number]
+    chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return {
         "root": str(root_of_checks(folder, root, behind)),
@@ -38,7 +38,7 @@ def arrange(
         # Below root, since pytest takes no path with brackets.
         "tests": [f"tests/{chapter.name}", *hidden],
         "known": [exercise.id for exercise in chapter.exercises],
-        "modules": _modules(chapter, chapters, engine),
+        "modules": _modules(chapter, chapters, engine, root),
         "complete": [f"{c.name}/{file}" for c in chapters for file in c.complete],
         "worker": _worker(folder, chapter, root, behind),
     }
@@ -86,13 +86,15 @@ def _worker(
     }
 
 
-def _modules(chapter: Chapter, chapters: list[Chapter], engine: list[Path]) -> list[str]:
+def _modules(
+    chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
+) -> list[str]:
     """Return the modules to import before the checks do, so that a bad one stops no other.
 
     Chapters below that have no manifest here, as in some hand-outs, are taken as they are.
     """
     files = {c.name: c.edited_files for c in chapters}
-    listed = set(files)
+    listed = {c.name for c in load_chapters(root)}
     for file in sorted(f for folder in engine for f in folder.glob("ch??_*/*.py")):
         name, drawing = file.parent.name, file.name.startswith(("plots", "demos"))
         if name < chapter.name and name not in listed and not drawing:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+import threading
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -13,7 +14,6 @@ from typing import Any
 from autograder.arrange import Behind
 from autograder.faults import clean
 from autograder.given import (
-    Run,
     below_and_not_given,
     is_at_hand,
     mark_inherited,
@@ -31,6 +31,9 @@ from autograder.submissions.stage import Staged, stage
 SUBMISSION_LIMIT = 300.0  # seconds for all the chapters of a submission, which take about two each
 
 LEAST_TIME = 10.0  # seconds for a chapter, even then: its checks must be able to begin
+
+
+_ONE_AT_A_TIME = threading.Lock()  # what the threads of a class share is worked out by one
 
 
 @dataclass(frozen=True)
@@ -114,7 +117,7 @@ def _all_results(
         results = partial(results_of, chapter)
         try:
             if _is_empty(chapter, staged, box):
-                pairs.append((results(_verdicts_of_nothing(assignment, chapter, run)),) * 2)
+                pairs.append((results(_verdicts_of_nothing(assignment, chapter)),) * 2)
                 continue
             verdicts = run(chapter, engine)
         except GraderError as error:
@@ -138,19 +141,31 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
     return not (refused or taken)
 
 
-def _verdicts_of_nothing(assignment: Assignment, chapter: Chapter, run: Run) -> list[Verdict]:
+def _verdicts_of_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
     """Return the verdicts on nothing but the reference's earlier chapters."""
-    if chapter.name not in assignment.of_nothing:
-        below = chapters_below(chapter, assignment.root)
-        at_hand = [other for other in below if is_at_hand(other, assignment.root)]
-        with tempfile.TemporaryDirectory(prefix="nothing-") as folder:
-            box, empty = Path(folder) / "box", Path(folder) / "empty"
-            box.mkdir()
-            empty.mkdir()
-            stage(empty, load_chapters(assignment.root), box, assignment.root)
-            with with_given(at_hand, [box], assignment.root) as engine:
-                assignment.of_nothing[chapter.name] = run(chapter, engine)
-    return assignment.of_nothing[chapter.name]
+    with _ONE_AT_A_TIME:
+        if chapter.name not in assignment.of_nothing:
+            assignment.of_nothing[chapter.name] = _run_on_nothing(assignment, chapter)
+        return assignment.of_nothing[chapter.name]
+
+
+def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
+    below = chapters_below(chapter, assignment.root)
+    at_hand = [other for other in below if is_at_hand(other, assignment.root)]
+    with tempfile.TemporaryDirectory(prefix="nothing-") as folder:
+        box, empty = Path(folder) / "box", Path(folder) / "empty"
+        box.mkdir()
+        empty.mkdir()
+        stage(empty, load_chapters(assignment.root), box, assignment.root)
+        with with_given(at_hand, [box], assignment.root) as engine:
+            return run_checks(
+                chapter,
+                engine,
+                seed=assignment.seed,
+                root=assignment.root,
+                time_limit=assignment.time_limit,
+                behind=Behind(vars(assignment.level), hidden=assignment.hidden),
+            )
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:

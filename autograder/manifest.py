@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from dataclasses import dataclass, field, fields
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -72,14 +73,19 @@ class Chapter:
 def load_chapter(folder: Path) -> Chapter:
     """Read the manifest in a chapter's folder. Raises ValueError that names what is wrong."""
     path = folder / "chapter.toml"
+    return _read_chapter(path, path.read_text(encoding="utf-8"))
+
+
+@cache  # a run of the checks reads every manifest, and a grading makes hundreds of runs
+def _read_chapter(path: Path, text: str) -> Chapter:
+    folder = path.parent
     match = FOLDER_NAME.fullmatch(folder.name)
     if match is None:
         raise ValueError(f"{folder}: a chapter's folder is called chNN_name")
-    with path.open("rb") as file:
-        try:
-            data = tomllib.load(file)
-        except tomllib.TOMLDecodeError as error:
-            raise ValueError(f"{path}: {error}") from error
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise ValueError(f"{path}: {error}") from error
     exercises = [_exercise(path, entry) for entry in data.get("exercise", [])]
     chapter = Chapter(
         folder.name,

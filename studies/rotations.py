@@ -203,9 +203,8 @@ STEADY = (TAU * 2.0 / 3.0, -TAU / 3.0, TAU * 2.0 / 3.0)
 CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
 
 
-def steady_velocity(time: float) -> Numbers:
+def steady_velocity(_: float) -> Numbers:
     """Return the angular velocity of the steady turn, at any time."""
-    del time
     return STEADY
 
 

@@ -18,7 +18,10 @@ from typing import Any
 # Right answers worked out in another order differ by a few roundings, some 1e-16 of the numbers
 # involved. A thousand times that still leaves no room for a wrong formula.
 ROUNDING = 1e-13
-NAN = "NaN compares false with everything: ask for what is wanted, and refuse the rest"
+NAN = (
+    "nobody refuses it, as the functions of arguments.py do, or a comparison lets it through: NaN "
+    "compares false with everything"
+)
 
 
 class NoVector:
@@ -99,7 +102,7 @@ def expect_unchanged(
     now: Sequence[float],
     before: Sequence[float],
     *,
-    cause: str = "the call must not change it: work on a new vector, or on numbers",
+    cause: str = "the call must not change it: work on a copy, or on numbers",
     read: str,
 ) -> None:
     """Expect a vector that a call only reads to be what it was before."""

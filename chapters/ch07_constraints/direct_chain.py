@@ -20,8 +20,8 @@ class DirectChain:
     """A chain of rods from an anchor through particles, in their order, that makes their steps.
 
     Each rod keeps the length in m that it has when the chain is made. The last of several
-    particles may be immovable: it holds the other end. ValueError where a rod has no length, or another particle is
-    immovable.
+    particles may be immovable: it holds the other end. ValueError where a rod has no length, or
+    another particle is immovable.
     """
 
     def __init__(self, particles: Sequence[Particle], anchor: Vector3) -> None:

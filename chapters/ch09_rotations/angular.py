@@ -1,4 +1,4 @@
-"""What turns: angular velocity and acceleration, and the step of an orientation (9.4.10, 9.5).
+"""What turns: angular velocity and acceleration, and the step of an orientation (book 9.3, 9.4.11).
 
 Angular velocities are vectors in axes of the world, in rad/s: their direction is the axis, and
 their length how fast. Raises TypeError for what is no number, no Vector3 or no Quaternion.
@@ -32,7 +32,8 @@ def integrate_rotation(
     """Move an orientation and an angular velocity on by one step, in place: semi-implicit Euler.
 
     The angular velocity first, by w' = w + alpha h; then the orientation turns by w' h, and is
-    normalised, so that rounding does not add up. angular_acceleration in rad/s^2, duration in s.
+    normalised, so that its length stays 1 whatever the roundings. angular_acceleration in rad/s^2,
+    duration in s. Of the first order where the axis moves.
 
     Raises ValueError where the duration is not positive and finite, or a component of the two
     vectors not finite. What is refused, with TypeError too, changes nothing.
@@ -54,6 +55,7 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
     (1.0856, 0.3284)
 
     Raises ValueError where angular_speed is not finite, duration not positive and finite, steps not
-    1 or more; TypeError where steps is no whole number.
+    1 or more; OverflowError where the length is too large for a float; TypeError where steps is no
+    whole number.
     """
     raise NotImplementedError("Exercise B9.19: What Eq. 9.5 gets wrong")

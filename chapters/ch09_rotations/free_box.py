@@ -2,8 +2,8 @@
 
 Nothing acts on it, so its angular momentum stays as it is; its angular velocity does not. A body
 has three principal axes, about each of which it has a moment of inertia of its own. Spun about the
-axis of the largest or of the smallest it goes on doing so; spun about the one between it turns
-over, again and again, as a book does that is thrown up.
+axis of the largest or of the smallest it goes on doing so; spun about the one between, it turns
+over again and again as soon as anything disturbs it, as a book does that is thrown up.
 """
 
 from __future__ import annotations
@@ -18,9 +18,10 @@ X, Y, Z = Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)  # its princip
 class FreeBox:
     """A box with sides along X, Y and Z of its own, that turns about its middle.
 
-    mass in kg, sides in m, angular_velocity in rad/s; its axes start as the world's, so that the
-    velocity is told in both. Attributes: ``orientation``; ``inertia``, the moments about the three
-    principal axes in kg m^2; ``angular_momentum`` in kg m^2/s, in axes of the world.
+    mass in kg, sides in m, angular_velocity in rad/s. Its axes start as the world's, so that the
+    velocity has the same components in both. Attributes: ``orientation``; ``inertia``, the moments
+    about the three principal axes in kg m^2; ``angular_momentum`` in kg m^2/s, in axes of the
+    world.
 
     Raises ValueError where a mass or side is not positive and finite, or a component not finite;
     TypeError for what is no number or no Vector3.

@@ -112,7 +112,7 @@ def drift_of_first_order() -> Picture:
 
 
 def gimbal_lock() -> Picture:
-    """How the map of the Euler rates loses a direction as y comes to 90 degrees, and what rates."""
+    """How the map of the Euler rates loses a direction near 90 degrees, and how the rates grow."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     x, z = 0.4, 1.1  # rad: these two make no difference
     degrees = range(-90, 91, 3)
@@ -190,8 +190,8 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
         off = [abs(drift - error) for drift, error in zip(drifts, bare, strict=True)]
         lines[-1] += _of_drift(off, "°")
     axes.set_title("\n".join(lines), fontsize=11)
-    axes.set(xlabel="step h, s", ylabel="angle off the closed form, degrees", ylim=(FLOOR, 1e9))
-    axes.legend(fontsize=8.5, loc="upper left")
+    axes.set(xlabel="step h, s", ylabel="angle off the closed form, degrees", ylim=(FLOOR, 1e3))
+    axes.legend(fontsize=8.5, loc="center", bbox_to_anchor=(0.5, 0.4))
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:

@@ -19,7 +19,7 @@ COLUMNS = ("what", "mass", "x", "y")
 def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
     """Return the stones in a file, in its order; empty lines are left out.
 
-    Raises ValueError that names the line which is not a name and three numbers, or has no mass.
+    Raises ValueError for another first line, and for one that is no name, mass and place: by number.
     """
     stones = []
     with path.open(encoding="utf-8-sig", newline="") as file:
@@ -29,7 +29,7 @@ def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
         for row in filter(None, rows):
             try:
                 what, (mass, x, y) = row[0], map(float, row[1:])
-                if not (0.0 < mass < math.inf and math.isfinite(x) and math.isfinite(y)):
+                if not (what.strip() and 0.0 < mass < math.inf and math.isfinite(x + y)):
                     raise ValueError
             except ValueError:
                 where = f"{path.name}, line {rows.line_num}"

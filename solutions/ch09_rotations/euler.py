@@ -1,7 +1,7 @@
 """Three angles for an orientation, for input only (book 9.2.1), and where they fail.
 
 The angles are turns in radians about axes of the world: by x about X first, then by y about Y, then
-by z about Z. Every orientation can be told so (E-33). But where y is a quarter turn, X has been
+by z about Z. Every orientation can be reached so (E-33). But where y is a quarter turn, X has been
 turned onto Z or its opposite: the first turn and the last are then about one axis, and two of the
 three angles do the work of one. That is gimbal lock, and why an engine keeps a quaternion.
 
@@ -30,8 +30,8 @@ def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
 def rate_map(x: float, y: float, z: float) -> Matrix3:
     """Return the matrix that takes the rates of the three angles to the angular velocity.
 
-    It depends on y and z; x is looked at all the same, and refused where it is none. The rates are
-    the components of a Vector3, in rad/s; the angular velocity is in axes of the world. Each column
+    It depends on y and z; x has no part in it, but must be a finite number too. The rates are the
+    components of a Vector3, in rad/s; the angular velocity is in axes of the world. Each column
     is the axis that its angle turns about: Z itself, Y as the turn about Z has left it, X as the
     turns about Y and then Z have.
     """
@@ -52,7 +52,8 @@ def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vect
 
     Raises ValueError in gimbal lock, where |cos y|, the determinant of the rate map, is not above
     SINGULAR of matrix.py: no rates make a turn about the axis that is lost. Close to it they are as
-    large as you like. Matrix3.inverse cannot tell, where the lengths of the rows shrink as well.
+    large as you like. Matrix3.inverse alone would not refuse all of these: at z = 0, say, a row of
+    the map is as short as the determinant is small.
     """
     velocity = finite_vector("angular_velocity", angular_velocity)
     rates = rate_map(x, y, z)

@@ -1,4 +1,4 @@
-"""Matrices that turn, scale and move vectors (book 9.2.3, 9.4.1 to 9.4.4).
+"""Matrices that turn, scale and move vectors (book 9.2.3, 9.4.1 to 9.4.6).
 
 A vector is a column and stands on the right: ``m @ v``; ``a @ b`` is b first and then a. Matrices
 are not changed once they are made: every method returns a new one.
@@ -20,7 +20,7 @@ from ch09_rotations.quaternion import Quaternion
 SINGULAR = 1e-13
 
 # How far the products of a rotation's rows may be from 1 and 0: a quaternion that just passes for
-# one of length 1 makes them 4e-6.
+# one of length 1 makes them 8e-6, in a half-turn.
 ROTATION_TOLERANCE = 1e-5
 
 M = TypeVar("M", "Matrix3", "Matrix4")
@@ -70,7 +70,7 @@ class Matrix3:
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return m v, as new; also written m @ v (9.4.1)."""
+        """Return m v, as new; also written m @ v (9.4.2)."""
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         x, y, z = v.x, v.y, v.z
@@ -78,7 +78,7 @@ class Matrix3:
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
+        """Return this matrix times m: m first, then this one; also written @ (9.4.2)."""
         if not isinstance(m, Matrix3):
             raise TypeError(f"m must be a Matrix3, got {m!r}")
         a, b, c, d, e, f, g, h, i = self.entries
@@ -90,17 +90,17 @@ class Matrix3:
         )
 
     def transpose(self) -> Matrix3:
-        """Return the matrix whose rows are the columns of this one: a rotation turned back."""
+        """Return the matrix whose rows are the columns here: a rotation turned back (9.4.3)."""
         a, b, c, d, e, f, g, h, i = self.entries
         return Matrix3(a, d, g, b, e, h, c, f, i)
 
     def determinant(self) -> float:
-        """Return the volume that a unit cube comes to have, negative where mirrored (9.4.2)."""
+        """Return the volume that a unit cube comes to have, negative where mirrored (9.4.3)."""
         first, second, third = _rows(self)
         return first.dot(second.cross(third))
 
     def inverse(self) -> Matrix3:
-        """Return the matrix that undoes this one (9.4.2).
+        """Return the matrix that undoes this one (9.4.3).
 
         Raises ValueError, with the determinant and what it was compared with, where no matrix
         does, or nearly so: where |determinant| is not above SINGULAR, 1e-13, of the product of the
@@ -219,7 +219,7 @@ class Matrix4:
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return where a point is taken, as new: turned, then moved; also written m @ v (9.4.1)."""
+        """Return where a point is taken, as new: turned, then moved; also written m @ v (9.4.2)."""
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         x, y, z = v.x, v.y, v.z
@@ -229,7 +229,7 @@ class Matrix4:
         )
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
+        """Return this matrix times m: m first, then this one; also written @ (9.4.2)."""
         if not isinstance(m, Matrix4):
             raise TypeError(f"m must be a Matrix4, got {m!r}")
         linear = _linear(self).product(_linear(m))
@@ -264,7 +264,7 @@ class Matrix4:
     def transform_inverse(self, v: Vector3) -> Vector3:
         """Return what transform() takes to v, without the inverse: moved back, then turned back.
 
-        Right only for a rotation and a translation: it turns back by the transpose (9.4.6).
+        Right only for a rotation and a translation: it turns back by the transpose (9.4.5).
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -273,7 +273,7 @@ class Matrix4:
         return Vector3(a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
 
     def transform_direction(self, v: Vector3) -> Vector3:
-        """Return a direction turned, as new: the translation has no part in it (9.4.6)."""
+        """Return a direction turned, as new: the translation has no part in it (9.4.5)."""
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         x, y, z = v.x, v.y, v.z
@@ -290,10 +290,10 @@ class Matrix4:
 
 
 def change_basis(m: M, basis: M) -> M:
-    """Return what m does, as it is told in other axes: basis m basis^-1 (9.4.6).
+    """Return m expressed in other axes: basis m basis^-1 (9.4.6).
 
-    ``m`` is told in one set of axes; ``basis`` takes coordinates in those to coordinates in the
-    others, and both are of one size.
+    ``m`` is expressed in one set of axes; ``basis`` takes coordinates in those to coordinates in
+    the others; both are of one size.
 
     Raises ValueError where the basis has no inverse, TypeError where the two are not matrices of
     one size.

@@ -1,7 +1,7 @@
 """Angles, directions and points in the plane, and the centre of mass (book 9.1).
 
 A point or direction is a tuple (x, y). Angles are in radians and counter-clockwise, from the X axis
-towards the Y axis.
+towards the Y axis. None of these functions changes what it is given.
 """
 
 from __future__ import annotations

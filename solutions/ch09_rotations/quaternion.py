@@ -1,4 +1,4 @@
-"""Orientations in space as quaternions (book 9.2.4 and 9.4.5 to 9.4.10).
+"""Orientations in space as quaternions (book 9.2.4 and 9.4.7 to 9.4.11).
 
 A quaternion of length 1 stands for an orientation: a turn by ``angle`` about ``axis`` is
 (cos(angle/2), axis sin(angle/2)), and q and -q are the same one. Turns are right-handed and, as the
@@ -17,7 +17,7 @@ from ch02_vectors.arguments import finite, finite_vector
 from ch02_vectors.vector import Vector3
 
 # How far a length may be from 1 for a quaternion that must be of length 1: rounding stays far below
-# that, a step that was not normalised after does not.
+# that, steps of Eq. 9.5 that are not normalised do not for long.
 UNIT_TOLERANCE = 1e-6
 
 
@@ -71,7 +71,7 @@ class Quaternion:
         return abs(self.magnitude() - 1.0) <= UNIT_TOLERANCE
 
     def normalize(self) -> None:
-        """Make the length 1 and keep the proportions, in place; zero becomes (1, 0, 0, 0) (9.4.7).
+        """Make the length 1 and keep the proportions, in place; zero becomes (1, 0, 0, 0) (9.4.8).
 
         Right for components as large as 1e200 and as small as 1e-200 too.
         """
@@ -89,7 +89,7 @@ class Quaternion:
         return Quaternion(self.r, -self.i, -self.j, -self.k)
 
     def __mul__(self, q: Quaternion) -> Quaternion:
-        """Return the product, as new: the turn of q and then this one (9.4.8)."""
+        """Return the product, as new: the turn of q and then this one (9.4.9)."""
         if not isinstance(q, Quaternion):
             return NotImplemented
         return Quaternion(

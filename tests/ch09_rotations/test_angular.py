@@ -53,6 +53,11 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     names = ("point", "position", "velocity", "angular_velocity")
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
         expect_unchanged(call, name, xyz(now), before, read=read)
+    call = f"v = Vector3{v}; velocity_of_point(q, p, v, Vector3(0, 0, 0)), which is inverted; v"
+    cause = "a new vector, where nothing turns too"
+    same = velocity_of_point(*given[:3], Vector3())
+    same.invert()
+    expect_unchanged(call, "v", xyz(given[2]), v, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B9.18", weight=0.5)
@@ -86,12 +91,14 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     h = positive_number(rng, 0.05, 0.2)
     orientation, velocity, acceleration = Quaternion(*q), Vector3(*w), Vector3(*a)
     call = f"q, w = Quaternion{q}, Vector3{w}; integrate_rotation(q, w, Vector3{a}, {h}); "
+    cause = "w' = w + alpha h, in place"
     returned = integrate_rotation(orientation, velocity, acceleration, h)
     new = tuple(p + h * r for p, r in zip(w, a, strict=True))
-    cause = "w' = w + alpha h, in place"
     expect_close(f"{call}w", xyz(velocity), new, cause=cause, read=read, tolerance=TIGHT)
     wanted = hamilton(quad(new, h * math.hypot(*new)), q)
-    cause = "turn by the new angular velocity times h, by the exponential, about axes of the world"
+    cause = (
+        "first w' = w + alpha h, then turn by w' h with rotate_by: not by the old w, not by Eq. 9.5"
+    )
     got = same_sign(rijk(orientation), wanted)
     expect_close(f"{call}q", got, wanted, cause=cause, read=read, tolerance=TIGHT)
     expect_unchanged(call, "the acceleration", xyz(acceleration), a, read=read)
@@ -124,13 +131,31 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
 @pytest.mark.exercise("B9.18")
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
     read = STEP
-    q = tuple(1.001 * component for component in draw_quad(rng))
-    orientation = Quaternion(*q)
-    call = f"q = Quaternion{q}; integrate_rotation(q, w, alpha, 0.1); the length of q"
     cause = "normalise at the end of the step, so that nothing adds up"
-    integrate_rotation(orientation, Vector3(1.0, 2.0, 3.0), Vector3(), 0.1)
-    got = math.hypot(*rijk(orientation))
-    expect_close(call, got, 1.0, cause=cause, read=read, tolerance=TIGHT)
+    for off in (1.001, 1.0 + 5e-7):
+        q = tuple(off * component for component in draw_quad(rng))
+        orientation = Quaternion(*q)
+        call = f"q = Quaternion{q}; integrate_rotation(q, w, alpha, 0.1); the length of q"
+        integrate_rotation(orientation, Vector3(1.0, 2.0, 3.0), Vector3(), 0.1)
+        got = math.hypot(*rijk(orientation))
+        expect_close(call, got, 1.0, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.18", weight=0.5)
+def test_a_step_from_rest(rng: Random) -> None:
+    read = STEP
+    q, a, h = draw_quad(rng), components(rng), 0.1
+    for acceleration in ((0.0, 0.0, 0.0), a):
+        orientation, velocity = Quaternion(*q), Vector3()
+        call = f"q, w = Quaternion{q}, Vector3(); "
+        call += f"integrate_rotation(q, w, Vector3{acceleration}, {h}); "
+        cause = "what does not turn has no axis, and is left where it is; what gains speed turns"
+        integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
+        new = tuple(h * component for component in acceleration)
+        expect_close(f"{call}w", xyz(velocity), new, cause=cause, read=read, tolerance=TIGHT)
+        wanted = hamilton(quad(new, h * math.hypot(*new)), q) if any(new) else q
+        got = same_sign(rijk(orientation), wanted)
+        expect_close(f"{call}q", got, wanted, cause=cause, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.18", weight=0.5)
@@ -146,6 +171,7 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
         (w, a, math.inf, ValueError),
         (w, a, "0.1", TypeError),
         ((nan, 0.0, 1.0), a, 0.1, ValueError),
+        ((0.0, math.inf, 1.0), a, 0.1, ValueError),
         (w, (nan, 0.0, 1.0), 0.1, ValueError),
         (w, (0.0, math.inf, 1.0), 0.1, ValueError),
         (w, None, 0.1, TypeError),
@@ -178,6 +204,23 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
         read=read,
     )
     expect_unchanged(call, "the velocity", xyz(spin), w, cause=cause, read=read)
+    for name, velocity, acceleration in (
+        (f"{w}, Vector3{a}", w, Vector3(*a)),
+        (f"Vector3{w}, {a}", Vector3(*w), a),
+    ):
+        orientation = Quaternion(*q)
+        call = f"integrate_rotation(q, {name}, 0.1)"
+        expect_error(
+            call,
+            lambda orientation=orientation, velocity=velocity, acceleration=acceleration: (
+                integrate_rotation(orientation, velocity, acceleration, 0.1)
+            ),
+            TypeError,
+            allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
+            cause="three numbers are no Vector3: finite_vector of arguments.py refuses them",
+            read=read,
+        )
+        expect_unchanged(call, "q", rijk(orientation), q, cause=cause, read=read)
 
 
 def drift_of(speed: float, duration: float, count: int) -> tuple[float, float]:
@@ -207,12 +250,12 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
 @pytest.mark.exercise("B9.19")
 def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
     read = DRIFT
-    for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (500, 20.0, 30.0)):
-        speed, duration = number(rng, low, high), positive_number(rng, 0.5, 1.5)
+    for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (7, -9.0, -3.0), (500, 20.0, 30.0)):
+        speed, duration = positive_number(rng, low, high), positive_number(rng, 0.5, 1.5)
         call = f"first_order_drift({speed}, {duration}, {steps_})"
+        cause = "the steps multiply: (1 + (w h / 2)^2) to the power of half as many as there are"
         length, lag = first_order_drift(speed, duration, steps_)
         wanted, missing = drift_of(speed, duration, steps_)
-        cause = "the steps multiply: (1 + (w h / 2)^2) to the power of half as many as there are"
         # Rounding of 500 steps.
         near = 1e-10 * wanted
         expect_close(f"{call}, length", length, wanted, cause=cause, read=read, tolerance=near)

@@ -58,10 +58,11 @@ def map_of(_x: float, y: float, z: float) -> tuple[float, ...]:
 def test_one_turn_after_another(rng: Random) -> None:
     read = ANGLES
     x, y, z = draw_angles(rng)
+    far = math.copysign(math.pi - abs(y), y)
     cause = (
         "about X first, then Y, then Z, all axes of the world: the later turn stands on the left"
     )
-    for angles in ((x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z), (x, y, z)):
+    for angles in ((x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z), (x, y, z), (x, far, z)):
         call = f"euler_to_quaternion{angles}"
         wanted = in_order(*angles)
         got = same_sign(rijk(euler_to_quaternion(*angles)), wanted)
@@ -71,7 +72,9 @@ def test_one_turn_after_another(rng: Random) -> None:
 @pytest.mark.exercise("B9.17")
 def test_what_the_rates_make(rng: Random) -> None:
     read = RATES
-    for x, y, z in (draw_angles(rng), (0.4, 0.5 * math.pi, -0.7)):
+    drawn, (_, tilt, _) = draw_angles(rng), draw_angles(rng)
+    steep = (0.4, math.pi - tilt, -1.9)
+    for x, y, z in (drawn, tuple(-a for a in drawn), steep, (0.4, 0.5 * math.pi, -0.7)):
         wanted = map_of(x, y, z)
         call = f"rate_map({x}, {y}, {z})"
         cause = "a column for each angle's axis: Z stays, Y is turned by z, X by y and then by z"
@@ -82,8 +85,17 @@ def test_what_the_rates_make(rng: Random) -> None:
 @pytest.mark.exercise("B9.17")
 def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
     read = BACK
-    angles, w = draw_angles(rng), components(rng)
+    w = components(rng)
     velocity = Vector3(*w)
+    cause = "what the inverse of the rate map makes of the angular velocity, beyond a quarter turn "
+    cause += "too: only where |cos y| is next to nothing there is none"
+    for y in (2.5, -2.5, 4.0):
+        angles = (0.4, y, 0.7)
+        call = f"euler_rates{(*angles, f'Vector3{w}')}"
+        rates = xyz(euler_rates(*angles, velocity))
+        got = applied(map_of(*angles), rates) if isinstance(rates, tuple) else rates
+        expect_close(call, got, w, cause=cause, read=read, tolerance=1e-11)
+    angles = draw_angles(rng)
     call = f"euler_rates{(*angles, f'Vector3{w}')}"
     cause = "what the inverse of the rate map makes of the angular velocity"
     rates = xyz(euler_rates(*angles, velocity))
@@ -105,15 +117,26 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
     read = BACK
     x, z = number(rng, 0.3, 2.9), number(rng, 0.3, 2.9)
     w = components(rng)
-    cause = "at a quarter turn two axes are one: the determinant of the map, cos y, is some 1e-17"
+    cause = "at a quarter turn two axes are one: ask abs(cos y) > SINGULAR. Matrix3.inverse "
+    cause += "compares with the lengths of the rows, which may shrink with it"
     quarter = 0.5 * math.pi
-    for y, turn in ((quarter, z), (-quarter, z), (quarter, 0.0)):
+    for y, turn in (
+        (quarter, z),
+        (-quarter, z),
+        (quarter, 0.0),
+        (3.0 * quarter, z),
+        (3.0 * quarter, 0.0),
+        (quarter - 2e-14, 0.0),
+        (quarter - 2e-14, z),
+        (quarter + 2e-14, z),
+    ):
         expect_error(
             f"euler_rates({x}, {y}, {turn}, Vector3{w})",
             lambda y=y, turn=turn: euler_rates(x, y, turn, Vector3(*w)),
             ValueError,
             allowed=lambda: [
-                euler_rates(x, near, z, Vector3(*w)) for near in (quarter - 1e-6, 1e-6 - quarter)
+                euler_rates(x, near, z, Vector3(*w))
+                for near in (quarter - 1e-6, 1e-6 - quarter, quarter - 5e-13, quarter + 5e-13)
             ],
             cause=cause,
             read=read,

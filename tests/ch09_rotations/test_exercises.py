@@ -7,6 +7,7 @@ from random import Random
 
 import pytest
 
+from ch09_rotations.exercise_probes import multiplications
 from ch09_rotations.exercises import (
     back_to_reference,
     product_without_j_and_k,
@@ -19,6 +20,7 @@ from draw import components, number, positive_number
 from expect import (
     expect_close,
     expect_error,
+    expect_exactly,
     expect_finite_numbers,
     expect_unchanged,
     expect_vector,
@@ -31,14 +33,13 @@ from turning import (
     Quad,
     draw_quad,
     hamilton,
-    matrix_of,
     quad,
     rijk,
     same_sign,
-    times,
     turned,
 )
 
+FIRST_LINES = "the first lines of exercises.py"
 BACK = "the docstring of back_to_reference"
 PLANE = "the docstring of product_without_j_and_k"
 SENSE = "the docstring of turned_by_sense"
@@ -53,12 +54,18 @@ def test_two_turns_end_where_two_others_do() -> None:
     read = "the docstring of two_other_turns"
     call, cause = "two_other_turns()", "return two angles, in degrees"
     a, b = two_other_turns()
-    wanted = times(matrix_of(quad(Y_AXIS, math.pi / 2)), matrix_of(quad(X_AXIS, math.pi / 2)))
-    call = f"two_other_turns(): by {a} degrees about Z, then by {b} about X, as a matrix"
-    cause = "fixed axes, right-handed: take a book, and follow one of its axes through both"
-    about_z, about_x = quad(Z_AXIS, math.radians(a)), quad(X_AXIS, math.radians(b))
-    got = times(matrix_of(about_x), matrix_of(about_z))
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9)
+    both = hamilton(quad(X_AXIS, math.radians(b)), quad(Z_AXIS, math.radians(a)))
+    cause = "fixed axes, right-handed, in degrees: take a book, and follow its axes through both"
+    for name, axis, wanted in (
+        ("X", X_AXIS, (0.0, 0.0, -1.0)),
+        ("Y", Y_AXIS, (1.0, 0.0, 0.0)),
+        ("Z", Z_AXIS, (0.0, -1.0, 0.0)),
+    ):
+        call = (
+            f"two_other_turns(): by {a} degrees about Z, then by {b} about X, the object's {name}"
+        )
+        got = tuple(round(component, 9) for component in turned(both, axis))
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.0)
 
 
 @pytest.mark.exercise("9.1")
@@ -77,13 +84,16 @@ def way_back(q: Quad) -> tuple:
     read = BACK
     call = f"back_to_reference(Quaternion{q})"
     cause = "return a pair: a Vector3 of length 1, and an angle in radians"
-    axis, angle = back_to_reference(Quaternion(*q))
+    orientation = Quaternion(*q)
+    axis, angle = back_to_reference(orientation)
+    expect_unchanged(call, "orientation", rijk(orientation), q, read=read)
     unit = expect_vector(f"{call}, the axis", axis, cause=cause, read=read)
     length = math.hypot(*unit)
     expect_close(f"{call}, the axis's length", length, 1.0, cause=cause, read=read, tolerance=TIGHT)
     cause = "from -pi to pi: a turn by more is one by less about the opposite axis"
-    name = f"{call}, the angle"
-    expect_close(name, angle, 0.0, cause=cause, read=read, tolerance=math.pi + 1e-12)
+    name = f"{call}: is its angle, {angle}, from -pi to pi"
+    allowed = isinstance(angle, (int, float)) and abs(angle) <= math.pi + 1e-12
+    expect_exactly(name, allowed, True, cause=cause, read=read)
     return unit, angle
 
 
@@ -119,12 +129,28 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
 
 @pytest.mark.exercise("9.2", weight=0.5)
 def test_no_way_back_from_what_is_no_orientation() -> None:
-    read = BACK
-    cause = "to_axis_angle refuses what has not length 1"
-    for name, attempt, error in (
-        ("Quaternion(1, 1, 0, 0)", lambda: back_to_reference(Quaternion(1, 1, 0, 0)), ValueError),
-        ("Quaternion(0, 0, 0, 0)", lambda: back_to_reference(Quaternion(0, 0, 0, 0)), ValueError),
-        ("(1, 0, 0, 0)", lambda: back_to_reference((1.0, 0.0, 0.0, 0.0)), TypeError),
+    for name, attempt, error, cause, read in (
+        (
+            "Quaternion(1, 1, 0, 0)",
+            lambda: back_to_reference(Quaternion(1, 1, 0, 0)),
+            ValueError,
+            "to_axis_angle refuses what has not length 1",
+            BACK,
+        ),
+        (
+            "Quaternion(0, 0, 0, 0)",
+            lambda: back_to_reference(Quaternion(0, 0, 0, 0)),
+            ValueError,
+            "to_axis_angle refuses what has not length 1",
+            BACK,
+        ),
+        (
+            "(1, 0, 0, 0)",
+            lambda: back_to_reference((1.0, 0.0, 0.0, 0.0)),
+            TypeError,
+            "four numbers are no Quaternion: TypeError",
+            FIRST_LINES,
+        ),
     ):
         expect_error(
             f"back_to_reference({name})",
@@ -152,6 +178,10 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
     expect_unchanged(call, "a", rijk(a), (r, i, 0.0, 0.0), read=read)
     expect_unchanged(call, "b", rijk(b), (s, j, 0.0, 0.0), read=read)
+    name = f"{call}: multiplications, where more than four are made"
+    cause = "a * b makes sixteen: leave out what is zero"
+    got = max(4, multiplications((r, i), (s, j)))
+    expect_exactly(name, got, 4, cause=cause, read=read)
 
 
 @pytest.mark.exercise("9.3a", weight=0.5)
@@ -160,7 +190,7 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
     r, i, n = number(rng), number(rng), number(rng)
     good = (r, i, 0.0, 0.0)
     cause = "a j or a k that is not zero would be lost: ValueError; a NaN is not zero either"
-    for bad in ((r, i, n, 0.0), (r, i, 0.0, n), (r, i, math.nan, 0.0)):
+    for bad in ((r, i, n, 0.0), (r, i, 0.0, n), (r, i, math.nan, 0.0), (r, i, 1e-12, 0.0)):
         for a, b in ((bad, good), (good, bad)):
             expect_error(
                 f"product_without_j_and_k(Quaternion{a}, Quaternion{b})",
@@ -180,7 +210,7 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
             TypeError,
             allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
             cause="a number is no Quaternion: TypeError",
-            read=read,
+            read=FIRST_LINES,
         )
 
 
@@ -190,8 +220,9 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
 @pytest.mark.exercise("9.4")
 def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
     read = SENSE
-    for q in ((0.5, 0.5, 0.5, 0.5), draw_quad(rng)):
-        rate, duration = number(rng, 0.2, 4.0), positive_number(rng, 0.5, 3.0)
+    size = positive_number(rng, 0.2, 4.0)
+    for q, rate in (((0.5, 0.5, 0.5, 0.5), size), (draw_quad(rng), -size), (draw_quad(rng), 0.0)):
+        duration = positive_number(rng, 0.5, 3.0)
         orientation = Quaternion(*q)
         call = f"turned_by_sense(Quaternion{q}, {rate}, {duration})"
         cause = "one turn by rate times duration about the world's X, on the left of the product"
@@ -199,6 +230,10 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
         expect_unchanged(call, "orientation", rijk(orientation), q, read=read)
+    call = f"q = Quaternion{q}; turned_by_sense(q, 0, 1), which is changed then; q"
+    cause = "a new one, where nothing turns too"
+    turned_by_sense(orientation, 0.0, 1.0).r = 9.0
+    expect_unchanged(call, "q", rijk(orientation), q, cause=cause, read=read)
 
 
 def stepped(q: Quad, rate: float, duration: float, steps: int) -> Quad:
@@ -214,16 +249,24 @@ def stepped(q: Quad, rate: float, duration: float, steps: int) -> Quad:
 @pytest.mark.exercise("9.4", weight=2)
 def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
     read = BY_STEPS
-    for q, steps in (((0.5, 0.5, 0.5, 0.5), 1), (draw_quad(rng), 2), (draw_quad(rng), 25)):
-        rate, duration = number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
+    for q, steps, sign in (
+        ((0.5, 0.5, 0.5, 0.5), 1, 1.0),
+        (draw_quad(rng), 2, -1.0),
+        (draw_quad(rng), 25, 1.0),
+        (draw_quad(rng), 3, 0.0),
+    ):
+        rate, duration = sign * positive_number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
         orientation = Quaternion(*q)
         call = f"turned_by_steps(Quaternion{q}, {rate}, {duration}, {steps})"
+        cause = (
+            "add_scaled in steps of duration / steps on a copy; normalise that before its error "
+        )
+        cause += "is asked for"
         if steps == 1:
             call = f"turned_by_steps(Quaternion{q}, {rate}, {duration})"
             result, error = turned_by_steps(orientation, rate, duration)
         else:
             result, error = turned_by_steps(orientation, rate, duration, steps)
-        cause = "add_scaled in steps of duration / steps on a copy, normalised"
         wanted = stepped(q, rate, duration, steps)
         got = same_sign(rijk(result), wanted)
         name = f"{call}, the orientation"
@@ -276,14 +319,18 @@ def test_a_turn_of_nothing_is_refused() -> None:
             read=BY_STEPS,
         )
     cause = "its length is not 1: to_axis_angle refuses it, or you do"
-    expect_error(
-        "turned_by_steps(Quaternion(2, 0, 0, 0), 1, 2)",
-        lambda: turned_by_steps(Quaternion(2.0, 0.0, 0.0, 0.0), 1.0, 2.0),
-        ValueError,
-        allowed=lambda: turned_by_steps(Quaternion(), 1.0, 2.0),
-        cause=cause,
-        read=BY_STEPS,
-    )
+    for length in (2.0, 1.000002):
+        expect_error(
+            f"turned_by_steps(Quaternion({length}, 0, 0, 0), 1, 2)",
+            lambda length=length: turned_by_steps(Quaternion(length, 0.0, 0.0, 0.0), 1.0, 2.0),
+            ValueError,
+            allowed=lambda: [
+                turned_by_steps(Quaternion(near, 0.0, 0.0, 0.0), 1.0, 2.0)
+                for near in (1.0, 1.0 + 5e-7)
+            ],
+            cause=cause,
+            read=BY_STEPS,
+        )
     cause = "four numbers are no Quaternion: TypeError"
     q = (1.0, 0.0, 0.0, 0.0)
     for name, function in (("sense", turned_by_sense), ("steps", turned_by_steps)):
@@ -293,5 +340,5 @@ def test_a_turn_of_nothing_is_refused() -> None:
             TypeError,
             allowed=lambda function=function: function(Quaternion(), 1.0, 2.0),
             cause=cause,
-            read=SENSE,
+            read=FIRST_LINES,
         )

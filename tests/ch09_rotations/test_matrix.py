@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from ch02_vectors.vector import Vector3
-from ch09_rotations.matrix import Matrix3
+from ch09_rotations.matrix import Matrix3, Matrix4
 from draw import components
 from expect import expect_close, expect_error, expect_unchanged, xyz
 from turning import (
@@ -69,12 +69,13 @@ def test_a_matrix_times_something_else_is_refused() -> None:
         "Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).transform((1, 2, 3))",
         lambda: m.transform((1.0, 2.0, 3.0)),
         TypeError,
-        allowed=lambda: m.transform(v),
+        allowed=lambda: [m.transform(v), m.transform(Vector3(math.inf, math.nan, 0.0))],
         cause=cause,
         read=read,
     )
-    cause = "a vector is no Matrix3, and 2.0 is none: TypeError"
-    for name, other in (("Vector3(1, 2, 3)", v), ("2.0", 2.0)):
+    cause = "a vector is no Matrix3, and a Matrix4 or a number is none: TypeError"
+    twelve = Matrix4(1, 0, 0, 4, 0, 1, 0, 5, 0, 0, 1, 6)
+    for name, other in (("Vector3(1, 2, 3)", v), ("2.0", 2.0), ("Matrix4(...)", twelve)):
         expect_error(
             f"Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).product({name})",
             lambda other=other: m.product(other),
@@ -97,6 +98,14 @@ def test_rows_become_columns(rng: Random) -> None:
     expect_unchanged(call, "the matrix", entries(matrix), m, read=read)
 
 
+def ring_and_swap() -> tuple[Nine, Nine]:
+    """Return two regular matrices that have no number on the diagonal, or only one."""
+    return (
+        (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, 5.0, 0.0, 0.0),
+        (0.0, 2.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.0, 5.0),
+    )
+
+
 @pytest.mark.exercise("B9.5")
 def test_the_determinant(rng: Random) -> None:
     read = "book 9.4.2"
@@ -108,15 +117,24 @@ def test_the_determinant(rng: Random) -> None:
         got = Matrix3(*n).determinant()
         # Six products of up to 700.
         expect_close(call, got, determinant(n), cause=cause, read=read, tolerance=1e-10)
+    for n in ring_and_swap():
+        call = f"Matrix3{n}.determinant()"
+        got = Matrix3(*n).determinant()
+        expect_close(call, got, determinant(n), cause=cause, read=read)
+    cause = "it is small, and not zero: nothing is rounded here"
+    n = tuple(number * 1e-7 for number in m)
+    call = f"Matrix3{n}.determinant()"
+    got = Matrix3(*n).determinant()
+    expect_close(call, got, determinant(n), cause=cause, read=read, tolerance=1e-31)
 
 
 @pytest.mark.exercise("B9.5", weight=2)
 def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     read = INVERSE
-    cause = "rows and columns are easily swapped here: the columns are second x third, and so on"
     m = draw_matrix(rng)
-    # Entries of 1e-7 have a determinant of 1e-21 and an inverse all the same.
-    for scale in (1.0, 1e-7, 1e7):
+    swapped = "rows and columns are easily swapped here: the columns are second x third, and so on"
+    small = "what is small is not singular: SINGULAR is a share of the product of the rows' lengths"
+    for scale, cause in ((1.0, swapped), (1e-7, small), (1e7, small)):
         n = tuple(number * scale for number in m)
         matrix = Matrix3(*n)
         call = f"m = Matrix3{n}; m times m.inverse()"
@@ -124,6 +142,12 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         expect_close(call, product, IDENTITY, cause=cause, read=read, tolerance=TIGHT)
         expect_unchanged(call, "m", entries(matrix), n, read=read)
+    cause = "a zero on the diagonal, or rows of all sizes, make no matrix singular"
+    for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):
+        call = f"m = Matrix3{n}; m times m.inverse()"
+        got = entries(Matrix3(*n).inverse())
+        product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
+        expect_close(call, product, IDENTITY, cause=cause, read=read, tolerance=TIGHT)
 
 
 def expect_no_inverse(m: Nine, cause: str) -> None:

@@ -23,6 +23,7 @@ from turning import (
     entries,
     matrix_of,
     quad,
+    rijk,
     times,
     transposed,
 )
@@ -90,22 +91,31 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     cause = "that of the nine numbers without the last column; the book's first sign is wrong"
     got = Matrix4(*twelve).determinant()
     expect_close(call, got, determinant(m), cause=cause, read=read, tolerance=1e-10)
+    cause = "it is small, and not zero: nothing is rounded here"
+    small = tuple(1e-7 * number for number in m)
+    call = f"Matrix4{joined(small, p)}.determinant()"
+    got = Matrix4(*joined(small, p)).determinant()
+    expect_close(call, got, determinant(small), cause=cause, read=read, tolerance=1e-31)
 
 
 @pytest.mark.exercise("B9.14", weight=2)
 def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     read = INVERSE
-    m, p, a = draw_matrix(rng), components(rng), components(rng)
-    twelve = joined(m, p)
-    matrix = Matrix4(*twelve)
-    there = moved(m, p, a)
-    call = f"m = Matrix4{twelve}; m.inverse() at {there}, where m takes {a}"
-    cause = "the nine numbers by Matrix3.inverse; the translation by that, with a minus: not -p"
-    got = entries(matrix.inverse())
-    if isinstance(got, tuple) and len(got) == 12:
-        got = moved((*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11]), there)
-    expect_close(call, got, a, cause=cause, read=read, tolerance=LOOSE)
-    expect_unchanged(call, "m", entries(matrix), twelve, read=read)
+    drawn = draw_matrix(rng)
+    small = tuple(1e-7 * number for number in drawn)
+    ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, 5.0, 0.0, 0.0)
+    for m, size in ((drawn, 1.0), (small, 1e-7), (ring, 1.0)):
+        p, a = tuple(size * component for component in components(rng)), components(rng)
+        twelve = joined(m, p)
+        matrix = Matrix4(*twelve)
+        there = moved(m, p, a)
+        call = f"m = Matrix4{twelve}; m.inverse() at {there}, where m takes {a}"
+        cause = "the nine numbers by Matrix3.inverse; the translation by that, with a minus: not -p"
+        got = entries(matrix.inverse())
+        if isinstance(got, tuple) and len(got) == 12:
+            got = moved((*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11]), there)
+        expect_close(call, got, a, cause=cause, read=read, tolerance=LOOSE)
+        expect_unchanged(call, "m", entries(matrix), twelve, read=read)
 
 
 @pytest.mark.exercise("B9.14", weight=0.5)
@@ -113,7 +123,11 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
     cause = "its nine numbers are singular, whatever the translation: Matrix3.inverse refuses them"
-    for linear in (flat, (0.0,) * 9):
+    a, b = components(rng), components(rng)
+    # In one plane but for rounding; and not a number, or not finite.
+    plane = (*a, *b, *(1.3 * x - 0.7 * y for x, y in zip(a, b, strict=True)))
+    bad = [(*plane[:4], n, *IDENTITY[5:]) for n in (math.nan, math.inf)]
+    for linear in (flat, (0.0,) * 9, plane, tuple(1e6 * number for number in plane), *bad):
         twelve = joined(linear, components(rng))
         expect_error(
             f"Matrix4{twelve}.inverse()",
@@ -133,7 +147,6 @@ def small_pair() -> tuple:
 @pytest.mark.exercise("B9.14", weight=0.5)
 def test_only_vectors_and_matrices_of_twelve() -> None:
     read = FIRST_LINES
-    call, cause = "Matrix4(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3)", "make it of twelve numbers"
     matrix, nine, three = small_pair()
     cause = "three numbers are no Vector3, and a Matrix3 is no Matrix4: TypeError"
     v = Vector3(1.0, 2.0, 3.0)
@@ -143,7 +156,7 @@ def test_only_vectors_and_matrices_of_twelve() -> None:
         ("product(Vector3(...))", lambda: matrix.product(v), lambda: matrix.product(matrix)),
     ):
         expect_error(
-            f"{call}.{name}, Matrix4.{name}",
+            f"m = Matrix4(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3); Matrix4.{name} of m",
             attempt,
             TypeError,
             allowed=allowed,
@@ -156,13 +169,20 @@ def test_only_vectors_and_matrices_of_twelve() -> None:
 def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     read = "book 9.4.4"
     q, p = draw_quad(rng), components(rng)
-    place = Vector3(*p)
+    place, orientation = Vector3(*p), Quaternion(*q)
     call = f"Matrix4.from_orientation_and_position(Quaternion{q}, Vector3{p})"
-    cause = "the rotation of the quaternion, and the position as the last column"
-    got = entries(Matrix4.from_orientation_and_position(Quaternion(*q), place))
+    cause = "Matrix3.from_quaternion for the first three columns, and the position as the last one"
+    got = entries(Matrix4.from_orientation_and_position(orientation, place))
     wanted = joined(matrix_of(q), p)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
     expect_unchanged(call, "p", xyz(place), p, read=read)
+    near = tuple(component * (1.0 + 5e-7) for component in q)
+    orientation = Quaternion(*near)
+    call = f"Matrix4.from_orientation_and_position(Quaternion{near}, Vector3{p})"
+    cause = "a length that is_unit lets pass is near enough"
+    got = entries(Matrix4.from_orientation_and_position(orientation, place))
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-5)
+    expect_unchanged(call, "q", rijk(orientation), near, read=read)
 
 
 @pytest.mark.exercise("B9.15", weight=0.5)
@@ -173,6 +193,20 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
         (
             "Quaternion(0.6, 0, 0.81, 0), Vector3(1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position(Quaternion(0.6, 0.0, 0.81, 0.0), p),
+            ValueError,
+            "its length is not 1: Matrix3.from_quaternion refuses it",
+        ),
+        (
+            "Quaternion(0.6000012, 0, 0.8000016, 0), Vector3(1, 2, 3)",
+            lambda: Matrix4.from_orientation_and_position(
+                Quaternion(0.6000012, 0.0, 0.8000016, 0.0), p
+            ),
+            ValueError,
+            "its length is 1 + 2e-6, which is_unit does not let pass",
+        ),
+        (
+            "Quaternion(nan, 0, 0, 0), Vector3(1, 2, 3)",
+            lambda: Matrix4.from_orientation_and_position(Quaternion(math.nan, 0.0, 0.0, 0.0), p),
             ValueError,
             "its length is not 1: Matrix3.from_quaternion refuses it",
         ),
@@ -205,18 +239,20 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
 )
 def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     read = f"{WORLD}, and the docstring of {method}"
-    m, p, a = matrix_of(draw_quad(rng)), components(rng), components(rng)
+    # What just passes for a rotation shows whether it is turned back by the inverse.
+    m = tuple(number * (1.0 + 4e-6) for number in matrix_of(draw_quad(rng)))
+    p, a = components(rng), components(rng)
     twelve = joined(m, p)
     less = tuple(x - y for x, y in zip(a, p, strict=True))
     wanted, cause = {
         "transform_inverse": (
             applied(transposed(m), less),
-            "take the translation off first, then turn back by the transpose",
+            "take the translation off first, then turn back by the transpose, not by an inverse",
         ),
         "transform_direction": (applied(m, a), "a direction is turned, and not moved"),
         "transform_inverse_direction": (
             applied(transposed(m), a),
-            "a direction is turned back by the transpose, and not moved",
+            "a direction is turned back by the transpose, not by an inverse, and not moved",
         ),
     }[method]
     v, matrix = Vector3(*a), Matrix4(*twelve)
@@ -290,11 +326,18 @@ def test_a_basis_must_fit(rng: Random) -> None:
     flat = Matrix3(*(0.0,) * 9)
     v = Vector3(1.0, 2.0, 3.0)
     for name, attempt, error, cause in (
-        ("Matrix3, Matrix4", lambda: change_basis(small, large), TypeError, "two sizes"),
-        ("Matrix4, Matrix3", lambda: change_basis(large, small), TypeError, "two sizes"),
-        ("Vector3, Vector3", lambda: change_basis(v, v), TypeError, "these are no matrices"),
-        ("Vector3, Matrix3", lambda: change_basis(v, small), TypeError, "that is no matrix"),
-        ("Matrix3, zero", lambda: change_basis(small, flat), ValueError, "it has no inverse"),
+        ("a Matrix3, a Matrix4", lambda: change_basis(small, large), TypeError, "two sizes"),
+        ("a Matrix4, a Matrix3", lambda: change_basis(large, small), TypeError, "two sizes"),
+        ("a Vector3, a Vector3", lambda: change_basis(v, v), TypeError, "these are no matrices"),
+        ("a Vector3, a Matrix3", lambda: change_basis(v, small), TypeError, "that is no matrix"),
+        ("a Matrix3, a Vector3", lambda: change_basis(small, v), TypeError, "that is no matrix"),
+        ("a Matrix4, a Vector3", lambda: change_basis(large, v), TypeError, "that is no matrix"),
+        (
+            "a Matrix3, one of zeros",
+            lambda: change_basis(small, flat),
+            ValueError,
+            "it has no inverse",
+        ),
     ):
         expect_error(
             f"change_basis({name})",

@@ -8,8 +8,9 @@ from random import Random
 import pytest
 
 from ch09_rotations.plane import angle_to_vector, center_of_mass, rotate_point, wrap_angle
+from ch09_rotations.plane_probes import masses_after
 from draw import number, positive_number
-from expect import expect_close, expect_error, expect_finite_numbers
+from expect import expect_close, expect_error, expect_finite_numbers, expect_unchanged
 from turning import TIGHT
 
 WRAP = "book 9.1.1, and the docstring of wrap_angle"
@@ -23,10 +24,23 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
     cause = "take off whole turns, 2 pi each, or add them, until it lies above -pi and up to pi"
     for turns in (0, 1, -1, 7, -12):
         for low, high in ((0.01, 1.5), (1.6, 3.1)):
-            angle = number(rng, low, high)
-            call = f"wrap_angle({angle} + {turns} * 2 pi)"
-            got = wrap_angle(angle + turns * math.tau)
-            expect_close(call, got, angle, cause=cause, read=read, tolerance=TIGHT)
+            size = positive_number(rng, low, high)
+            for angle in (size, -size):
+                call = f"wrap_angle({angle} + {turns} * 2 pi)"
+                got = wrap_angle(angle + turns * math.tau)
+                expect_close(call, got, angle, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.1", weight=0.5)
+def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
+    read = WRAP
+    cause = "as many turns as there are: math.remainder, or %, takes them off at once"
+    size = positive_number(rng, 0.1, 3.0)
+    for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
+        call = f"wrap_angle({angle} + {turns} * 2 pi)"
+        got = wrap_angle(angle + turns * math.tau)
+        # A loop that takes them off one by one rounds as often, each time by up to 6e-11.
+        expect_close(call, got, angle, cause=cause, read=read, tolerance=2e-5)
 
 
 @pytest.mark.exercise("B9.1")
@@ -37,6 +51,11 @@ def test_half_a_turn_is_pi_and_not_minus_pi() -> None:
         call = f"wrap_angle({angle})"
         got = wrap_angle(angle)
         expect_close(call, got, math.pi, cause=cause, read=read, tolerance=0.0)
+    cause = "it lies within the range already: only -pi itself is made pi"
+    for angle in (1e-6 - math.pi, math.pi - 1e-6):
+        call = f"wrap_angle({angle})"
+        got = wrap_angle(angle)
+        expect_close(call, got, angle, cause=cause, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.1", weight=0.5)
@@ -53,8 +72,8 @@ def test_no_angle_is_no_direction() -> None:
 def test_the_direction_of_an_angle(rng: Random) -> None:
     read = "book 9.1.1, Eq. 9.1"
     cause = "the cosine along X, the sine along Y, of an angle in radians"
-    angle = number(rng, 1.7, 3.0)
-    for t in (angle, 0.0, 0.5 * math.pi):
+    angle, small = positive_number(rng, 1.7, 3.0), positive_number(rng, 0.1, 1.4)
+    for t in (angle, -angle, small, -small, small + 2.0 * math.tau, 0.0, 0.5 * math.pi, 4.0):
         call = f"angle_to_vector({t})"
         got = angle_to_vector(t)
         wanted = (math.cos(t), math.sin(t))
@@ -74,9 +93,9 @@ def test_the_headlight_of_the_book() -> None:
 @pytest.mark.exercise("B9.2")
 def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
     read = POINT
-    for _ in range(3):
+    for sign in (1.0, -1.0, 1.0):
         x, y, across, up = (number(rng) for _ in range(4))
-        angle = number(rng, 0.3, 2.9)
+        angle = sign * positive_number(rng, 0.3, 2.9)
         call = f"rotate_point(({x}, {y}), {angle}, ({across}, {up}))"
         cause = "x goes to x cos t - y sin t, y to x sin t + y cos t; then add origin"
         got = rotate_point((x, y), angle, (across, up))
@@ -86,7 +105,7 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.2", weight=0.5)
 def test_a_point_of_nothing_is_refused() -> None:
-    name = "rotate_point(...), with x, y, angle, across and up: "
+    name = "rotate_point((x, y), angle, (p, q)), with x, y, angle, p and q: "
     expect_finite_numbers(
         name,
         lambda x, y, t, a, u: rotate_point((x, y), t, (a, u)),
@@ -111,13 +130,25 @@ def test_the_centre_of_many_masses(rng: Random) -> None:
     cause = "add up m x and m y, and divide by the sum of m, not by how many there are"
     for count in (1, 2, 5):
         masses = [positive_number(rng) for _ in range(count)]
+        masses[-1] = masses[0]  # two may well be equal
         positions = [(number(rng), number(rng)) for _ in range(count)]
         call = f"center_of_mass({masses}, {positions})"
-        got = center_of_mass(masses, positions)
         total = math.fsum(masses)
         pairs = list(zip(masses, positions, strict=True))
         wanted = [math.fsum(m * p[axis] for m, p in pairs) / total for axis in (0, 1)]
+        got = center_of_mass([*masses], [*positions])
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        call = f"center_of_mass({tuple(masses)}, {tuple(positions)})"
+        got = center_of_mass(tuple(masses), tuple(positions))
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        call = f"center_of_mass({masses}, {positions})"
+        after = masses_after(masses, positions)
+        cause_lists = "the call must not change its lists: sort, or take from, a copy"
+        for name, now, before in (
+            ("masses", after[0], masses),
+            ("positions", after[1], positions),
+        ):
+            expect_unchanged(call, name, now, before, cause=cause_lists, read=read)
 
 
 @pytest.mark.exercise("B9.3")
@@ -125,7 +156,13 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
     read = MASS
     m, x, y = positive_number(rng), number(rng), number(rng)
     cause = "a mass without a position, a position without a mass, or none at all: ValueError"
-    for masses, positions in (([], []), ([m], []), ([m, m], [(x, y)]), ([m], [(x, y), (y, x)])):
+    for masses, positions in (
+        ([], []),
+        ((), ()),
+        ([m], []),
+        ([m, m], [(x, y)]),
+        ([m], [(x, y), (y, x)]),
+    ):
         call = f"center_of_mass({masses}, {positions})"
         expect_error(
             call,

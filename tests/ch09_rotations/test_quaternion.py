@@ -7,6 +7,7 @@ from random import Random
 
 import pytest
 
+from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 from draw import number
 from expect import expect_close, expect_error, expect_exactly, expect_unchanged
@@ -15,6 +16,7 @@ from turning import Quad, draw_quad, hamilton, rijk
 LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
 NORMALIZE = "book 9.4.7, and the docstring of normalize"
 PRODUCT = "book 9.4.8"
+ONLY_LOOKS = "it only asks, and must not change the quaternion: work on numbers of your own"
 
 
 def draw_four(rng: Random) -> Quad:
@@ -31,8 +33,10 @@ def test_the_length_of_four_components(rng: Random) -> None:
     expect_close(call, got, 6.0, cause=cause, read=read)
     q = draw_four(rng)
     call = f"Quaternion{q}.magnitude()"
-    got = Quaternion(*q).magnitude()
+    quaternion = Quaternion(*q)
+    got = quaternion.magnitude()
     expect_close(call, got, math.hypot(*q), cause=cause, read=read)
+    expect_unchanged(call, "q", rijk(quaternion), q, cause=ONLY_LOOKS, read=read)
 
 
 @pytest.mark.exercise("B9.7")
@@ -53,21 +57,34 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
     ):
         scaled = tuple(component * length for component in q)
         call = f"Quaternion{scaled}.is_unit(), of length {abs(length)}"
-        got = Quaternion(*scaled).is_unit()
+        quaternion = Quaternion(*scaled)
+        got = quaternion.is_unit()
         expect_exactly(call, got, wanted, cause=cause, read=read)
+        if math.isfinite(length):
+            expect_unchanged(call, "q", rijk(quaternion), scaled, cause=ONLY_LOOKS, read=read)
+    call = "Quaternion(0, 0.6, 0, 0.8).is_unit(), a half-turn"
+    cause = "its length is 1: r may be 0"
+    got = Quaternion(0.0, 0.6, 0.0, 0.8).is_unit()
+    expect_exactly(call, got, True, cause=cause, read=read)
+    call = "Quaternion(1e200, 0, 0, 1e200).is_unit()"
+    cause = "the square of 1e200 fits in no float: ask magnitude()"
+    got = Quaternion(1e200, 0.0, 0.0, 1e200).is_unit()
+    expect_exactly(call, got, False, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B9.7")
 def test_normalised_it_has_length_one(rng: Random) -> None:
     read = NORMALIZE
-    q = draw_four(rng)
-    length = math.hypot(*q)
-    cause = "divide all four by the length, which is worked out once, before the first changes"
-    quaternion = Quaternion(*q)
-    call = f"q = Quaternion{q}; q.normalize(); q"
-    returned = quaternion.normalize()
-    wanted = tuple(component / length for component in q)
-    expect_close(call, rijk(quaternion), wanted, cause=cause, read=read)
+    drawn, near = draw_four(rng), draw_quad(rng)
+    opposite = tuple(-component for component in drawn)
+    for q in (drawn, opposite, tuple(component * (1.0 + 5e-7) for component in near)):
+        length = math.hypot(*q)
+        cause = "divide all four by the length, which is worked out once, before the first changes"
+        quaternion = Quaternion(*q)
+        call = f"q = Quaternion{q}; q.normalize(); q"
+        returned = quaternion.normalize()
+        wanted = tuple(component / length for component in q)
+        expect_close(call, rijk(quaternion), wanted, cause=cause, read=read)
     cause = "what changes in place returns nothing"
     call = f"Quaternion{q}.normalize(), what it returns"
     expect_exactly(call, returned, None, cause=cause, read=read)
@@ -151,9 +168,10 @@ def test_a_quaternion_times_a_number_is_refused(rng: Random) -> None:
     read = "the first lines of quaternion.py"
     q = draw_four(rng)
     cause = "ask isinstance(q, Quaternion), and return NotImplemented: Python raises the TypeError"
-    for other in (2.0, "2", None):
+    for other in (2.0, "2", None, (1.0, 0.0, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)):
+        name = "Vector3(1, 2, 3)" if isinstance(other, Vector3) else repr(other)
         expect_error(
-            f"Quaternion{q} * {other!r}",
+            f"Quaternion{q} * {name}",
             lambda other=other: Quaternion(*q) * other,
             TypeError,
             allowed=lambda: Quaternion(*q) * Quaternion(),

@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from ch09_rotations.exercises import easy_inverse, read_off
-from ch09_rotations.matrix import Matrix4
+from ch09_rotations.matrix import Matrix3, Matrix4
 from draw import components
 from expect import expect_close, expect_error, expect_unchanged, xyz
 from turning import IDENTITY, TIGHT, applied, draw_quad, entries, matrix_of, transposed
@@ -44,24 +44,35 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     m, p = matrix_of(draw_quad(rng)), components(rng)
     good = placed(m, p)
     cause = "what should be a rotation is none: ask is_rotation()"
-    for linear in (tuple(2.0 * n for n in m), tuple(-n for n in m), (math.nan, *m[1:])):
+    for linear in (
+        tuple(2.0 * n for n in m),
+        tuple(n * (1.0 + 7e-6) for n in m),
+        tuple(-n for n in m),
+        (math.nan, *m[1:]),
+        (2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0),
+        (1.0, 0.3, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
+    ):
         twelve = placed(linear, p)
         expect_error(
             f"read_off(Matrix4{twelve})",
             lambda twelve=twelve: read_off(Matrix4(*twelve)),
             ValueError,
-            allowed=lambda: read_off(Matrix4(*good)),
+            allowed=lambda: [
+                read_off(Matrix4(*good)),
+                read_off(Matrix4(*placed(tuple(n * (1.0 + 4e-6) for n in m), p))),
+            ],
             cause=cause,
             read=read,
         )
-    expect_error(
-        f"read_off({good})",
-        lambda: read_off(good),
-        TypeError,
-        allowed=lambda: read_off(Matrix4(*good)),
-        cause="twelve numbers are no Matrix4: TypeError",
-        read=read,
-    )
+    for name, other in ((f"{good}", good), ("Matrix3(...)", Matrix3(*m))):
+        expect_error(
+            f"read_off({name})",
+            lambda other=other: read_off(other),
+            TypeError,
+            allowed=lambda: read_off(Matrix4(*good)),
+            cause="twelve numbers are no Matrix4, and a Matrix3 is none: TypeError",
+            read=read,
+        )
 
 
 @pytest.mark.exercise("9.6", weight=2)
@@ -83,14 +94,30 @@ def test_the_easy_inverse(rng: Random) -> None:
 @pytest.mark.exercise("9.6", weight=0.5)
 def test_the_easy_inverse_of_something_else() -> None:
     twelve = placed(IDENTITY, (1.0, 2.0, 3.0))
-    expect_error(
-        f"easy_inverse({twelve})",
-        lambda: easy_inverse(twelve),
-        TypeError,
-        allowed=lambda: easy_inverse(Matrix4(*twelve)),
-        cause="twelve numbers are no Matrix4: TypeError",
-        read="the first lines of exercises.py",
-    )
+    for name, other in ((f"{twelve}", twelve), ("Matrix3(...)", Matrix3(*IDENTITY))):
+        expect_error(
+            f"easy_inverse({name})",
+            lambda other=other: easy_inverse(other),
+            TypeError,
+            allowed=lambda: easy_inverse(Matrix4(*twelve)),
+            cause="twelve numbers are no Matrix4, and a Matrix3 is none: TypeError",
+            read="the first lines of exercises.py",
+        )
+
+
+@pytest.mark.exercise("9.6", weight=0.5)
+def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
+    read = EASY
+    m, p = tuple(2.0 * n for n in matrix_of(draw_quad(rng))), components(rng)
+    for linear in (m, (0.0,) * 9):
+        twelve = placed(linear, p)
+        call = f"easy_inverse(Matrix4{twelve}), of what is no rotation"
+        cause = "nothing is looked for, and nothing divided by: the transpose, for any matrix"
+        got = entries(easy_inverse(Matrix4(*twelve)))
+        x, y, z = applied(transposed(linear), p)
+        wanted = placed(transposed(linear), (-x, -y, -z))
+        # Rounding of numbers up to 33.
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
 
 
 @pytest.mark.exercise("9.6")

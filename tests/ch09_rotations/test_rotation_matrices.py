@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import permutations
 from random import Random
 
 import pytest
@@ -10,7 +11,7 @@ import pytest
 from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
 from draw import components
-from expect import expect_close, expect_error, expect_exactly
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged
 from turning import (
     IDENTITY,
     TIGHT,
@@ -56,6 +57,8 @@ def test_what_is_no_rotation(rng: Random) -> None:
         expect_rotation(tuple(n), False, cause)
     cause = "it scales one axis up and another down, and its determinant is 1"
     expect_rotation((2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0), False, cause)
+    cause = "a square of 1e200 fits in no float, and ** raises OverflowError of it: use a product"
+    expect_rotation(tuple(1e200 * number for number in m), False, cause)
     cause = "it is a mirror: its rows are orthonormal, but its determinant is -1"
     expect_rotation((d, e, f, a, b, c, g, h, i), False, cause)
     expect_rotation(tuple(-number for number in m), False, cause)
@@ -109,11 +112,15 @@ def test_ninety_degrees_about_each_axis() -> None:
 def test_the_matrix_of_any_quaternion(rng: Random) -> None:
     read = FROM
     cause = "nine terms, each to be looked at: mind the signs and the doubles"
-    for _ in range(3):
-        q = draw_quad(rng)
+    for scale in (1.0, -1.0, 1.0 + 5e-7, -1.0 - 5e-7):
+        q = tuple(scale * component for component in draw_quad(rng))
+        quaternion = Quaternion(*q)
         call = f"Matrix3.from_quaternion(Quaternion{q})"
-        got = entries(Matrix3.from_quaternion(Quaternion(*q)))
-        expect_close(call, got, matrix_of(q), cause=cause, read=read, tolerance=TIGHT)
+        got = entries(Matrix3.from_quaternion(quaternion))
+        # A length that is 5e-7 off is let pass, and may be mended or not.
+        near = TIGHT if abs(scale) == 1.0 else 1e-5
+        expect_close(call, got, matrix_of(q), cause=cause, read=read, tolerance=near)
+        expect_unchanged(call, "q", rijk(quaternion), q, read=read)
 
 
 @pytest.mark.exercise("B9.12", weight=0.5)
@@ -173,16 +180,24 @@ def test_back_from_a_half_turn(rng: Random) -> None:
         axis[longest] = 10.0
         for short in (0.0, 1e-3, 1e-9, -1e-9):
             expect_back(quad(axis, math.pi - short), cause)
+    cause = "two or three components may be equally large: > on both sides takes neither"
+    for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
+        expect_back(quad(axis, math.pi), cause)
+    cause = "the largest of all four: each with each must be compared"
+    for axis in permutations((0.0, 1e-6, 1.0)):
+        expect_back(quad(axis, math.pi), cause)
 
 
 @pytest.mark.exercise("B9.13")
 def test_what_comes_back_has_length_one(rng: Random) -> None:
     read = TO
     cause = "normalise what you return: the matrix may be off by rounding, or by more"
-    m = tuple(number * (1.0 + 3e-6) for number in matrix_of(draw_quad(rng)))
-    call = f"Matrix3{m}.to_quaternion(), its length"
-    got = math.hypot(*rijk(Matrix3(*m).to_quaternion()))
-    expect_close(call, got, 1.0, cause=cause, read=read, tolerance=TIGHT)
+    half_turns = [(0.0, 0.8, 0.6, 0.0), (0.0, 0.0, 0.8, 0.6), (0.0, 0.6, 0.0, 0.8)]
+    for q in (draw_quad(rng), quad(components(rng), 0.3), *half_turns):
+        m = tuple(number * (1.0 + 3e-6) for number in matrix_of(q))
+        call = f"Matrix3{m}.to_quaternion(), its length"
+        got = math.hypot(*rijk(Matrix3(*m).to_quaternion()))
+        expect_close(call, got, 1.0, cause=cause, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.13", weight=0.5)

@@ -7,10 +7,11 @@ from random import Random
 
 import pytest
 
+from ch09_rotations.exercise_probes import stones_after
 from ch09_rotations.exercises import balance_offset, center_of_stones, masses_beside
 from ch09_rotations.probes import entered_stones
 from draw import number, positive_number
-from expect import expect_close, expect_error, expect_exactly
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged
 from turning import TIGHT
 
 CENTER = "the docstring of center_of_stones"
@@ -19,19 +20,20 @@ BESIDE = "the docstring of masses_beside, and E-32"
 DATA = "exercise 9.7, and the first lines of stones.py"
 
 Stones = list[tuple[str, float, float, float]]
-NAMES = ("a pebble", "slate", "granite", "quartz")
+NAMES = ("a pebble", "slate", "a pebble", "quartz")  # two may have one name
 
 
 def draw_stones(rng: Random, count: int = 4) -> Stones:
-    """Draw stones within 1 m."""
+    """Draw stones within 1 m, two of one name and one mass."""
+    masses = [positive_number(rng, 0.05, 0.9) for _ in range(3)]
     return [
         (
             name,
-            positive_number(rng, 0.05, 0.9),
+            mass,
             positive_number(rng, 0.0, 1.0),
             positive_number(rng, 0.0, 1.0),
         )
-        for name in NAMES[:count]
+        for name, mass in list(zip(NAMES, (*masses, masses[0]), strict=True))[:count]
     ]
 
 
@@ -67,7 +69,8 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     got = balance_offset(stones, 0.0)
     expect_close(call, got, middle(stones).imag, cause=cause, read=read, tolerance=TIGHT)
     cause = "the centre of mass times (-sin, cos), as a scalar product: mind the sign"
-    for angle in (0.5 * math.pi, number(rng, 0.3, 1.4), number(rng, 1.7, 3.0)):
+    small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
+    for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
         call = f"balance_offset({stones}, {angle})"
         wanted = left_of(middle(stones), angle)
         got = balance_offset(stones, angle)
@@ -126,6 +129,35 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
     cause = "rounding leaves it at some 1e-16 m: within 1e-9 m is over the edge"
     got = tuple(masses_beside(stones, angle))
     expect_close(call, got, (0.7, 0.7), cause=cause, read=read, tolerance=TIGHT)
+    for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
+        stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
+        call = f"masses_beside({stones}, 0), {off} m from the edge"
+        got = tuple(masses_beside(stones, 0.0))
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("9.7", weight=0.5)
+@pytest.mark.parametrize("name", ["center_of_stones", "balance_offset", "masses_beside"])
+def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
+    read = "the first lines of exercises.py"
+    stones = [*draw_stones(rng), ("the box", 0.4, 0.9, 0.1), ("a last one", 0.01, 0.2, 0.3)]
+    call = f"{name}({stones}{'' if name == 'center_of_stones' else ', 0.3'})"
+    cause = "the call must not change its list: sort, or take from, a copy"
+    center = middle(stones)
+    line = left_of(center, 0.3)
+    sides = [(left_of(complex(x, y), 0.3) - line, mass) for _, mass, x, y in stones]
+    wanted = {
+        "center_of_stones": (center.real, center.imag),
+        "balance_offset": line,
+        "masses_beside": (
+            math.fsum(mass for side, mass in sides if side > 0.0),
+            math.fsum(mass for side, mass in sides if side < 0.0),
+        ),
+    }[name]
+    got, after = stones_after(name, stones)
+    expect_unchanged(call, "the list", after, stones, cause=cause, read=read)
+    cause = "right for one list as for another"
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7", weight=0.5)
@@ -138,7 +170,13 @@ def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
     )
     cause = "center_of_mass refuses what is no box with stones"
     for name, function, more in calls:
-        for stones in ([], [("a hole", 0.0, 0.1, 0.2)], [*good, ("nowhere", 1.0, math.nan, 0.2)]):
+        for stones in (
+            [],
+            [("a hole", 0.0, 0.1, 0.2)],
+            [*good, ("a hole", 0.0, 0.1, 0.2)],
+            [*good, ("a balloon", -0.01, 0.1, 0.2)],
+            [*good, ("nowhere", 1.0, math.nan, 0.2)],
+        ):
             expect_error(
                 f"{name}{(stones, *more)}",
                 lambda function=function, stones=stones, more=more: function(stones, *more),
@@ -164,15 +202,16 @@ def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
 def test_your_own_stones() -> None:
     read = DATA
     call = "center_of_stones(the stones of your stones.csv)"
-    cause = "enter your own, one a line, such as: a flat piece of slate,0.212,0.120,0.060"
+    cause = "enter your own, one a line, with plain numbers of kg and m, such as: a flat piece of "
+    cause += "slate,0.212,0.120,0.060"
     stones = [tuple(stone) for stone in entered_stones()]
-    enough = len(stones) >= 4
-    name = "your stones.csv: are there three stones or more, and the box"
-    expect_exactly(name, enough, True, cause=cause, read=read)
-    cause = "measure where each lies: two cannot lie in one place"
+    name = "your stones.csv: how many lines are there, if up to 4 count, three stones and the box"
+    expect_exactly(name, min(len(stones), 4), 4, cause=cause, read=read)
+    cause = "measure where each lies"
     places = {(x, y) for _, _, x, y in stones}
-    name = "your stones.csv: how many places of stones are there"
-    expect_exactly(name, len(places), len(stones), cause=cause, read=read)
+    name = "your stones.csv: in how many places do stones lie, if up to 3 count"
+    expect_exactly(name, min(len(places), 3), 3, cause=cause, read=read)
+    call = "center_of_stones(your stones)"
     got = center_of_stones(stones)
     wanted = middle(stones)
     cause = "center_of_mass of the second number of each stone, and of its third and fourth"

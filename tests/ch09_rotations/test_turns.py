@@ -10,7 +10,7 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch09_rotations.probes import in_parts
 from ch09_rotations.quaternion import Quaternion
-from draw import components, number, positive_number
+from draw import components, positive_number
 from expect import (
     expect_close,
     expect_error,
@@ -53,8 +53,11 @@ def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
     for t in (angle, -angle, 2.0 * math.pi + angle):
         v = Vector3(*axis)
         call = f"Quaternion.from_axis_angle(Vector3{axis}, {t})"
+        wanted = quad(axis, t)
         got = rijk(Quaternion.from_axis_angle(v, t))
-        expect_close(call, got, quad(axis, t), cause=cause, read=read, tolerance=TIGHT)
+        if t > math.pi:  # a turn by t - 2 pi is the same, and has the opposite quaternion
+            got = same_sign(got, wanted)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
         expect_unchanged(call, "axis", xyz(v), axis, read=read)
 
 
@@ -106,8 +109,11 @@ def axis_angle_of(q: Quad, cause: str) -> tuple:
     """Return axis and angle as plain numbers."""
     read = BACK
     call = f"Quaternion{q}.to_axis_angle()"
-    axis, angle = Quaternion(*q).to_axis_angle()
-    return expect_vector(f"{call}, the axis", axis, cause=cause, read=read), angle
+    quaternion = Quaternion(*q)
+    axis, angle = quaternion.to_axis_angle()
+    got = expect_vector(f"{call}, the axis", axis, cause=cause, read=read)
+    expect_unchanged(call, "q", rijk(quaternion), q, read=read)
+    return got, angle
 
 
 @pytest.mark.exercise("B9.9", weight=2)
@@ -144,6 +150,14 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     expect_close(f"{call}the angle", turn, math.pi, cause=cause, read=read, tolerance=TIGHT)
     got = same_sign(got, unit)
     expect_close(f"{call}the axis", got, unit, cause=cause, read=read, tolerance=TIGHT)
+    cause = "asin loses half of the digits near pi, as acos does near 0: atan2 of sine and cosine"
+    for less in (1e-3, 1e-6):
+        q = quad(unit, math.pi - less)
+        call = f"Quaternion{q}.to_axis_angle(), "
+        got, turn = axis_angle_of(q, cause)
+        wanted = math.pi - less
+        expect_close(f"{call}the angle", turn, wanted, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(f"{call}the axis", got, unit, cause=cause, read=read, tolerance=TIGHT)
     cause = "near 0 the cosine is 1 for every angle, so acos finds none: atan2 of sine and cosine"
     for small in (1e-5, 1e-9, 1e-200):
         x, y, z = (component * 0.5 * small for component in unit)
@@ -153,6 +167,36 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         near = 1e-10 * small
         expect_close(f"{call}the angle", turn, small, cause=cause, read=read, tolerance=near)
         expect_close(f"{call}the axis", got, unit, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.9", weight=0.5)
+def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
+    read = BACK
+    drawn = draw_quad(rng)
+    length = math.hypot(*drawn[1:])
+    unit = tuple(component / length for component in drawn[1:])
+    cause = "a length that is_unit lets pass may be above 1 or below: atan2 asks only proportions"
+    for off in (1.0 + 5e-7, 1.0 - 5e-7):
+        for whole in (drawn, (0.0, *unit), (1.0, 0.0, 0.0, 0.0)):
+            q = tuple(component * off for component in whole)
+            call = f"Quaternion{q}.to_axis_angle(), "
+            got, turn = axis_angle_of(q, cause)
+            wanted = 2.0 * math.atan2(math.hypot(*q[1:]), q[0])
+            expect_close(f"{call}the angle", turn, wanted, cause=cause, read=read, tolerance=1e-5)
+            axis = X_AXIS if whole[0] == 1.0 else unit
+            got = same_sign(got, axis)
+            expect_close(f"{call}the axis", got, axis, cause=cause, read=read, tolerance=TIGHT)
+
+
+@pytest.mark.exercise("B9.9", weight=0.5)
+def test_each_axis_is_a_new_vector() -> None:
+    read = BACK
+    call = "axis, _ = Quaternion().to_axis_angle(), a second time, after the first axis is inverted"
+    cause = "a new vector in every call: one that is kept is changed by whoever was given it"
+    first, _ = Quaternion().to_axis_angle()
+    first.invert()
+    second, _ = Quaternion().to_axis_angle()
+    expect_close(call, xyz(second), X_AXIS, cause=cause, read=read, tolerance=0.0)
 
 
 def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
@@ -186,15 +230,21 @@ def test_a_vector_is_turned(rng: Random) -> None:
     cause = "q (0, v) q*, in this order: X goes to Y, counter-clockwise"
     got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
     expect_close(call, got, (0.0, 1.0, 0.0), cause=cause, read=read, tolerance=TIGHT)
-    for _ in range(3):
-        q, a = draw_quad(rng), components(rng)
+    for sign in (1.0, -1.0, 1.0 + 5e-7):
+        q, a = tuple(sign * component for component in draw_quad(rng)), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
         call = f"q = Quaternion{q}; q.rotate(Vector3{a})"
         got = xyz(quaternion.rotate(v))
-        # Rounding of a vector of a length up to 17.
-        expect_close(call, got, turned(q, a), cause=cause, read=read, tolerance=1e-11)
+        # Rounding of a vector of a length up to 17; or what a length that is 5e-7 off may make.
+        near = 1e-11 if abs(sign) == 1.0 else 1e-4
+        expect_close(call, got, turned(q, a), cause=cause, read=read, tolerance=near)
         expect_unchanged(call, "v", xyz(v), a, read=read)
         expect_unchanged(call, "q", rijk(quaternion), q, read=read)
+    call = f"v = Vector3{a}; Quaternion().rotate(v), which is inverted then; v"
+    cause = "a new vector, where nothing turns too"
+    same = Quaternion().rotate(v)
+    same.invert()
+    expect_unchanged(call, "v", xyz(v), a, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B9.10", weight=0.5)
@@ -213,7 +263,10 @@ def test_only_a_vector_is_turned(rng: Random) -> None:
             f"Quaternion{q}.rotate({other})",
             lambda other=other: Quaternion(*q).rotate(other),
             TypeError,
-            allowed=lambda: Quaternion(*q).rotate(Vector3(1.0, 2.0, 3.0)),
+            allowed=lambda: [
+                Quaternion(*q).rotate(Vector3(*any_will_do))
+                for any_will_do in ((1.0, 2.0, 3.0), (math.inf, math.nan, 0.0))
+            ],
             cause=cause,
             read=read,
         )
@@ -222,8 +275,8 @@ def test_only_a_vector_is_turned(rng: Random) -> None:
 @pytest.mark.exercise("B9.11", weight=2)
 def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
     read = BY_VECTOR
-    cause = "the new turn, about the vector by its length, stands on the left of the product: the "
-    cause += "axis is the world's"
+    cause = "from_axis_angle of the vector and its length, times q, in this order: the axis is the "
+    cause += "world's, and (0, vector) itself is no turn"
     for size in (0.3, 1.0, 9.0):
         q, a = draw_quad(rng), tuple(size * component for component in components(rng))
         quaternion, v = Quaternion(*q), Vector3(*a)
@@ -267,23 +320,27 @@ def test_turned_on_by_next_to_nothing(rng: Random) -> None:
         quaternion = Quaternion()
         call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
         quaternion.rotate_by(Vector3(0.0, tiny, 0.0))
-        got = quaternion.j / tiny
+        got = same_sign(rijk(quaternion), (1.0, 0.0, 0.0, 0.0))[2] / tiny
         expect_close(call, got, 0.5, cause=cause, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.11", weight=2)
 def test_the_step_of_the_book(rng: Random) -> None:
     read = ADD
-    q, a, scale = draw_quad(rng), components(rng), number(rng, 0.01, 0.9)
-    quaternion, v = Quaternion(*q), Vector3(*a)
-    call = f"q = Quaternion{q}; q.add_scaled(Vector3{a}, {scale}); q"
-    cause = "add scale/2 times (0, vector) q to q, all four components of the old q; do not "
-    cause += "normalise"
-    returned = quaternion.add_scaled(v, scale)
-    change = hamilton((0.0, *a), q)
-    wanted = [old + 0.5 * scale * new for old, new in zip(q, change, strict=True)]
-    expect_close(call, rijk(quaternion), wanted, cause=cause, read=read, tolerance=TIGHT)
-    expect_unchanged(call, "the vector", xyz(v), a, read=read)
+    size = positive_number(rng, 0.01, 0.9)
+    for scale in (-size, size):
+        q, a = draw_quad(rng), components(rng)
+        quaternion, v = Quaternion(*q), Vector3(*a)
+        call = f"q = Quaternion{q}; q.add_scaled(Vector3{a}, {scale}); q"
+        cause = (
+            "add scale/2 times (0, vector) q to q: (0, vector) on the left, all four components "
+        )
+        cause += "of the old q, and do not normalise"
+        returned = quaternion.add_scaled(v, scale)
+        change = hamilton((0.0, *a), q)
+        wanted = [old + 0.5 * scale * new for old, new in zip(q, change, strict=True)]
+        expect_close(call, rijk(quaternion), wanted, cause=cause, read=read, tolerance=TIGHT)
+        expect_unchanged(call, "the vector", xyz(v), a, read=read)
     cause = "what changes in place returns nothing"
     call = f"Quaternion{q}.add_scaled(Vector3{a}, {scale}), what it returns"
     expect_exactly(call, returned, None, cause=cause, read=read)
@@ -317,3 +374,13 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
             read=read,
         )
         expect_unchanged(call, "q", rijk(quaternion), q, cause=cause, read=read)
+    more = (scale,) if method == "add_scaled" else ()
+    shown = ", ".join(map(str, (good, *more)))
+    expect_error(
+        f"Quaternion{q}.{method}({shown})",
+        lambda: use(Quaternion(*q), good, scale),
+        TypeError,
+        allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
+        cause="three numbers are no Vector3: finite_vector of arguments.py refuses them",
+        read=FIRST_LINES,
+    )

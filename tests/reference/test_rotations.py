@@ -68,7 +68,6 @@ def test_the_conjugate_agrees_with_scipy() -> None:
     # SciPy returns the inverse, whose sign is as good as ours.
     wanted = components(theirs(A).inv())
     assert deviation("conjugate", [a.conjugate() for a in OURS_A], wanted, signed=False) <= 1e-15
-    assert all(a.conjugate() == Quaternion(a.r, -a.i, -a.j, -a.k) for a in OURS_A)
 
 
 def test_a_turned_vector_agrees_with_scipy() -> None:
@@ -194,9 +193,8 @@ def test_every_orientation_is_reached_by_three_angles() -> None:
         warnings.simplefilter("ignore", UserWarning)  # SciPy says so, and sets one angle to 0
         angles = theirs(rows).as_euler("xyz")
     got = [euler_to_quaternion(*(float(angle) for angle in row)) for row in angles]
-    # The angle of an arc of 1 - sin y is known to its square root where y is 90 degrees.
-    assert deviation("Euler angles of SciPy", got[:CASES], A, signed=False) <= 1e-12
-    assert deviation("in gimbal lock", got[CASES:], rows[CASES:], signed=False) <= 1e-7
+    assert deviation("Euler angles of SciPy", got[:CASES], A, signed=False) <= ROUNDINGS
+    assert deviation("in gimbal lock", got[CASES:], rows[CASES:], signed=False) <= ROUNDINGS
 
 
 def test_the_velocity_of_a_point_agrees_with_numpy() -> None:

@@ -196,8 +196,8 @@ def test_the_rates_are_right_close_to_gimbal_lock(degrees: float, sign: float) -
         along = math.cos(z) * spin.x + math.sin(z) * spin.y  # about X as the turn by z left it
         across = math.cos(z) * spin.y - math.sin(z) * spin.x
         wanted = (along / math.cos(y), across, spin.z + along * math.tan(y))
-        # A rounding of the sine's 1 is that of cos y^2, which has as many digits fewer.
-        assert tuple(rates) == pytest.approx(wanted, rel=1e-15 / math.cos(y) ** 2, abs=1e-9)
+        # Some dozen roundings; the cosine, of which few digits are right, enters both sides alike.
+        assert tuple(rates) == pytest.approx(wanted, rel=1e-12, abs=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -221,9 +221,3 @@ def test_gimbal_lock_ends_where_the_cosine_is_above_its_limit(z: float) -> None:
     rate = (math.cos(z) * spin.x + math.sin(z) * spin.y) / math.cos(y)
     # The cosine is 1e-13, and what it is divided into has a rounding or two.
     assert euler_rates(0.0, y, z, spin).x == pytest.approx(rate, rel=1e-14)
-
-
-def test_in_gimbal_lock_two_angles_do_the_work_of_one() -> None:
-    for x, _, z in angles_of(9, 100):
-        one, other = (euler_to_quaternion(x + d, math.pi / 2, z + d) for d in (0.0, 0.7))
-        assert math.dist(one, other) <= 1e-15  # the roundings of six sines and of two products

@@ -116,8 +116,8 @@ class Matrix3:
         """Return the quaternion of this rotation, of length 1; q and -q are equally right.
 
         Four sums of the diagonal give four squares of the components, 4 r^2, 4 i^2, 4 j^2 and
-        4 k^2. The largest is never below 1: its root is safe to divide by, while another may be
-        rounding alone, as r is in a half-turn.
+        4 k^2. The largest is never below 1, and the others follow from it safely, while another may
+        be rounding alone, as r is in a half-turn.
 
         Raises ValueError where this is no rotation (is_rotation).
         """

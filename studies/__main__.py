@@ -1,4 +1,4 @@
-"""The commands of the studies: python -m studies plot, demo, bench or soak."""
+"""The commands of the studies: python -m studies plot, demo, bench, charts, choose or soak."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import importlib
 import importlib.util
 import sys
 
-COMMANDS = ("plot", "demo", "bench", "soak")  # a hand-out lacks the last two
+COMMANDS = ("plot", "demo", "bench", "charts", "choose", "soak")  # a hand-out has the first two
 
 
 def main() -> int:

@@ -1,0 +1,1 @@
+"""Speed against accuracy: the same scenes by every model, what each costs and how far off it is."""

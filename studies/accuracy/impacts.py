@@ -1,0 +1,201 @@
+"""Scenes of balls that bounce: on the ground, without loss and with, and one on another.
+
+What is counted is contacts resolved. pymunk goes through its contacts ten times a step.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
+from ch07_constraints.contacts import ContactResolver
+from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticlePairs
+from ch07_constraints.time_division import time_division_step
+from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
+
+G = 10.0  # m/s^2
+RADIUS = 0.1  # m
+
+
+class Balls:
+    """Balls above each other that are let go: heights of their middles in m, the lowest first."""
+
+    def __init__(
+        self, heights: Sequence[float], masses: Sequence[float], ground: float, pair: float
+    ) -> None:
+        self.heights, self.masses = heights, masses
+        self.ground, self.pair = ground, pair  # restitutions
+
+    def particles(self) -> list[Particle]:
+        """Return them as particles."""
+        return [
+            Particle(Vector3(0.0, y), acceleration=Vector3(0.0, -G), mass=mass)
+            for y, mass in zip(self.heights, self.masses, strict=True)
+        ]
+
+    def detectors(self, particles: list[Particle]) -> Detectors:
+        """Return what finds their contacts."""
+        ground = GroundPlane(particles, radius=RADIUS, restitution=self.ground)
+        if len(particles) == 1:
+            return Detectors(ground)
+        return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
+
+    def places_at(self, times: Sequence[float]) -> list[Place]:
+        """Return the heights at these times, from impact to impact, in plain numbers."""
+        heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
+        found = []
+        for time in times:
+            while (impact := self._next(heights, speeds))[0] <= time - now:
+                after, i = impact
+                heights, speeds = _fall(heights, speeds, after)
+                self._collide(speeds, i)
+                now += after
+            heights, speeds = _fall(heights, speeds, time - now)
+            now = time
+            found.append(tuple(heights))
+        return found
+
+    def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
+        """Return when the next impact is, and of which ball with what is below it."""
+        first, v = heights[0] - RADIUS, speeds[0]
+        impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
+        for i in range(1, len(heights)):
+            gap, closing = heights[i] - heights[i - 1] - 2.0 * RADIUS, speeds[i - 1] - speeds[i]
+            if closing > 0.0:
+                impacts.append((max(gap, 0.0) / closing, i))
+        return min(impacts)
+
+    def _collide(self, speeds: list[float], i: int) -> None:
+        if i == 0:
+            speeds[0] *= -self.ground
+            return
+        m, n = self.masses[i - 1], self.masses[i]
+        change = (1.0 + self.pair) * (speeds[i - 1] - speeds[i]) / (m + n)
+        speeds[i - 1] -= n * change
+        speeds[i] += m * change
+
+
+def _fall(
+    heights: list[float], speeds: list[float], time: float
+) -> tuple[list[float], list[float]]:
+    pairs = zip(heights, speeds, strict=True)
+    return [y + v * time - 0.5 * G * time * time for y, v in pairs], [v - G * time for v in speeds]
+
+
+def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
+    """Go from impact to impact."""
+    particles = balls.particles()
+    detectors, work = balls.detectors(particles), 0
+
+    class Counted:
+        contacts = detectors.contacts
+
+        def next_impact(self, duration: float) -> Impact | None:
+            nonlocal work
+            impact = detectors.next_impact(duration)
+            work += impact is not None
+            return impact
+
+    places = []
+    for _ in range(frames):
+        for _ in range(steps):
+            time_division_step(particles, Counted(), 1.0 / (RATE * steps))
+        places.append(tuple(particle.position.y for particle in particles))
+    return Outcome(places, work)
+
+
+def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -> Outcome:
+    """Step, look what touches after it, and resolve that."""
+    particles = balls.particles()
+    detectors, resolver, work = balls.detectors(particles), ContactResolver(), 0
+    places = []
+    step = 1.0 / (RATE * steps)
+    for _ in range(frames):
+        for _ in range(steps):
+            integrator(particles, _no_forces, step)
+            resolver.resolve_contacts(detectors.contacts(), step)
+            work += resolver.iterations_used
+        places.append(tuple(particle.position.y for particle in particles))
+    return Outcome(places, work)
+
+
+def _no_forces(_: float) -> None:
+    return None
+
+
+def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
+    """Let pymunk do it: restitution is the product of two elasticities."""
+    import pymunk
+
+    space = pymunk.Space()
+    space.gravity = (0.0, -G)
+    bodies: list[Any] = []
+    # The ground has 1 and the lowest ball the ground's restitution; the next one makes up the pair.
+    elasticity = [balls.ground, balls.pair / balls.ground]
+    for i, (y, mass) in enumerate(zip(balls.heights, balls.masses, strict=True)):
+        body = pymunk.Body(mass, math.inf)
+        body.position = (0.0, y)
+        shape = pymunk.Circle(body, RADIUS)
+        shape.elasticity = elasticity[i]
+        space.add(body, shape)
+        bodies.append(body)
+    floor = pymunk.Segment(space.static_body, (-9.0, 0.0), (9.0, 0.0), 0.0)
+    floor.elasticity = 1.0
+    space.add(floor)
+    places = []
+    for _ in range(frames):
+        for _ in range(steps):
+            space.step(1.0 / (RATE * steps))
+        places.append(tuple(body.position.y for body in bodies))
+    return Outcome(places, frames * steps * space.iterations)
+
+
+def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
+    """Return the scene of these balls, with every model."""
+    exact = balls.places_at([frame / RATE for frame in range(1, frames + 1)])
+
+    def truth(time: float) -> Place:
+        return exact[round(time * RATE) - 1]
+
+    many = (*STEPS, 2048, 4096)
+    models = [
+        Model("time division", partial(by_time_division, balls, frames), (1,)),
+        Model(
+            "explicit Euler, then contacts",
+            partial(by_resolver, explicit_euler, balls, frames),
+            many,
+            "the book",
+        ),
+        Model(
+            "semi-implicit Euler, then contacts",
+            partial(by_resolver, semi_implicit_euler, balls, frames),
+            many,
+        ),
+        Model("pymunk", partial(by_pymunk, balls, frames), many, "pymunk"),
+    ]
+    return Scene(name, frames, scale, truth, models, "contacts resolved")
+
+
+def bouncing_ball(restitution: float) -> Scene:
+    """A ball that is dropped from 2 m, for 3 s."""
+    balls = Balls((2.0 + RADIUS,), (1.0,), restitution, 1.0)
+    return scene_of(f"bouncing ball, restitution {restitution:g}", balls, 180, 2.0)
+
+
+def two_balls() -> Scene:
+    """Exercise 7.3: a light ball on a heavy one, dropped from 1 m, for 1.5 s."""
+    gap = 1e-3
+    balls = Balls((1.0 + RADIUS, 1.0 + 3.0 * RADIUS + gap), (1.0, 0.1), 0.9, 0.8)
+    return scene_of("a light ball dropped on a heavy one", balls, 90, 1.0)
+
+
+IMPACTS: list[Callable[[], Scene]] = [
+    partial(bouncing_ball, 1.0),
+    partial(bouncing_ball, 0.8),
+    two_balls,
+]

@@ -1,0 +1,116 @@
+"""What the measured points say: how long each model takes to a tolerance, and which are best."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from studies.accuracy.measure import Point
+
+TOLERANCES = (1e-2, 1e-4, 1e-6)
+
+
+@dataclass(frozen=True)
+class Reached:
+    """Which model of some reaches a tolerance first, and its time in s."""
+
+    model: str
+    time: float
+
+
+@dataclass(frozen=True)
+class Row:
+    """A scene and a tolerance: our best model and pymunk's; None where none gets there."""
+
+    scene: str
+    tolerance: float
+    ours: Reached | None
+    pymunk: Reached | None
+    longest: float  # s, the longest run of pymunk's that was tried
+
+    @property
+    def ratio(self) -> float | None:
+        """How many times as long pymunk takes."""
+        if self.ours is None or self.pymunk is None:
+            return None
+        return self.pymunk.time / self.ours.time
+
+
+def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
+    """Return from which of a model's points on it is within a tolerance; None where it never is.
+
+    ``ordered`` are by their steps. More steps must not lead out of it again: one lucky number of
+    them is not enough.
+    """
+    outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
+    first = outside[-1] + 1 if outside else 0
+    return first if first < len(ordered) else None
+
+
+def time_to(points: Sequence[Point], tolerance: float) -> float | None:
+    """Return how long one model takes to a tolerance in s; None where it never gets there.
+
+    Between two measured numbers of steps the time is interpolated, on logarithmic scales.
+    """
+    ordered = sorted(points, key=lambda point: point.steps)
+    first = first_within(ordered, tolerance)
+    if first is None:
+        return None
+    inside = ordered[first]
+    if first == 0 or not math.isfinite(ordered[first - 1].error) or inside.error <= 0.0:
+        return inside.time
+    before = ordered[first - 1]
+    share = math.log(before.error / tolerance) / math.log(before.error / inside.error)
+    return before.time * math.exp(share * math.log(inside.time / before.time))
+
+
+def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
+    """Return the points of each model, by its name, in the order in which they come."""
+    found: dict[str, list[Point]] = {}
+    for point in points:
+        found.setdefault(point.model, []).append(point)
+    return found
+
+
+def best(points: Sequence[Point], tolerance: float) -> Reached | None:
+    """Return the model that reaches a tolerance in the least time, None where none does."""
+    times = {name: time_to(own, tolerance) for name, own in models_of(points).items()}
+    reached = [Reached(name, time) for name, time in times.items() if time is not None]
+    return min(reached, key=lambda model: model.time, default=None)
+
+
+def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
+    """Return the cheapest point of all models within a tolerance, and the next cheaper outside it.
+
+    None where there is none.
+    """
+    within = []
+    for own in models_of(points).values():
+        ordered = sorted(own, key=lambda point: point.steps)
+        first = first_within(ordered, tolerance)
+        within += [] if first is None else ordered[first:]
+    found = min(within, key=lambda point: point.time, default=None)
+    cheaper = [point for point in points if found and point.time < found.time]
+    return found, max(cheaper, key=lambda point: point.time, default=None)
+
+
+def table(points: Sequence[Point]) -> list[Row]:
+    """Return a row for each scene and tolerance, in the order of the scenes."""
+    rows = []
+    for scene in dict.fromkeys(point.scene for point in points):
+        own = [point for point in points if point.scene == scene]
+        theirs = [point for point in own if point.by == "pymunk"]
+        ours = [point for point in own if point.by != "pymunk"]
+        longest = max(point.time for point in theirs)
+        rows += [Row(scene, t, best(ours, t), best(theirs, t), longest) for t in TOLERANCES]
+    return rows
+
+
+def front(points: Sequence[Point]) -> list[Point]:
+    """Return the points than which no other is both faster and nearer to the truth, by time."""
+    kept: list[Point] = []
+    for point in sorted(points, key=lambda point: (point.time, point.error)):
+        if math.isfinite(point.error) and (not kept or point.error < kept[-1].error):
+            kept.append(point)
+    return kept

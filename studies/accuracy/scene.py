@@ -1,0 +1,169 @@
+"""What is compared: a scene, where its truth is, and the models that run it.
+
+A model is asked for the places at the end of every frame, at 60 frames a second, and may make any
+number of steps in between. Its error is by how much any coordinate is off the truth at any of those
+times, at the worst, in units of the scene's scale: a lucky instant counts for nothing.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ch05_forces.forces import ForceGenerator, ForceRegistry
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import (
+    Integrator,
+    explicit_euler,
+    runge_kutta_4,
+    semi_implicit_euler,
+    velocity_verlet,
+)
+
+if TYPE_CHECKING:
+    import pymunk
+
+RATE = 60.0  # frames a second
+STEPS = tuple(2**n for n in range(11))  # a frame
+Place = tuple[float, ...]  # the coordinates of all that is looked at, in m
+Made = tuple[Particle, Sequence[ForceGenerator]]
+Pull = Callable[[float, float, float, float], tuple[float, float]]  # of x, y and velocity, in N
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The places at the end of every frame, and how often forces, or a formula, were worked out."""
+
+    places: list[Place]
+    work: int
+
+
+@dataclass(frozen=True)
+class Model:
+    """A way to run a scene, in so many steps a frame. ``by`` says whose it is.
+
+    That is "ours", "the book" or "pymunk". One that is exact has no steps to choose: (1,).
+    """
+
+    name: str
+    run: Callable[[int], Outcome]
+    steps: Sequence[int] = STEPS
+    by: str = "ours"
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A scene of so many frames. ``truth`` has the place at a time in s; ``scale`` is in m.
+
+    ``counted`` says what the models count as their work.
+    """
+
+    name: str
+    frames: int
+    scale: float
+    truth: Callable[[float], Place]
+    models: Sequence[Model]
+    counted: str = "evaluations of forces or formulas"
+
+    def error(self, outcome: Outcome) -> float:
+        """Return the largest error of a coordinate, in units of the scale; inf for a NaN."""
+        worst = 0.0
+        for frame, place in enumerate(outcome.places, 1):
+            for found, true in zip(place, self.truth(frame / RATE), strict=True):
+                worst = max(worst, abs(found - true)) if math.isfinite(found) else math.inf
+        return worst / self.scale
+
+
+INTEGRATORS: dict[str, tuple[Integrator, str]] = {
+    "explicit Euler": (explicit_euler, "the book"),
+    "semi-implicit Euler": (semi_implicit_euler, "ours"),
+    "velocity Verlet": (velocity_verlet, "ours"),
+    "Runge-Kutta 4": (runge_kutta_4, "ours"),
+}
+
+
+def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
+    """Return a model for each integrator of chapter 6, of one particle and its forces."""
+    return [
+        Model(name, by_forces(make, integrator, frames), by=by)
+        for name, (integrator, by) in INTEGRATORS.items()
+    ]
+
+
+def by_forces(
+    make: Callable[[], Made], integrator: Integrator, frames: int
+) -> Callable[[int], Outcome]:
+    """Return what steps a particle in the X-Y plane by an integrator, and counts evaluations."""
+
+    def run(steps: int) -> Outcome:
+        particle, generators = make()
+        registry = ForceRegistry()
+        for generator in generators:
+            registry.add(particle, generator)
+        work = 0
+
+        def apply_forces(duration: float) -> None:
+            nonlocal work
+            work += 1
+            registry.update_forces(duration)
+
+        places: list[Place] = []
+        step = 1.0 / (RATE * steps)
+        for _ in range(frames):
+            for _ in range(steps):
+                integrator([particle], apply_forces, step)
+            places.append((particle.position.x, particle.position.y))
+        return Outcome(places, work)
+
+    return run
+
+
+def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
+    """Return the model that asks a closed form once a frame."""
+
+    def run(_: int) -> Outcome:
+        return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)
+
+    return Model("closed form", run, (1,))
+
+
+def by_pymunk(
+    name: str,
+    make: Callable[[], tuple[pymunk.Space, pymunk.Body]],
+    frames: int,
+    pull: Pull | None = None,
+) -> Model:
+    """Return the model that steps a body of pymunk, which works forces out once a step.
+
+    ``pull`` is a force that is given to it by hand before every step: it has none but gravity and
+    its springs of its own.
+    """
+
+    def run(steps: int) -> Outcome:
+        space, body = make()
+        places: list[Place] = []
+        step = 1.0 / (RATE * steps)
+        for _ in range(frames):
+            for _ in range(steps):
+                if pull is not None:
+                    place = body.position
+                    force = pull(place.x, place.y, *body.velocity)
+                    body.apply_force_at_world_point(force, place)
+                space.step(step)
+            places.append((body.position.x, body.position.y))
+        return Outcome(places, frames * steps)
+
+    return Model(name, run, by="pymunk")
+
+
+def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:
+    """Return a space of pymunk without gravity, and the one body in it."""
+    import pymunk  # here, since a chapter's plots can do without
+
+    space = pymunk.Space()
+    body = pymunk.Body(mass, 1.0)
+    body.position, body.velocity = (place[0], place[1]), (velocity[0], velocity[1])
+    space.add(body)
+    return space, body

@@ -1,0 +1,102 @@
+"""Scenes of one body on a spring: soft, stiff, very stiff, and one that settles at once."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.integrators import backward_euler, semi_implicit_euler, trapezoidal
+from ch06_springs.springs import AnchoredSpring, FakeStiffSpring
+from studies.accuracy.scene import (
+    RATE,
+    Made,
+    Model,
+    Outcome,
+    Place,
+    Scene,
+    by_forces,
+    by_formula,
+    by_integrators,
+    by_pymunk,
+    space_with,
+)
+
+if TYPE_CHECKING:
+    import pymunk
+
+Solver = Callable[[float, float, float, float, float, float], tuple[float, float]]
+FRAMES = 120
+
+
+def spring(stiffness: float, damping: float) -> Scene:
+    """A body of 1 kg that is let go 1 m from the anchor of a spring, whose rest length is 0."""
+
+    def place_at(time: float) -> Place:
+        return damped_spring_state(1.0, 0.0, stiffness, damping, 1.0, time)[0], 0.0
+
+    def truth(time: float) -> Place:
+        """The two exponentials, of complex numbers; the roots of these scenes are never equal."""
+        root = cmath.sqrt(0.25 * damping * damping - stiffness)
+        a, b = -0.5 * damping + root, -0.5 * damping - root
+        return ((b * cmath.exp(a * time) - a * cmath.exp(b * time)) / (b - a)).real, 0.0
+
+    def make() -> Made:
+        return Particle(Vector3(1.0)), [AnchoredSpring(Vector3(), stiffness, 0.0, damping)]
+
+    def make_fake() -> Made:
+        return Particle(Vector3(1.0)), [FakeStiffSpring(Vector3(), stiffness, damping)]
+
+    def in_space() -> tuple[pymunk.Space, pymunk.Body]:
+        import pymunk  # here, since a chapter's plots can do without
+
+        space, body = space_with((1.0, 0.0), (0.0, 0.0), 1.0)
+        still = space.static_body
+        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), 0.0, stiffness, damping))
+        return space, body
+
+    def pull(x: float, y: float, vx: float, vy: float) -> tuple[float, float]:
+        return -stiffness * x - damping * vx, -stiffness * y - damping * vy
+
+    models = [
+        by_formula(place_at, FRAMES),
+        *by_integrators(make, FRAMES),
+        Model("backward Euler", partial(by_solver, backward_euler, stiffness, damping)),
+        Model("trapezoidal rule", partial(by_solver, trapezoidal, stiffness, damping)),
+        Model("faked stiff spring", by_forces(make_fake, semi_implicit_euler, FRAMES)),
+        by_pymunk("pymunk's spring", in_space, FRAMES),
+        by_pymunk(
+            "pymunk, force by hand",
+            partial(space_with, (1.0, 0.0), (0.0, 0.0), 1.0),
+            FRAMES,
+            pull,
+        ),
+    ]
+    name = f"spring, k = {stiffness:g} N/m, c = {damping:.3g} N s/m"
+    return Scene(name, FRAMES, 1.0, truth, models)
+
+
+def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
+    """Step a linear spring by a solver, which works one formula out a step."""
+    x, v = 1.0, 0.0
+    places: list[Place] = []
+    step = 1.0 / (RATE * steps)
+    for _ in range(FRAMES):
+        for _ in range(steps):
+            x, v = solver(x, v, stiffness, damping, 1.0, step)
+        places.append((x, 0.0))
+    return Outcome(places, FRAMES * steps)
+
+
+# A tenth of the critical damping, c = 0.2 root k; and one that is damped a tenth of critically but
+# over long before the first frame ends.
+SPRINGS: list[Callable[[], Scene]] = [
+    *(partial(spring, k, 0.2 * math.sqrt(k)) for k in (10.0, 100.0, 1e4)),
+    partial(spring, 1e6, 20.0),
+    partial(spring, 1e6, 200.0),
+]

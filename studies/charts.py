@@ -1,0 +1,113 @@
+"""Chart speed against accuracy: every scene by every model, pymunk among them.
+
+Writes a chart and its numbers for each scene, and a table over all, below build/charts/. A run that
+was stopped goes on where it was.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import re
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from matplotlib import pyplot
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+
+from autograder.manifest import ROOT
+from studies.plot import shown
+
+if TYPE_CHECKING:
+    from studies.accuracy.results import Row
+
+QUICK = (3, 0.05)  # rounds, and s for the slowest run of a model
+FULL = (9, 0.6)
+
+
+def main(arguments: list[str]) -> int:
+    """Measure and draw; return 0, or a parser's error for a scene that there is not."""
+    parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
+    parser.add_argument(
+        "--quick", action="store_true", help="about a minute: coarser, fewer rounds"
+    )
+    parser.add_argument("--scene", default="", help="only scenes with this in their name")
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "charts")
+    options = parser.parse_args(arguments)
+    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    # These import chapters.
+    from studies.accuracy import chart, measure, results
+    from studies.accuracy.scenes import scenes_with
+
+    pyplot.switch_backend("agg")
+    try:
+        scenes = scenes_with(options.scene)
+    except ValueError as error:
+        parser.error(str(error))
+    rounds, slowest = QUICK if options.quick else FULL
+    console = Console(highlight=False)
+    options.out.mkdir(parents=True, exist_ok=True)
+    kept = options.out / "measured.json"
+    sign = measure.sign_of([scene.name for scene in scenes], slowest)
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, transient=True) as progress:
+        measured = measure.load(kept, sign)
+        if measured is None:
+            task = progress.add_task("", total=None)
+            measured = measure.explore(
+                scenes, slowest, lambda what: progress.update(task, description=what)
+            )
+            progress.remove_task(task)
+        elif measured.rounds:
+            console.print(
+                f"going on after an earlier run, with {measured.rounds} of {rounds} rounds"
+            )
+        left = max(rounds - measured.rounds, 0)
+        task = progress.add_task("timing", total=left * len(measured.points))
+        for _ in range(left):
+            measure.time_once(measured, scenes, lambda: progress.advance(task))
+            measure.save(measured, kept, sign)
+    for scene in scenes:
+        own = [point for point in measured.points if point.scene == scene.name]
+        png = options.out / f"{re.sub('[^a-z0-9]+', '_', scene.name.lower()).strip('_')}.png"
+        chart.draw(own, scene.counted, png)
+        console.print(f"{scene.name}: {shown(png)}")
+    rows = results.table(measured.points)
+    _print(rows, console)
+    _write(rows, options.out / "table.csv")
+    console.print(f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}")
+    return 0
+
+
+def _print(rows: list[Row], console: Console) -> None:
+    table = Table("scene", "to", box=SIMPLE_HEAD, pad_edge=False)
+    for heading in ("ours", "pymunk", "pymunk / ours"):
+        table.add_column(heading, justify="right")
+    for row in rows:
+        mine, theirs = (
+            f"{reached.model}, {1e3 * reached.time:.3g} ms" if reached else ""
+            for reached in (row.ours, row.pymunk)
+        )
+        ratio = f"{row.ratio:.3g}" if row.ratio else ""
+        if row.ours and not row.pymunk:
+            theirs, ratio = (
+                f"not in {1e3 * row.longest:.3g} ms",
+                f"> {row.longest / row.ours.time:.3g}",
+            )
+        table.add_row(row.scene, f"{row.tolerance:g}", mine or "never", theirs or "never", ratio)
+    console.print(table)
+
+
+def _write(rows: list[Row], path: Path) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(("scene", "tolerance", "ours", "ms", "pymunk", "ms", "pymunk / ours"))
+        for row in rows:
+            cells: list[object] = [row.scene, row.tolerance]
+            for reached in (row.ours, row.pymunk):
+                cells += [reached.model, 1e3 * reached.time] if reached else ["", ""]
+            writer.writerow([*cells, row.ratio or ""])

@@ -1,0 +1,80 @@
+"""Choose the cheapest model of a scene that meets a tolerance: measure every model, and say which.
+
+Model no more than the scene needs: what is cheaper than that is named too, with how far off it is.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from typing import TYPE_CHECKING
+
+from rich.console import Console
+
+from autograder.manifest import ROOT
+
+if TYPE_CHECKING:
+    from studies.accuracy.measure import Point
+    from studies.accuracy.scene import Scene
+
+ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
+
+
+def main(arguments: list[str]) -> int:
+    """Measure and say; return 1 where no model of ours meets the tolerance."""
+    parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
+    parser.add_argument("scene", help="a part of a scene's name, such as pendulum")
+    parser.add_argument(
+        "--tolerance", type=float, default=1e-3, help="the error that is allowed, of the scale"
+    )
+    options = parser.parse_args(arguments)
+    if not 0.0 < options.tolerance < math.inf:
+        parser.error(f"--tolerance must be positive and finite, got {options.tolerance!r}")
+    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    # These import chapters.
+    from studies.accuracy import measure, results
+    from studies.accuracy.scenes import scenes_with
+
+    try:
+        scenes = scenes_with(options.scene)
+    except ValueError as error:
+        parser.error(str(error))
+    console = Console(highlight=False)
+    with console.status("measuring") as status:
+        measured = measure.explore(scenes, SLOWEST, status.update)
+        for done in range(ROUNDS):
+            status.update(f"timing, round {done + 1} of {ROUNDS}")
+            measure.time_once(measured, scenes, lambda: None)
+    missed = False
+    for scene in scenes:
+        own = [point for point in measured.points if point.scene == scene.name]
+        console.print(
+            f"{scene.name}: {scene.frames / 60.0:.3g} s, to {options.tolerance:g} of its scale of "
+            f"{scene.scale:.3g} m",
+            style="bold",
+            soft_wrap=True,
+        )
+        ours = [point for point in own if point.by != "pymunk"]
+        found, cheaper = results.cheapest(ours, options.tolerance)
+        theirs, _ = results.cheapest([p for p in own if p.by == "pymunk"], options.tolerance)
+        missed |= found is None
+        for title, point, none in (
+            ("cheapest", found, "no model of ours meets it within the time that was tried"),
+            ("next cheaper", cheaper, "nothing is cheaper"),
+            ("pymunk", theirs, "does not meet it within the time that was tried"),
+        ):
+            told = _told(scene, point) if point else none
+            if point and point is cheaper:
+                told += ": fails" if point.error > options.tolerance else ": by luck"
+            console.print(f"  {title + ':':14}{told}", soft_wrap=True)
+    return 1 if missed else 0
+
+
+def _told(scene: Scene, point: Point) -> str:
+    """Return what a point is, costs and misses by."""
+    steps = "once" if point.steps == 1 else f"{point.steps} steps"
+    return (
+        f"{point.model}, {steps} a frame: {1e3 * point.time:.3g} ms, {point.work} "
+        f"{scene.counted}, error {point.error:.2g}"
+    )

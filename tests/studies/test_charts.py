@@ -1,0 +1,264 @@
+"""Speed against accuracy: scenes are true, errors fall by the models' orders, runs go on."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy
+import pytest
+from scipy.integrate import solve_ivp
+
+from ch07_constraints.angle_pendulum import AnglePendulum
+from studies import charts, choose
+from studies.accuracy import impacts
+from studies.accuracy.measure import Measured, Point, load, save
+from studies.accuracy.results import best, front, table, time_to
+from studies.accuracy.scene import RATE, Model, Outcome, Scene
+from studies.accuracy.scenes import scenes_with
+from studies.drawing import slope
+
+SCENES = {scene.name: scene for scene in scenes_with("")}
+G = 9.81
+
+
+def model_of(scene: Scene, name: str) -> Model:
+    return next(model for model in scene.models if model.name == name)
+
+
+def error_of(scene: Scene, name: str, steps: int = 1) -> float:
+    return scene.error(model_of(scene, name).run(steps))
+
+
+def rates_of(k: float, c: float) -> Callable[[float, list[float]], list[float]]:
+    return lambda _, s: [s[1], -k * s[0] - c * s[1]]
+
+
+SPRING = "spring, k = {} N/m, c = {} N s/m"
+ODES: dict[str, tuple[Callable[..., list[float]], list[float], Callable[..., list[float]]]] = {
+    "projectile with linear drag": (
+        lambda _, s: [s[2], s[3], math.log(0.6) * s[2], -G + math.log(0.6) * s[3]],
+        [0.0, 1.5, 20.0, 20.0],
+        lambda s: [s[0], s[1]],
+    ),
+    "fall with quadratic drag": (
+        lambda _, s: [s[1], -G - 0.05 * abs(s[1]) * s[1]],
+        [0.0, 0.0],
+        lambda s: [0.0, s[0]],
+    ),
+    "orbit of eccentricity 0.5": (
+        lambda _, s: [s[2], s[3], *(-x / math.hypot(s[0], s[1]) ** 3 for x in s[:2])],
+        [0.5, 0.0, 0.0, math.sqrt(3.0)],
+        lambda s: [s[0], s[1]],
+    ),
+    "floating block": (
+        lambda _, s: [s[1], -G + 1000.0 * 0.001 * G / 0.5 * (0.05 - s[0]) / 0.1],
+        [0.04, 0.0],
+        lambda s: [0.0, s[0]],
+    ),
+    "pendulum from horizontal": (
+        lambda _, s: [s[1], -10.0 * math.sin(s[0])],
+        [0.5 * math.pi, 0.0],
+        lambda s: [math.sin(s[0]), -math.cos(s[0])],
+    ),
+    SPRING.format("10", "0.632"): (
+        rates_of(10.0, 0.2 * math.sqrt(10.0)),
+        [1.0, 0.0],
+        lambda s: [s[0], 0.0],
+    ),
+    SPRING.format("100", "2"): (rates_of(100.0, 2.0), [1.0, 0.0], lambda s: [s[0], 0.0]),
+    SPRING.format("10000", "20"): (rates_of(1e4, 20.0), [1.0, 0.0], lambda s: [s[0], 0.0]),
+}
+
+
+@pytest.mark.parametrize("name", ODES)
+def test_the_truth_of_a_scene_is_that_of_its_equation(name: str) -> None:
+    rates, start, place = ODES[name]
+    times = numpy.linspace(0.1, 1.0, 10) * SCENES[name].frames / RATE
+    found = solve_ivp(
+        rates, (0.0, times[-1]), start, method="DOP853", t_eval=times, rtol=1e-12, atol=1e-13
+    )
+    for time, state in zip(times, found.y.T, strict=True):
+        # SciPy's own error: 1e-12 a step, of some hundred steps, and grows along an orbit.
+        assert SCENES[name].truth(time) == pytest.approx(place(state), abs=2e-9)
+
+
+def test_the_truth_of_bounces_is_that_of_drops_and_of_momentum() -> None:
+    balls = impacts.Balls((2.0 + impacts.RADIUS,), (1.0,), 0.8, 1.0)
+    first = math.sqrt(2.0 * 2.0 / 10.0)
+    # Up again for 0.8 of the time of the fall, to 0.64 of its height.
+    (top,), (down,) = balls.places_at([1.8 * first, 2.6 * first])
+    assert top == pytest.approx(0.64 * 2.0 + impacts.RADIUS, abs=1e-12)
+    assert down == pytest.approx(impacts.RADIUS, abs=1e-12)
+    two = impacts.Balls((1.1, 1.3 + 1e-9), (1.0, 0.1), 0.9, 0.8)
+    speed = math.sqrt(2.0 * 10.0)
+    after = 0.01
+    _, upper = two.places_at([speed / 10.0 + after])[0]
+    # Exercise 7.3: 0.9 of the speed upwards meets the speed downwards, in their common frame.
+    gone = (1.0 * 0.9 - 0.1) / 1.1 + 0.8 * 1.0 / 1.1 * 1.9
+    # 1e-9 m between the two is closed in 1e-10 s.
+    assert upper == pytest.approx(0.3 + speed * gone * after - 5.0 * after**2, abs=1e-8)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_closed_forms_and_exact_ways_are_exact(name: str) -> None:
+    exact = {"closed form", "time division"} & {model.name for model in SCENES[name].models}
+    for way in exact:
+        # Some hundred roundings, and k t of 1e3 rad in the stiffest spring.
+        assert error_of(SCENES[name], way) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("scene", "model", "order"),
+    [
+        ("projectile with linear drag", "explicit Euler", 1),
+        ("projectile with linear drag", "damping in the particle", 1),
+        ("projectile with linear drag", "velocity Verlet", 2),
+        ("projectile with linear drag", "pymunk", 1),
+        ("orbit of eccentricity 0.5", "velocity Verlet", 2),
+        ("floating block", "Runge-Kutta 4", 4),
+        (SPRING.format("100", "2"), "Runge-Kutta 4", 4),
+        (SPRING.format("100", "2"), "trapezoidal rule", 2),
+        (SPRING.format("100", "2"), "backward Euler", 1),
+        (SPRING.format("100", "2"), "pymunk's spring", 1),
+        (SPRING.format("100", "2"), "pymunk, force by hand", 1),
+        ("pendulum from horizontal", "by its angle, Runge-Kutta 4", 4),
+        ("pendulum from horizontal", "direct chain", 2),
+        ("pendulum from horizontal", "pymunk, pin joint", 1),
+    ],
+)
+def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: int) -> None:
+    steps = (4, 8, 16) if order == 4 else (16, 32, 64)
+    errors = [error_of(SCENES[scene], model, count) for count in steps]
+    # The next order is a twentieth of it at the most.
+    assert slope([1.0 / count for count in steps], errors) == pytest.approx(order, abs=0.1)
+
+
+def test_work_is_what_was_worked_out() -> None:
+    orbit = SCENES["orbit of eccentricity 0.5"]
+    asked = {"explicit Euler": 1, "semi-implicit Euler": 1, "velocity Verlet": 2}
+    for name, times in (asked | {"Runge-Kutta 4": 4, "pymunk, force by hand": 1}).items():
+        assert model_of(orbit, name).run(2).work == 2 * times * orbit.frames
+    ball = SCENES["bouncing ball, restitution 0.8"]
+    # From 2 m, at 0.632 s and after flights of 1.012, 0.810, ... s: three impacts in 3 s.
+    assert model_of(ball, "time division").run(1).work == 3
+
+
+def test_an_angle_pendulum_refuses_what_is_none() -> None:
+    for bad in ((0.0, 1.0), (1.0, math.nan), (1.0, 1.0, math.inf), (1.0, 1.0, 0.0, 0.0)):
+        with pytest.raises(ValueError, match="must be"):
+            AnglePendulum(*bad)
+    with pytest.raises(ValueError, match="duration must be positive"):
+        AnglePendulum(1.0, 1.0).step(0.0)
+
+
+def test_what_breaks_off_or_is_no_number_is_no_answer() -> None:
+    def run(_: int) -> Outcome:
+        return Outcome([(0.0,), (math.nan,)], 2)
+
+    scene = Scene("none", 2, 1.0, lambda _: (0.0,), [Model("nan", run)])
+    assert scene.error(run(1)) == math.inf
+
+
+def points(
+    errors: list[float], times: list[float], model: str = "a", by: str = "ours"
+) -> list[Point]:
+    pairs = enumerate(zip(errors, times, strict=True))
+    return [Point("s", model, by, 2**i, error, 1, [time]) for i, (error, time) in pairs]
+
+
+def test_the_time_to_a_tolerance_is_read_between_two_points() -> None:
+    run = points([1e-1, 1e-2, 1e-3], [1.0, 2.0, 4.0])
+    assert time_to(run, 1e-2) == pytest.approx(2.0)
+    assert time_to(run, 10.0**-2.5) == pytest.approx(2.0 * math.sqrt(2.0))
+    assert time_to(run, 1.0) == 1.0
+    assert time_to(run, 1e-4) is None
+    lucky = points([1e-1, 1e-9, 1e-2, 1e-3], [1.0, 2.0, 4.0, 8.0])
+    assert time_to(lucky, 1e-3) == pytest.approx(8.0)
+    broken = points([math.inf, 1e-5], [1.0, 2.0])
+    assert time_to(broken, 1e-4) == 2.0
+
+
+def test_the_best_and_the_front_are_the_fastest_at_each_error() -> None:
+    slow, fast = points([1e-2, 1e-8], [3.0, 9.0], "slow"), points([1e-3, 1e-4], [2.0, 7.0], "fast")
+    theirs = points([1e-1, 1e-2], [1.0, 8.0], "theirs", "pymunk")
+    every = [*slow, *fast, *theirs]
+    reached = best([*slow, *fast], 1e-2)
+    assert reached is not None
+    assert (reached.model, reached.time) == ("fast", 2.0)
+    assert [(p.model, p.steps) for p in front(every)] == [
+        *(("theirs", 1), ("fast", 1), ("fast", 2), ("slow", 2))
+    ]
+    loose, middle, tight = table(every)
+    assert (loose.ratio, middle.ratio) == (pytest.approx(4.0), None)
+    assert tight.ours is not None
+    assert tight.ours.model == "slow"
+    assert tight.longest == 8.0
+
+
+def test_what_was_measured_is_kept_unless_the_code_changed(tmp_path: Path) -> None:
+    measured = Measured(points([1e-1, math.inf], [1.0, 2.0]), 1)
+    save(measured, tmp_path / "kept.json", "these")
+    assert load(tmp_path / "kept.json", "these") == measured
+    assert load(tmp_path / "kept.json", "those") is None
+    (tmp_path / "kept.json").write_text("{", encoding="utf-8")
+    assert load(tmp_path / "kept.json", "these") is None
+    assert load(tmp_path / "none.json", "these") is None
+
+
+def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(charts, "QUICK", (1, 1e-3))
+    arguments = ["--quick", "--scene", "k = 100 ", "--out", str(tmp_path)]
+    assert charts.main(arguments) == 0
+    first = (tmp_path / "measured.json").read_bytes()
+    assert (tmp_path / "spring_k_100_n_m_c_2_n_s_m.png").stat().st_size > 40_000
+    with (tmp_path / "spring_k_100_n_m_c_2_n_s_m.csv").open(encoding="utf-8") as file:
+        rows = [*csv.reader(file)]
+    assert rows[0][:3] == ["model", "by", "steps a frame"]
+    assert {row[0] for row in rows[1:]} == {
+        m.name for m in SCENES[SPRING.format("100", "2")].models
+    }
+    with (tmp_path / "table.csv").open(encoding="utf-8") as file:
+        assert len([*csv.reader(file)]) == 1 + 3
+    assert "earlier run" not in capsys.readouterr().out
+    assert charts.main(arguments) == 0
+    assert "going on after an earlier run, with 1 of 1 rounds" in capsys.readouterr().out
+    assert (tmp_path / "measured.json").read_bytes() == first
+
+
+def test_a_scene_that_is_not_there_is_refused_by_name(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with pytest.raises(SystemExit):
+        charts.main(["--scene", "a cat"])
+    assert "must be a part of a scene's name, got 'a cat': projectile" in capsys.readouterr().err
+
+
+def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_not(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(choose, "SLOWEST", 1e-3)
+    assert choose.main(["k = 10000 ", "--tolerance", "1e-3"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].startswith("spring, k = 10000 N/m, c = 20 N s/m: 2 s, to 0.001 of its scale")
+    assert lines[1].startswith("  cheapest:     closed form, once a frame: ")
+    # Nothing but one step a frame of another model is as cheap, and none of them is right.
+    assert lines[2].startswith(("  next cheaper: trapezoidal", "  next cheaper: backward"))
+    assert lines[2].endswith(": fails")
+    assert lines[3] == "  pymunk:       does not meet it within the time that was tried"
+
+
+def test_where_nothing_will_do_the_command_fails(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(choose, "SLOWEST", 1e-3)
+    assert choose.main(["k = 100 ", "--tolerance", "1e-20"]) == 1
+    assert "no model of ours meets it" in capsys.readouterr().out
+    for bad in ("0", "-1", "nan", "inf"):
+        with pytest.raises(SystemExit):
+            choose.main(["rope", "--tolerance", bad])
+        assert "must be positive and finite" in capsys.readouterr().err

@@ -1,4 +1,4 @@
-"""The commands of the studies: python -m studies plot, demo, bench, charts, choose or soak."""
+"""The commands of the studies, such as python -m studies plot."""
 
 from __future__ import annotations
 
@@ -6,7 +6,15 @@ import importlib
 import importlib.util
 import sys
 
-COMMANDS = ("plot", "demo", "bench", "charts", "choose", "soak")  # a hand-out has the first two
+COMMANDS = (
+    "plot",
+    "demo",
+    "bench",
+    "charts",
+    "choose",
+    "limits",
+    "soak",
+)  # a hand-out has the first two
 
 
 def main() -> int:

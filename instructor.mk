@@ -4,7 +4,7 @@ SUBMISSIONS ?= sample_class
 HOSTILE := tests/autograder/test_hostile.py
 OURS := $(wildcard chapters/*/plots*.py chapters/*/demos*.py)
 
-.PHONY: grade handout stubs test lint bench charts limits soak
+.PHONY: grade handout stubs test lint bench charts limits economy soak
 
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3 GIVEN=2 CHECKS=hidden) into build/grades/
 	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(JOBS),--jobs "$(JOBS)")
@@ -29,6 +29,9 @@ soak: $(READY) ## ten minutes of bridge and platform at three frame rates, in ab
 
 bench: $(READY) ## speed, as ratios measured in turn
 	@$(RUN) -m studies bench
+
+economy: $(READY) ## what parts of a model cost that a scene does not need
+	@$(RUN) -m studies economy
 
 limits: $(READY) ## the stiffest spring that each method bears, and what lies outside
 	@$(RUN) -m studies limits

@@ -1,0 +1,176 @@
+"""What each part of a model costs that its scene does not need, as bars, measured in turn.
+
+Two hundred particles fall, and nothing else happens. Every bar is the time of a frame with a part
+that makes no difference here, over that of the same frame without it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from matplotlib import pyplot
+from rich.console import Console
+
+from autograder.manifest import ROOT
+from studies.drawing import BLUE, GREY
+from studies.plot import shown
+from studies.timing import Line, Timer, ratio, timer
+
+COUNT, ROUNDS, FRAME = 200, 41, 1.0 / 60.0
+FRAMES = 20  # in one measurement
+Move = Callable[[], object]
+
+
+def main(arguments: list[str]) -> int:
+    """Measure, print and draw; return 0."""
+    parser = argparse.ArgumentParser(prog="python -m studies economy", description=__doc__)
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "economy.png")
+    options = parser.parse_args(arguments)
+    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    console = Console(highlight=False)
+    lines = [
+        Line(what, *ratio(_frames(with_it), _frames(without), ROUNDS, what), "")
+        for what, with_it, without in parts()
+    ]
+    for line in lines:
+        console.print(f"{line.ratio:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}")
+    options.out.parent.mkdir(parents=True, exist_ok=True)
+    draw(lines, options.out)
+    with options.out.with_suffix(".csv").open("w", encoding="utf-8", newline="") as file:
+        rows = [(line.what, line.ratio, line.low, line.high) for line in lines]
+        csv.writer(file).writerows([("part", "ratio", "lower", "upper"), *rows])
+    console.print(f"{shown(options.out)} and {shown(options.out.with_suffix('.csv'))}")
+    return 0
+
+
+def draw(lines: list[Line], png: Path) -> None:
+    """Write the bars, the dearest part on top."""
+    pyplot.switch_backend("agg")
+    figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
+    ordered = sorted(lines, key=lambda line: line.ratio)
+    ratios = [line.ratio for line in ordered]
+    around = [
+        [line.ratio - line.low for line in ordered],
+        [line.high - line.ratio for line in ordered],
+    ]
+    axes.barh([line.what for line in ordered], ratios, xerr=around, color=BLUE, capsize=3)
+    for i, value in enumerate(ratios):
+        axes.text(1.1 * value, i, f"{value:.2f}", va="center")
+    axes.axvline(1.0, color=GREY, ls="--")
+    axes.set(xscale="log", xlim=(0.9, 2.0 * max(ratios)))
+    axes.set(xlabel="time of a frame with it / without it (whiskers: quartiles; dashed: no cost)")
+    axes.set_title("What a falling particle does not need, and what it costs all the same")
+    figure.savefig(png, dpi=110)
+    pyplot.close(figure)
+
+
+def parts() -> list[tuple[str, Move, Move]]:
+    """Return what each part is, a frame with it and a frame without it."""
+    # These import chapters.
+    from ch05_forces.forces import ForceRegistry, Gravity
+    from ch05_forces.particle import Particle
+    from ch06_springs.integrators import explicit_euler, runge_kutta_4
+    from ch07_constraints.detectors import GroundPlane, ParticlePairs
+    from ch08_mass_aggregate.sleeping import SleepingWorld
+    from ch08_mass_aggregate.world import ParticleWorld
+    from studies.benchmarks.worlds import DOWN, on_the_ground
+
+    def falling(acceleration: bool = True) -> list[Particle]:
+        """Two hundred of them, far above the ground and from each other."""
+        from ch02_vectors.vector import Vector3
+
+        return [
+            Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
+            for i in range(COUNT)
+        ]
+
+    def stepping(particles: list[Particle]) -> Move:
+        def move() -> None:
+            for particle in particles:
+                particle.integrate(FRAME)
+
+        return move
+
+    def by_generator(particles: list[Particle], gravity: Gravity) -> Move:
+        def move() -> None:
+            for particle in particles:
+                gravity.update_force(particle, FRAME)
+                particle.integrate(FRAME)
+
+        return move
+
+    def by_registry(particles: list[Particle], gravity: Gravity) -> Move:
+        registry = ForceRegistry()
+        for particle in particles:
+            registry.add(particle, gravity)
+        move_all = stepping(particles)
+
+        def move() -> None:
+            registry.update_forces(FRAME)
+            move_all()
+
+        return move
+
+    def in_world(*detectors: Callable[[list[Particle]], object]) -> Move:
+        particles = falling()
+        world = ParticleWorld(particles, integrator=explicit_euler)
+        world.contact_generators += [make(particles) for make in detectors]  # type: ignore[misc]
+        return lambda: world.step(FRAME)
+
+    gravity = Gravity(DOWN)
+    direct = by_generator(falling(acceleration=False), gravity)
+    four = falling()
+    return [
+        ("gravity as a force generator", direct, stepping(falling())),
+        ("a registry for it", by_registry(falling(acceleration=False), gravity), direct),
+        ("a world around the particles", in_world(), stepping(falling())),
+        ("a look for the ground, far below", in_world(GroundPlane), in_world()),
+        (
+            "a look for pairs, none of them near",
+            in_world(lambda particles: ParticlePairs(particles, 0.5)),
+            in_world(),
+        ),
+        (
+            "four evaluations a step, where one is exact enough",
+            lambda: runge_kutta_4(four, lambda _: None, FRAME),
+            stepping(falling()),
+        ),
+        ("a third dimension, in plain numbers", plain(3), plain(2)),
+        (
+            "keeping awake what lies still, nine of ten",
+            _step_of(on_the_ground(ParticleWorld)),
+            _step_of(on_the_ground(SleepingWorld)),
+        ),
+    ]
+
+
+def plain(dimensions: int) -> Move:
+    """Return a frame of as many particles in plain numbers, of two dimensions or three."""
+    x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
+
+    def two() -> None:
+        for i in range(COUNT):
+            x[i] += vx[i] * FRAME
+            y[i] += vy[i] * FRAME
+            vy[i] -= 9.81 * FRAME
+
+    def three() -> None:
+        for i in range(COUNT):
+            x[i] += vx[i] * FRAME
+            y[i] += vy[i] * FRAME
+            z[i] += vz[i] * FRAME
+            vy[i] -= 9.81 * FRAME
+
+    return {2: two, 3: three}[dimensions]
+
+
+def _step_of(world: object) -> Move:
+    return lambda: world.step(FRAME)  # type: ignore[attr-defined]
+
+
+def _frames(move: Move) -> Timer:
+    return timer(move, FRAMES)

@@ -56,14 +56,20 @@ def _put_hidden_checks(
     if not behind or not behind.hidden:
         return []
     tests = folder / "root" / "tests"
-    shutil.copytree(root / "tests" / chapter.name, tests / chapter.name)
+    shutil.copytree(
+        root / "tests" / chapter.name,
+        tests / chapter.name,
+        ignore=shutil.ignore_patterns("__pycache__"),
+    )
     shutil.copyfile(root / "pyproject.toml", folder / "root" / "pyproject.toml")
     for file in (root / "tests").glob("*.py"):
         shutil.copyfile(file, tests / file.name)
     hidden = behind.hidden / chapter.name
     if not hidden.is_dir():
         return []
-    shutil.copytree(hidden, tests / "hidden" / chapter.name)
+    shutil.copytree(
+        hidden, tests / "hidden" / chapter.name, ignore=shutil.ignore_patterns("__pycache__")
+    )
     return [f"tests/hidden/{chapter.name}"]
 
 

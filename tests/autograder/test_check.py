@@ -24,7 +24,11 @@ def autograder(*arguments: str) -> subprocess.CompletedProcess[str]:
 @pytest.fixture
 def engine(tmp_path: Path) -> Path:
     """The reference's chapter 2 in a folder to be edited."""
-    shutil.copytree(ROOT / "solutions/ch02_vectors", tmp_path / "ch02_vectors")
+    shutil.copytree(
+        ROOT / "solutions/ch02_vectors",
+        tmp_path / "ch02_vectors",
+        ignore=shutil.ignore_patterns("__pycache__"),
+    )
     return tmp_path
 
 

@@ -478,7 +478,11 @@ def test_without_a_wall_only_the_sample_class_is_graded(
 
 
 def test_the_command_takes_every_option(tmp_path: Path) -> None:
-    shutil.copytree(ROOT / "sample_class/dina", tmp_path / "class/dina")
+    shutil.copytree(
+        ROOT / "sample_class/dina",
+        tmp_path / "class/dina",
+        ignore=shutil.ignore_patterns("__pycache__"),
+    )
     command = "-m autograder grade class --out out --jobs 2 --seed 5 --chapters 2,3"
     done = subprocess.run(
         [sys.executable, *command.split(), "--unsafe-no-sandbox"],

@@ -42,7 +42,11 @@ def check(
 def engine(tmp_path: Path) -> Path:
     """The reference's chapters 2 and 3 in a folder to be edited."""
     for chapter in (CH02, CH03):
-        shutil.copytree(ROOT / "solutions" / chapter.name, tmp_path / chapter.name)
+        shutil.copytree(
+            ROOT / "solutions" / chapter.name,
+            tmp_path / chapter.name,
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )
     return tmp_path
 
 
@@ -223,7 +227,12 @@ def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:
     make_handout([CH02, CH03], [], tmp_path / "out")
     for chapter in ("ch02_vectors", "ch03_laws_of_motion"):
         source = ROOT / "sample_class/hana" / chapter
-        shutil.copytree(source, tmp_path / "out/chapters" / chapter, dirs_exist_ok=True)
+        shutil.copytree(
+            source,
+            tmp_path / "out/chapters" / chapter,
+            dirs_exist_ok=True,
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )
     done = check("chapters", "--chapter", "3", root=tmp_path / "out")
     assert done.returncode == 1
     assert "GIVEN" not in done.stdout
@@ -263,7 +272,9 @@ def test_a_hand_out_without_the_earlier_chapter_says_what_to_bring(
 def test_an_earlier_chapter_of_ones_own_that_cannot_be_read_is_named(tmp_path: Path) -> None:
     make_handout([CH03], [], tmp_path / "out")
     own = tmp_path / "out/chapters/ch02_vectors"
-    shutil.copytree(ROOT / "sample_class/dina/ch02_vectors", own)
+    shutil.copytree(
+        ROOT / "sample_class/dina/ch02_vectors", own, ignore=shutil.ignore_patterns("__pycache__")
+    )
     shutil.copy(ROOT / "chapters/ch02_vectors/arguments.py", own)  # each student's folder has it
     done = check("chapters", "--chapter", "3", root=tmp_path / "out")
     assert done.returncode == 1

@@ -175,7 +175,11 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
     monkeypatch.setattr(grading, "run_checks", counted)
     assignment = Assignment(chapters, "1", Level())
     for student in ("ann", "bob"):
-        shutil.copytree(ROOT / "solutions/ch02_vectors", tmp_path / student / "ch02_vectors")
+        shutil.copytree(
+            ROOT / "solutions/ch02_vectors",
+            tmp_path / student / "ch02_vectors",
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )
         report = grade_submission(assignment, Submission(student, tmp_path / student))
         assert report["score"] == report["score_on_given"] == 43
         later = [e for e in report["exercises"] if e["chapter"] == 3]
@@ -233,14 +237,22 @@ def test_links_and_large_files_are_not_taken(tmp_path: Path) -> None:
 
 def test_complete_modules_are_ours_whatever_is_handed_in(tmp_path: Path) -> None:
     for name in ("ch02_vectors", "ch03_laws_of_motion"):
-        shutil.copytree(ROOT / "solutions" / name, tmp_path / "max" / name)
+        shutil.copytree(
+            ROOT / "solutions" / name,
+            tmp_path / "max" / name,
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )
     own = tmp_path / "max/ch02_vectors/arguments.py"
     own.write_text("raise SystemExit('my own arguments')\n", encoding="utf-8")
     assert states(grade_one(tmp_path / "max", load_chapters()[1:2])) == {"passed"}
 
 
 def test_a_class_that_was_given_a_chapter_hands_in_the_next_alone(tmp_path: Path) -> None:
-    shutil.copytree(ROOT / "solutions/ch03_laws_of_motion", tmp_path / "max/ch03_laws_of_motion")
+    shutil.copytree(
+        ROOT / "solutions/ch03_laws_of_motion",
+        tmp_path / "max/ch03_laws_of_motion",
+        ignore=shutil.ignore_patterns("__pycache__"),
+    )
     given, graded = load_chapters()[:2]
     assert states(grade_one(tmp_path / "max", [graded], [given])) == {"passed"}
 

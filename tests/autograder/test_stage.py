@@ -375,7 +375,9 @@ def public() -> Iterator[Path]:
     """A folder, with our complete modules, in which a test runs without the rights of root."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        shutil.copytree(ROOT / "chapters", folder / "chapters")
+        shutil.copytree(
+            ROOT / "chapters", folder / "chapters", ignore=shutil.ignore_patterns("__pycache__")
+        )
         folder.chmod(0o777)
         user = os.geteuid()
         if user == 0:

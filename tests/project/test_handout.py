@@ -72,9 +72,16 @@ def test_a_student_can_check_the_stubs_and_then_an_answer(tmp_path: Path) -> Non
 
 def test_the_stubs_are_made_anew_and_no_solution_goes_along(tmp_path: Path) -> None:
     root, out = tmp_path / "root", tmp_path / "out"
-    shutil.copytree(ROOT, root, ignore=shutil.ignore_patterns(".venv", ".git", "build"))
+    shutil.copytree(
+        ROOT, root, ignore=shutil.ignore_patterns(".venv", ".git", "build", "__pycache__")
+    )
     solved = root / "chapters/ch02_vectors"
-    shutil.copytree(ROOT / "solutions/ch02_vectors", solved, dirs_exist_ok=True)
+    shutil.copytree(
+        ROOT / "solutions/ch02_vectors",
+        solved,
+        dirs_exist_ok=True,
+        ignore=shutil.ignore_patterns("__pycache__"),
+    )
     shutil.copyfile(solved / "vector.py", solved / "vector_old.py")
     make_handout([CH02], [], out, root)
     names = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
@@ -134,7 +141,12 @@ def test_a_chapter_on_a_given_one_can_be_checked_and_drawn(tmp_path: Path) -> No
     assert (out / "chapters/ch02_vectors/arguments.py").exists()
     assert "] 0 of 35 points" in check(out, "--chapter", "3").stdout
     second = ROOT / "tests/ch03_laws_of_motion/second"
-    shutil.copytree(second, out / "chapters/ch03_laws_of_motion", dirs_exist_ok=True)
+    shutil.copytree(
+        second,
+        out / "chapters/ch03_laws_of_motion",
+        dirs_exist_ok=True,
+        ignore=shutil.ignore_patterns("__pycache__"),
+    )
     assert "35 of 35 points" in check(out, "--chapter", "3").stdout
     command = [sys.executable, "-P", "-m", "studies", "plot", "--chapter", "3"]
     environment = {"PYTHONPATH": ".", "MPLBACKEND": "Agg", "SYSTEMROOT": "C:\\Windows"}

@@ -100,7 +100,7 @@ def test_the_second_solution_earns_every_point(
     seed, behind = seed_and_behind
     second = ROOT / "tests" / chapter.name / "second"
     assert {file.name for file in second.glob("*.py")} == set(chapter.edited_files)
-    shutil.copytree(second, tmp_path / chapter.name)
+    shutil.copytree(second, tmp_path / chapter.name, ignore=shutil.ignore_patterns("__pycache__"))
     engine = engine_with(tmp_path)
     assert lost(run_checks(chapter, engine, seed=seed, behind=behind)) == {}
 

@@ -177,7 +177,9 @@ def test_a_name_that_the_solution_does_not_have_is_an_error() -> None:
 def copy(tmp_path: Path) -> Path:
     """A copy of what make stubs reads and writes."""
     for folder in ("chapters", "solutions"):
-        shutil.copytree(ROOT / folder, tmp_path / folder)
+        shutil.copytree(
+            ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("__pycache__")
+        )
     shutil.copyfile(ROOT / "stubs.lock", tmp_path / "stubs.lock")
     for path, text in STUBS.items():
         (tmp_path / path).write_text(text, encoding="utf-8")

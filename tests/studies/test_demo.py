@@ -51,7 +51,9 @@ def test_without_a_display_a_demo_is_an_animation_and_a_contact_sheet(
 
 
 def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Path) -> None:
-    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    shutil.copytree(
+        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
+    )
     ballistics = tmp_path / "engine/ch04_particle_engine/ballistics.py"
     ballistics.write_text(made_stubs()["chapters/ch04_particle_engine/ballistics.py"])
     out = tmp_path / "out"
@@ -65,7 +67,9 @@ def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Pa
 
 def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
     """Without grenades, targets, own types, wheel, turns and game there is enough to see."""
-    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    shutil.copytree(
+        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
+    )
     stubs = made_stubs()
     missing = ("grenade", "targets", "firework_types", "catherine_wheel", "screen_rotation")
     for module in (*missing, "display"):
@@ -80,7 +84,9 @@ def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
 
 def test_what_is_not_written_is_said(tmp_path: Path) -> None:
     stubs = tmp_path / "ch04_particle_engine"
-    shutil.copytree(ROOT / "solutions/ch04_particle_engine", stubs)
+    shutil.copytree(
+        ROOT / "solutions/ch04_particle_engine", stubs, ignore=shutil.ignore_patterns("__pycache__")
+    )
     source = (stubs / "display.py").read_text(encoding="utf-8")
     left = source.replace(
         "    if is_over(display):\n        return False",
@@ -89,7 +95,11 @@ def test_what_is_not_written_is_said(tmp_path: Path) -> None:
     assert left != source
     (stubs / "display.py").write_text(left, encoding="utf-8")
     for folder in ("ch02_vectors", "ch03_laws_of_motion"):
-        shutil.copytree(ROOT / "solutions" / folder, tmp_path / folder)
+        shutil.copytree(
+            ROOT / "solutions" / folder,
+            tmp_path / folder,
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )
     done = play("fireworks", "--engine", str(tmp_path), "--out", str(tmp_path / "out"))
     assert done.returncode == 1
     assert "fireworks: not played, not written yet: Exercise P4.1" in done.stdout

@@ -128,7 +128,9 @@ def test_bonds_break_and_heal(reference: Path) -> None:
 
 
 def test_stubs_are_said(tmp_path: Path) -> None:
-    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    shutil.copytree(
+        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
+    )
     for path, text in made_stubs().items():
         _, chapter, name = path.split("/")
         if chapter == CHAPTER:

@@ -31,7 +31,9 @@ def reference(drawn: tuple[Path, str]) -> Path:
 
 def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
     """Return a copy of the reference with lines added to some modules of the chapter."""
-    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    shutil.copytree(
+        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
+    )
     for module, lines in wrong.items():
         with (tmp_path / "engine" / CHAPTER / module).open("a", encoding="utf-8") as file:
             file.write(f"\n\n{lines}\n")
@@ -158,7 +160,9 @@ def test_the_box_balances_on_unequal_masses(reference: Path) -> None:
 
 
 def test_stubs_are_said(tmp_path: Path) -> None:
-    shutil.copytree(ROOT / "solutions", tmp_path / "engine")
+    shutil.copytree(
+        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
+    )
     for path, text in made_stubs().items():
         _, chapter, name = path.split("/")
         if chapter == CHAPTER:

@@ -98,19 +98,10 @@ def _all_results(
     reference, and tell it.
     """
     deadline = time.monotonic() + SUBMISSION_LIMIT
-    level, hidden = vars(assignment.level), assignment.hidden
-    behind = Behind(level, missing=staged.missing, hidden=hidden)
 
     def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
-        return run_checks(
-            chapter,
-            engine,
-            seed=assignment.seed,
-            root=assignment.root,
-            time_limit=assignment.time_limit,
-            run_limit=max(LEAST_TIME, min(RUN_LIMIT, deadline - time.monotonic())),
-            behind=behind,
-        )
+        limit = max(LEAST_TIME, min(RUN_LIMIT, deadline - time.monotonic()))
+        return _run(assignment, chapter, engine, staged.missing, limit)
 
     pairs = []
     for chapter in assignment.chapters:
@@ -158,14 +149,26 @@ def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
         empty.mkdir()
         stage(empty, load_chapters(assignment.root), box, assignment.root)
         with with_given(at_hand, [box], assignment.root) as engine:
-            return run_checks(
-                chapter,
-                engine,
-                seed=assignment.seed,
-                root=assignment.root,
-                time_limit=assignment.time_limit,
-                behind=Behind(vars(assignment.level), hidden=assignment.hidden),
-            )
+            return _run(assignment, chapter, engine, {}, RUN_LIMIT)
+
+
+def _run(
+    assignment: Assignment,
+    chapter: Chapter,
+    engine: list[Path],
+    missing: dict[str, str],
+    run_limit: float,
+) -> list[Verdict]:
+    """Run a chapter's checks as the assignment has it; ``missing`` modules were not taken."""
+    return run_checks(
+        chapter,
+        engine,
+        seed=assignment.seed,
+        root=assignment.root,
+        time_limit=assignment.time_limit,
+        run_limit=run_limit,
+        behind=Behind(vars(assignment.level), missing=missing, hidden=assignment.hidden),
+    )
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:

@@ -34,6 +34,7 @@ def main(arguments: list[str]) -> int:
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These import chapters.
     from studies.accuracy import measure, results
+    from studies.accuracy.scene import RATE
     from studies.accuracy.scenes import scenes_with
 
     try:
@@ -50,14 +51,14 @@ def main(arguments: list[str]) -> int:
     for scene in scenes:
         own = [point for point in measured.points if point.scene == scene.name]
         console.print(
-            f"{scene.name}: {scene.frames / 60.0:.3g} s, to {options.tolerance:g} of its scale of "
+            f"{scene.name}: {scene.frames / RATE:.3g} s, to {options.tolerance:g} of its scale of "
             f"{scene.scale:.3g} m",
             style="bold",
             soft_wrap=True,
         )
-        ours = [point for point in own if point.by != "pymunk"]
+        ours, others = results.split(own)
         found, cheaper = results.cheapest(ours, options.tolerance)
-        theirs, _ = results.cheapest([p for p in own if p.by == "pymunk"], options.tolerance)
+        theirs, _ = results.cheapest(others, options.tolerance)
         missed |= found is None
         for title, point, none in (
             ("cheapest", found, "no model of ours meets it within the time that was tried"),

@@ -10,6 +10,7 @@ import argparse
 import csv
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from matplotlib import pyplot
@@ -71,29 +72,30 @@ def draw(lines: list[Line], png: Path) -> None:
 def parts() -> list[tuple[str, Move, Move]]:
     """Return what each part is, a frame with it and a frame without it."""
     # These import chapters.
+    from ch02_vectors.vector import Vector3
     from ch05_forces.forces import ForceRegistry, Gravity
     from ch05_forces.particle import Particle
     from ch06_springs.integrators import explicit_euler, runge_kutta_4
     from ch07_constraints.detectors import GroundPlane, ParticlePairs
     from ch08_mass_aggregate.sleeping import SleepingWorld
     from ch08_mass_aggregate.world import ParticleWorld
-    from studies.benchmarks.worlds import DOWN, on_the_ground
+    from studies.benchmarks.worlds import (
+        DOWN,
+        integrate,
+        on_the_ground,
+        stepping,
+        stepping_bare,
+    )
 
     def falling(acceleration: bool = True) -> list[Particle]:
         """Two hundred of them, far above the ground and from each other."""
-        from ch02_vectors.vector import Vector3
-
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
             for i in range(COUNT)
         ]
 
-    def stepping(particles: list[Particle]) -> Move:
-        def move() -> None:
-            for particle in particles:
-                particle.integrate(FRAME)
-
-        return move
+    def bare() -> Move:
+        return partial(integrate, falling())
 
     def by_generator(particles: list[Particle], gravity: Gravity) -> Move:
         def move() -> None:
@@ -107,11 +109,10 @@ def parts() -> list[tuple[str, Move, Move]]:
         registry = ForceRegistry()
         for particle in particles:
             registry.add(particle, gravity)
-        move_all = stepping(particles)
 
         def move() -> None:
             registry.update_forces(FRAME)
-            move_all()
+            integrate(particles)
 
         return move
 
@@ -119,15 +120,14 @@ def parts() -> list[tuple[str, Move, Move]]:
         particles = falling()
         world = ParticleWorld(particles, integrator=explicit_euler)
         world.contact_generators += [make(particles) for make in detectors]  # type: ignore[misc]
-        return lambda: world.step(FRAME)
+        return stepping(world)
 
     gravity = Gravity(DOWN)
     direct = by_generator(falling(acceleration=False), gravity)
-    four = falling()
     return [
-        ("gravity as a force generator", direct, stepping(falling())),
+        ("gravity as a force generator", direct, bare()),
         ("a registry for it", by_registry(falling(acceleration=False), gravity), direct),
-        ("a world around the particles", in_world(), stepping(falling())),
+        ("a world around the particles", in_world(), bare()),
         ("a look for the ground, far below", in_world(GroundPlane), in_world()),
         (
             "a look for pairs, none of them near",
@@ -136,14 +136,14 @@ def parts() -> list[tuple[str, Move, Move]]:
         ),
         (
             "four evaluations a step, where one is exact enough",
-            lambda: runge_kutta_4(four, lambda _: None, FRAME),
-            stepping(falling()),
+            stepping_bare(runge_kutta_4, falling()),
+            bare(),
         ),
         ("a third dimension, in plain numbers", plain(3), plain(2)),
         (
             "keeping awake what lies still, nine of ten",
-            _step_of(on_the_ground(ParticleWorld)),
-            _step_of(on_the_ground(SleepingWorld)),
+            stepping(on_the_ground(ParticleWorld)),
+            stepping(on_the_ground(SleepingWorld)),
         ),
     ]
 
@@ -166,10 +166,6 @@ def plain(dimensions: int) -> Move:
             vy[i] -= 9.81 * FRAME
 
     return {2: two, 3: three}[dimensions]
-
-
-def _step_of(world: object) -> Move:
-    return lambda: world.step(FRAME)  # type: ignore[attr-defined]
 
 
 def _frames(move: Move) -> Timer:

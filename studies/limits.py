@@ -28,7 +28,6 @@ LEAST, OUTSIDE, HUGE = 1e-3, 1.02, 1e6
 PERIODS = 10_000
 STIFFNESS = 100.0  # N/m: 38 frames a swing
 State = tuple[float, float]
-Step = Callable[[State], State]
 
 
 def main(arguments: list[str]) -> int:
@@ -77,7 +76,7 @@ def spring_limits() -> list[tuple[str, float, float, float, float]]:
             rows.append((name, kept, *limit(growth, theory(name, kept))))
     # A spring of its own is stepped as semi-implicit Euler does, a force by hand as explicit Euler.
     for name, by_hand, true in (("pymunk's spring", False, 4.0), ("pymunk, by hand", True, 0.0)):
-        rows.append((name, 1.0, *limit(partial(growth_in_pymunk, by_hand), true)))
+        rows.append((name, 1.0, *limit(partial(_growth_in_pymunk, by_hand), true)))
     return rows
 
 
@@ -100,88 +99,62 @@ def _growth_of(name: str, kept: float, kappa: float) -> float:
     return growth_of(name, kappa, kept, FRAME)
 
 
-def growth_in_pymunk(by_hand: bool, kappa: float) -> float:
-    """Return what a step of pymunk multiplies the swings of a spring by, as growth does of ours."""
-    from studies.stability import spectral_radius
+def _growth_in_pymunk(by_hand: bool, kappa: float) -> float:
+    from studies.stability import Pull, growth, solving
 
-    step = pymunk_step(kappa / FRAME**2, by_hand)
-    (a, c), (b, d) = step((1.0, 0.0)), step((0.0, 1.0 / FRAME))
-    return spectral_radius(a, b, c * FRAME, d * FRAME)
+    k = kappa / FRAME**2
+    return growth(solving(partial(pymunk_step, by_hand), k), Pull(k), FRAME)
 
 
-def pymunk_step(stiffness: float, by_hand: bool) -> Step:
-    """Return a step of pymunk of 1 kg on a spring to 0, as a function of place and velocity."""
+def pymunk_step(
+    by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
+) -> State:
+    """Return place and velocity of a body of pymunk on a spring a step later, as a Solver does."""
     import pymunk
 
     space = pymunk.Space()
-    body = pymunk.Body(1.0, 1.0)
+    body = pymunk.Body(mass, 1.0)
+    body.position, body.velocity = (x, 0.0), (v, 0.0)
     space.add(body)
-    if not by_hand:
+    if by_hand:
+        body.apply_force_at_world_point((-k * x - c * v, 0.0), body.position)
+    else:
         still = space.static_body
-        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), 0.0, stiffness, 0.0))
-
-    def step(state: State) -> State:
-        body.position, body.velocity = (state[0], 0.0), (state[1], 0.0)
-        if by_hand:
-            body.apply_force_at_world_point((-stiffness * state[0], 0.0), body.position)
-        space.step(FRAME)
-        return body.position.x, body.velocity.x
-
-    return step
+        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), 0.0, k, c))
+    space.step(duration)
+    return body.position.x, body.velocity.x
 
 
 def energy_drifts() -> list[tuple[str, float]]:
     """Return each method with what many swings have made of an energy of 1."""
-    from studies.stability import methods
+    from studies.stability import Pull, methods, solving, step_matrix
 
-    ways: dict[str, Step] = {
-        name: our_step(name) for name in methods(STIFFNESS) if name != "explicit Euler"
-    }
-    ways["pymunk's spring"] = pymunk_step(STIFFNESS, by_hand=False)
+    ways = methods(STIFFNESS) | {"pymunk's spring": solving(partial(pymunk_step, False), STIFFNESS)}
+    del ways["explicit Euler"]
     steps = round(PERIODS * 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME)
-    return [(name, energy_after(way, steps)) for name, way in ways.items()]
+    return [
+        (name, energy_after(step_matrix(way, Pull(STIFFNESS), FRAME), steps))
+        for name, way in ways.items()
+    ]
 
 
-def our_step(name: str) -> Step:
-    """Return a step of a method of chapter 6, by its name, as a function of place and velocity.
-
-    It is linear: what it makes of a place alone and of a velocity alone is all of it.
-    """
-    from ch02_vectors.vector import Vector3
-    from ch05_forces.particle import Particle
-    from studies.stability import Pull, methods
-
-    columns = []
-    for x, v in ((1.0, 0.0), (0.0, 1.0)):
-        particle, pull = Particle(Vector3(x), Vector3(v)), Pull(STIFFNESS)
-
-        def apply_forces(duration: float, p: Particle = particle, spring: Pull = pull) -> None:
-            spring.update_force(p, duration)
-
-        methods(STIFFNESS)[name]([particle], apply_forces, FRAME)
-        columns.append((particle.position.x, particle.velocity.x))
-    (a, c), (b, d) = columns
-    return lambda state: (a * state[0] + b * state[1], c * state[0] + d * state[1])
-
-
-def energy_after(step: Step, steps: int) -> float:
+def energy_after(matrix: tuple[float, float, float, float], steps: int) -> float:
     """Return the energy after so many steps, in units of that at the start, as the mean of a swing.
 
-    The energy of a symplectic method swings, and its mean stays.
+    ``matrix`` is that of a step of (x, v h). The energy of a symplectic method swings, and its mean
+    stays.
     """
+    a, b, c, d = matrix
     swing = round(2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME)
-    state, first, last = (1.0, 0.0), 0.0, 0.0
+    x, vh, first, last = 1.0, 0.0, 0.0, 0.0
     for i in range(steps + swing):
+        energy = 0.5 * STIFFNESS * x * x + 0.5 * (vh / FRAME) ** 2
         if i < swing:
-            first += _energy(state)
+            first += energy
         if i >= steps:
-            last += _energy(state)
-        state = step(state)
+            last += energy
+        x, vh = a * x + b * vh, c * x + d * vh
     return last / first
-
-
-def _energy(state: State) -> float:
-    return 0.5 * STIFFNESS * state[0] ** 2 + 0.5 * state[1] ** 2
 
 
 def _number(value: float) -> str:

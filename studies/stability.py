@@ -122,17 +122,26 @@ def growth(
 ) -> float:
     """Return what a step multiplies the swings by in the long run; NaN where it gives no numbers.
 
-    The step is linear: what it makes of (x, v h) = (1, 0) and of (0, 1) is all of it, and many
-    steps multiply by the size of the larger eigenvalue.
+    Many steps multiply by the size of the larger eigenvalue.
+    """
+    return spectral_radius(*step_matrix(integrator, generator, duration, damping))
+
+
+def step_matrix(
+    integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
+) -> tuple[float, float, float, float]:
+    """Return the matrix of a step of (x, v h), row by row; NaN where it gives no numbers.
+
+    The step is linear: what it makes of (1, 0) and of (0, 1) is all of it.
     """
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / duration)):
         particle = Particle(Vector3(x), Vector3(v), damping=damping)
         if stopped(lambda p=particle: _step(integrator, p, generator, duration)):  # type: ignore[misc]
-            return math.nan
+            return math.nan, math.nan, math.nan, math.nan
         columns.append(_state(particle))
     (a, c), (b, d) = columns
-    return spectral_radius(a, b, c * duration, d * duration)
+    return a, b, c * duration, d * duration
 
 
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:

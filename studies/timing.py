@@ -11,7 +11,7 @@ import random
 import statistics
 import sys
 import timeit
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from rich.console import Console
@@ -55,8 +55,14 @@ def ratio(first: Timer, second: Timer, rounds: int, title: str) -> tuple[float, 
         for which in order:
             times[which] = (first, second)[which]()
         pairs.append(times)
-    ratios = sorted(a / b for a, b in pairs)
-    return statistics.median(ratios), ratios[len(ratios) // 4], ratios[(3 * len(ratios)) // 4]
+    ratios = [a / b for a, b in pairs]
+    return statistics.median(ratios), *quartiles(ratios)
+
+
+def quartiles(values: Sequence[float]) -> tuple[float, float]:
+    """Return the lower and the upper quartile, each one of the values."""
+    ordered = sorted(values)
+    return ordered[len(ordered) // 4], ordered[(3 * len(ordered)) // 4]
 
 
 def against_peers(

@@ -11,7 +11,7 @@ from typing import Any
 from matplotlib import pyplot
 
 from studies.accuracy.measure import Point
-from studies.accuracy.results import best, front, models_of
+from studies.accuracy.results import Row, front, models_of, row
 from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, YELLOW
 
 FLOOR, CEILING = 1e-15, 10.0  # errors below and above are rounding, and no answer
@@ -55,7 +55,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         axes.set_ylim(FLOOR / 3.0, CEILING)
         axes.grid(alpha=0.3)
     left.legend(fontsize=8.5, loc="best")
-    figure.suptitle(f"{points[0].scene}\n{said(points, 1e-4)}", fontsize=11)
+    figure.suptitle(f"{points[0].scene}\n{said(row(points, 1e-4))}", fontsize=11)
     figure.savefig(png, dpi=100)
     pyplot.close(figure)
     with png.with_suffix(".csv").open("w", encoding="utf-8", newline="") as file:
@@ -66,17 +66,16 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         csv.writer(file).writerows([COLUMNS, *rows])
 
 
-def said(points: Sequence[Point], tolerance: float) -> str:
-    """Return what the points say of a tolerance, in a sentence."""
-    ours = best([point for point in points if point.by != "pymunk"], tolerance)
-    theirs = best([point for point in points if point.by == "pymunk"], tolerance)
-    start = f"to {tolerance:g} of the scale: "
+def said(found: Row) -> str:
+    """Return a row of the table as a sentence."""
+    ours, theirs = found.ours, found.pymunk
+    start = f"to {found.tolerance:g} of the scale: "
     if ours is None:
         return f"{start}nothing of ours gets there" + (f", {theirs.model} does" if theirs else "")
     mine = f"{ours.model} takes {1e3 * ours.time:.3g} ms"
     if theirs is None:
-        longest = max(point.time for point in points if point.by == "pymunk")
-        return f"{start}{mine}, pymunk more than {longest / ours.time:.3g} times as long"
+        longest = found.longest / ours.time
+        return f"{start}{mine}, pymunk more than {longest:.3g} times as long"
     many = theirs.time / ours.time
     end = f"{many:.3g} times as long" if many >= 1.0 else f"1/{1.0 / many:.3g} of that"
     return f"{start}{mine}, {theirs.model} {end}"

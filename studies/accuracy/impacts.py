@@ -16,7 +16,8 @@ from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_e
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticlePairs
 from ch07_constraints.time_division import time_division_step
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
+from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.constraints import resolving
 
 G = 10.0  # m/s^2
 RADIUS = 0.1  # m
@@ -100,11 +101,12 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
             work += 1
             return detectors.next_impact(duration)
 
-    places = []
-    for _ in range(frames):
-        for _ in range(steps):
-            time_division_step(particles, Counted(), 1.0 / (RATE * steps))
-        places.append(tuple(particle.position.y for particle in particles))
+    places = in_frames(
+        lambda duration: time_division_step(particles, Counted(), duration),
+        lambda: _heights(particles),
+        frames,
+        steps,
+    )
     return Outcome(places, work)
 
 
@@ -112,18 +114,12 @@ def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -
     """Step, look what touches after it, and resolve that."""
     particles = balls.particles()
     detectors, resolver = balls.detectors(particles), ContactResolver()
-    places = []
-    step = 1.0 / (RATE * steps)
-    for _ in range(frames):
-        for _ in range(steps):
-            integrator(particles, _no_forces, step)
-            resolver.resolve_contacts(detectors.contacts(), step)
-        places.append(tuple(particle.position.y for particle in particles))
-    return Outcome(places, frames * steps)
+    step = resolving(integrator, particles, [detectors], resolver.resolve_contacts)
+    return Outcome(in_frames(step, lambda: _heights(particles), frames, steps), frames * steps)
 
 
-def _no_forces(_: float) -> None:
-    return None
+def _heights(particles: list[Particle]) -> Place:
+    return tuple(particle.position.y for particle in particles)
 
 
 def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
@@ -145,11 +141,7 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
     floor = pymunk.Segment(space.static_body, (-9.0, 0.0), (9.0, 0.0), 0.0)
     floor.elasticity = 1.0
     space.add(floor)
-    places = []
-    for _ in range(frames):
-        for _ in range(steps):
-            space.step(1.0 / (RATE * steps))
-        places.append(tuple(body.position.y for body in bodies))
+    places = in_frames(space.step, lambda: tuple(body.position.y for body in bodies), frames, steps)
     return Outcome(places, frames * steps)
 
 

@@ -18,10 +18,11 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
 from ch07_constraints.angle_pendulum import AnglePendulum
-from ch07_constraints.contacts import ContactResolver
+from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod, TwoSidedRod
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
+from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.constraints import resolving
 
 G = 10.0  # m/s^2
 RESOLVED = "contacts resolved, or formulas"
@@ -45,11 +46,7 @@ def pendulum() -> Scene:
 
     def by_angle(steps: int) -> Outcome:
         bob = AnglePendulum(1.0, 0.5 * math.pi, gravity=G)
-        places: list[Place] = []
-        for _ in range(frames):
-            for _ in range(steps):
-                bob.step(1.0 / (RATE * steps))
-            places.append((bob.position.x, bob.position.y))
+        places = in_frames(bob.step, lambda: (bob.position.x, bob.position.y), frames, steps)
         return Outcome(places, 4 * frames * steps)
 
     def rod(chain: list[Particle]) -> list[Any]:
@@ -142,14 +139,14 @@ def by_resolver(
     """Step the particles, and resolve the contacts of their rods."""
     particles = make()
     links, resolver, work = rods(particles), ContactResolver(), 0
-    places: list[Place] = []
-    step = 1.0 / (RATE * steps)
-    for _ in range(frames):
-        for _ in range(steps):
-            integrator(particles, _no_forces, step)
-            resolver.resolve_contacts([c for link in links for c in link.contacts()], step)
-            work += resolver.iterations_used
-        places.append(_places(particles))
+
+    def resolve(contacts: list[Contact], duration: float) -> None:
+        nonlocal work
+        resolver.resolve_contacts(contacts, duration)
+        work += resolver.iterations_used
+
+    step = resolving(integrator, particles, links, resolve)
+    places = in_frames(step, lambda: _places(particles), frames, steps)
     return Outcome(places, work)
 
 
@@ -157,11 +154,7 @@ def by_direct_chain(make: Callable[[], list[Particle]], frames: int, steps: int)
     """Solve for all rods at once."""
     particles = make()
     chain = DirectChain(particles, Vector3())
-    places: list[Place] = []
-    for _ in range(frames):
-        for _ in range(steps):
-            chain.step(1.0 / (RATE * steps))
-        places.append(_places(particles))
+    places = in_frames(chain.step, lambda: _places(particles), frames, steps)
     return Outcome(places, frames * steps * len(particles))
 
 
@@ -178,16 +171,10 @@ def by_pin_joints(make: Callable[[], list[Particle]], frames: int, steps: int) -
         space.add(body, pymunk.PinJoint(before, body))
         bodies.append(body)
         before = body
-    places: list[Place] = []
-    for _ in range(frames):
-        for _ in range(steps):
-            space.step(1.0 / (RATE * steps))
-        places.append(tuple(part for body in bodies for part in body.position))
+    places = in_frames(
+        space.step, lambda: tuple(part for body in bodies for part in body.position), frames, steps
+    )
     return Outcome(places, frames * steps * space.iterations * len(bodies))
-
-
-def _no_forces(_: float) -> None:
-    return None
 
 
 def _places(particles: list[Particle]) -> Place:

@@ -21,6 +21,7 @@ from pathlib import Path
 
 from autograder.manifest import ROOT
 from studies.accuracy.scene import Model, Outcome, Scene
+from studies.timing import quartiles
 
 EXACT = 1e-13  # an error that more steps cannot lower: rounding
 LEAST = 2e-3  # s for one measurement: what is faster is run several times
@@ -46,8 +47,7 @@ class Point:
     @property
     def spread(self) -> tuple[float, float]:
         """The quartiles of the rounds."""
-        ordered = sorted(self.times)
-        return ordered[len(ordered) // 4], ordered[(3 * len(ordered)) // 4]
+        return quartiles(self.times)
 
 
 @dataclass

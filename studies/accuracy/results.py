@@ -95,16 +95,25 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
     return found, max(cheaper, key=lambda point: point.time, default=None)
 
 
+def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
+    """Return our points, the book's among them, and pymunk's."""
+    ours = [point for point in points if point.by != "pymunk"]
+    return ours, [point for point in points if point.by == "pymunk"]
+
+
+def row(points: Sequence[Point], tolerance: float) -> Row:
+    """Return what the points of one scene say of a tolerance."""
+    ours, theirs = split(points)
+    longest = max(point.time for point in theirs)
+    return Row(points[0].scene, tolerance, best(ours, tolerance), best(theirs, tolerance), longest)
+
+
 def table(points: Sequence[Point]) -> list[Row]:
     """Return a row for each scene and tolerance, in the order of the scenes."""
-    rows = []
-    for scene in dict.fromkeys(point.scene for point in points):
-        own = [point for point in points if point.scene == scene]
-        theirs = [point for point in own if point.by == "pymunk"]
-        ours = [point for point in own if point.by != "pymunk"]
-        longest = max(point.time for point in theirs)
-        rows += [Row(scene, t, best(ours, t), best(theirs, t), longest) for t in TOLERANCES]
-    return rows
+    scenes: dict[str, list[Point]] = {}
+    for point in points:
+        scenes.setdefault(point.scene, []).append(point)
+    return [row(own, tolerance) for own in scenes.values() for tolerance in TOLERANCES]
 
 
 def front(points: Sequence[Point]) -> list[Point]:

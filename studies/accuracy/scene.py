@@ -14,13 +14,8 @@ from typing import TYPE_CHECKING
 
 from ch05_forces.forces import ForceGenerator, ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs.integrators import (
-    Integrator,
-    explicit_euler,
-    runge_kutta_4,
-    semi_implicit_euler,
-    velocity_verlet,
-)
+from ch06_springs.integrators import Integrator, explicit_euler
+from studies.stability import INTEGRATORS
 
 if TYPE_CHECKING:
     import pymunk
@@ -76,19 +71,28 @@ class Scene:
         return worst / self.scale
 
 
-INTEGRATORS: dict[str, tuple[Integrator, str]] = {
-    "explicit Euler": (explicit_euler, "the book"),
-    "semi-implicit Euler": (semi_implicit_euler, "ours"),
-    "velocity Verlet": (velocity_verlet, "ours"),
-    "Runge-Kutta 4": (runge_kutta_4, "ours"),
-}
+def in_frames(
+    step: Callable[[float], object], place: Callable[[], Place], frames: int, steps: int
+) -> list[Place]:
+    """Let frames pass in so many steps each, and return the place at the end of every one."""
+    places: list[Place] = []
+    duration = 1.0 / (RATE * steps)
+    for _ in range(frames):
+        for _ in range(steps):
+            step(duration)
+        places.append(place())
+    return places
 
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
     """Return a model for each integrator of chapter 6, of one particle and its forces."""
     return [
-        Model(name, by_forces(make, integrator, frames), by=by)
-        for name, (integrator, by) in INTEGRATORS.items()
+        Model(
+            name,
+            by_forces(make, integrator, frames),
+            by="the book" if integrator is explicit_euler else "ours",
+        )
+        for name, integrator in INTEGRATORS.items()
     ]
 
 
@@ -109,12 +113,12 @@ def by_forces(
             work += 1
             registry.update_forces(duration)
 
-        places: list[Place] = []
-        step = 1.0 / (RATE * steps)
-        for _ in range(frames):
-            for _ in range(steps):
-                integrator([particle], apply_forces, step)
-            places.append((particle.position.x, particle.position.y))
+        places = in_frames(
+            lambda duration: integrator([particle], apply_forces, duration),
+            lambda: (particle.position.x, particle.position.y),
+            frames,
+            steps,
+        )
         return Outcome(places, work)
 
     return run
@@ -143,16 +147,15 @@ def by_pymunk(
 
     def run(steps: int) -> Outcome:
         space, body = make()
-        places: list[Place] = []
-        step = 1.0 / (RATE * steps)
-        for _ in range(frames):
-            for _ in range(steps):
-                if pull is not None:
-                    place = body.position
-                    force = pull(place.x, place.y, *body.velocity)
-                    body.apply_force_at_world_point(force, place)
-                space.step(step)
-            places.append((body.position.x, body.position.y))
+
+        def pulled(duration: float) -> None:
+            assert pull is not None
+            place = body.position
+            body.apply_force_at_world_point(pull(place.x, place.y, *body.velocity), place)
+            space.step(duration)
+
+        step = space.step if pull is None else pulled
+        places = in_frames(step, lambda: (body.position.x, body.position.y), frames, steps)
         return Outcome(places, frames * steps)
 
     return Model(name, run, by="pymunk")

@@ -14,7 +14,6 @@ from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.integrators import backward_euler, semi_implicit_euler, trapezoidal
 from ch06_springs.springs import AnchoredSpring, FakeStiffSpring
 from studies.accuracy.scene import (
-    RATE,
     Made,
     Model,
     Outcome,
@@ -24,13 +23,14 @@ from studies.accuracy.scene import (
     by_formula,
     by_integrators,
     by_pymunk,
+    in_frames,
     space_with,
 )
+from studies.stability import Solver
 
 if TYPE_CHECKING:
     import pymunk
 
-Solver = Callable[[float, float, float, float, float, float], tuple[float, float]]
 FRAMES = 120
 
 
@@ -84,13 +84,12 @@ def spring(stiffness: float, damping: float) -> Scene:
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
     """Step a linear spring by a solver, which works one formula out a step."""
     x, v = 1.0, 0.0
-    places: list[Place] = []
-    step = 1.0 / (RATE * steps)
-    for _ in range(FRAMES):
-        for _ in range(steps):
-            x, v = solver(x, v, stiffness, damping, 1.0, step)
-        places.append((x, 0.0))
-    return Outcome(places, FRAMES * steps)
+
+    def step(duration: float) -> None:
+        nonlocal x, v
+        x, v = solver(x, v, stiffness, damping, 1.0, duration)
+
+    return Outcome(in_frames(step, lambda: (x, 0.0), FRAMES, steps), FRAMES * steps)
 
 
 # A tenth of the critical damping, c = 0.2 root k; and one that is damped a tenth of critically but

@@ -41,3 +41,9 @@ def drawn(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tuple[Pat
     told = "".join((out / f"{number}.told").read_text(encoding="utf-8") for number in numbers)
     assert "FAILED" not in told, told
     return out, told
+
+
+@pytest.fixture(scope="session")
+def reference(drawn: tuple[Path, str]) -> Path:
+    """Where the reference's plots were drawn to."""
+    return drawn[0]

@@ -20,12 +20,6 @@ def table(out: Path, name: str) -> list[list[str]]:
     return drawn_plots.table(out, name, CHAPTER)[1:]
 
 
-@pytest.fixture(scope="module")
-def reference(drawn: tuple[Path, str]) -> Path:
-    """Where the reference's plots were drawn to."""
-    return drawn[0]
-
-
 def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
     """Return a copy of the reference with a line added to some modules of the chapter."""
     shutil.copytree(

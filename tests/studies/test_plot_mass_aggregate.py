@@ -22,12 +22,6 @@ def table(out: Path, name: str) -> list[list[str]]:
     return drawn_plots.table(out, name, CHAPTER)[1:]
 
 
-@pytest.fixture(scope="module")
-def reference(drawn: tuple[Path, str]) -> Path:
-    """Where the reference's plots were drawn to."""
-    return drawn[0]
-
-
 def test_the_sags_are_those_of_the_equations() -> None:
     """A catenary and polygons of span 2 and length 3, by SciPy to 9 digits."""
     assert catenary_sag() == pytest.approx(1.00526652, abs=1e-8)

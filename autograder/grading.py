@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import tempfile
 import threading
 import time
@@ -42,7 +43,8 @@ class Assignment:
 
     The ``given`` chapters are the reference's, whatever is handed in; ``hidden`` is a folder of
     further checks; ``level`` names the walls. ``of_nothing`` keeps, by a chapter's name, the
-    verdicts on those who handed in nothing of it: they are worked out once for the class.
+    verdicts on those who handed in nothing of it, and ``of_reference`` the results of the reference
+    in open exercises: they are worked out once for the class.
     """
 
     chapters: list[Chapter]
@@ -53,6 +55,7 @@ class Assignment:
     root: Path = ROOT
     time_limit: float = TIME_LIMIT
     of_nothing: dict[str, list[Verdict]] = field(default_factory=dict, compare=False)
+    of_reference: dict[str, list[Result]] = field(default_factory=dict, compare=False)
 
 
 def grade_submission(assignment: Assignment, submission: Submission) -> Report:
@@ -152,12 +155,47 @@ def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
             return _run(assignment, chapter, engine, {}, RUN_LIMIT)
 
 
+def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> dict[str, Any] | None:
+    """Return where an open exercise lies on its chart, and the reference; None for the others.
+
+    What an earlier chapter spoils is not on it: of the run on the reference's nothing is told.
+    """
+    exercise = result.exercise
+    if not exercise.chart:
+        return None
+    reference = {
+        other.exercise.id: other.on_chart for other in _results_of_reference(assignment, chapter)
+    }
+    own, best = result.on_chart, reference.get(exercise.id)
+    return {
+        "axes": exercise.chart,
+        "own": own and list(own),
+        "reference": best and list(best),
+    }
+
+
+def _results_of_reference(assignment: Assignment, chapter: Chapter) -> list[Result]:
+    """Return the reference's results in the open exercises; none where it is not at hand."""
+    root = assignment.root
+    with _ONE_AT_A_TIME:
+        if chapter.name not in assignment.of_reference:
+            wanted = [exercise.id for exercise in chapter.exercises if exercise.chart]
+            found: list[Verdict] = []
+            if is_at_hand(chapter, root):
+                engine = [root / "solutions", root / "chapters"]
+                with contextlib.suppress(GraderError):  # the class is graded without it
+                    found = _run(assignment, chapter, engine, {}, RUN_LIMIT, wanted)
+            assignment.of_reference[chapter.name] = results_of(chapter, found)
+        return assignment.of_reference[chapter.name]
+
+
 def _run(
     assignment: Assignment,
     chapter: Chapter,
     engine: list[Path],
     missing: dict[str, str],
     run_limit: float,
+    exercises: list[str] | None = None,
 ) -> list[Verdict]:
     """Run a chapter's checks as the assignment has it; ``missing`` modules were not taken."""
     return run_checks(
@@ -165,6 +203,7 @@ def _run(
         engine,
         seed=assignment.seed,
         root=assignment.root,
+        exercises=exercises,
         time_limit=assignment.time_limit,
         run_limit=run_limit,
         behind=Behind(vars(assignment.level), missing=missing, hidden=assignment.hidden),
@@ -201,7 +240,7 @@ def _report(
         "earlier": _own_earlier_chapters(assignment),
         "notes": notes,
         "exercises": [
-            _exercise(chapter, result, better)
+            _exercise(chapter, result, better) | {"chart": _chart(assignment, chapter, result)}
             for chapter, (results, betters) in zip(assignment.chapters, pairs, strict=True)
             for result, better in zip(results, betters, strict=True)
         ],

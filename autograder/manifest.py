@@ -28,6 +28,7 @@ class Exercise:
     edit: list[str] = field(default_factory=list)
     files: list[str] = field(default_factory=list)
     needs: list[str] = field(default_factory=list)
+    chart: list[str] = field(default_factory=list)  # of open ones: what cost and error are
 
 
 @dataclass(frozen=True)
@@ -161,6 +162,8 @@ def _exercise(path: Path, entry: dict[str, Any]) -> Exercise:
         raise ValueError(f"{where}: stars must be 1, 2 or 3, got {exercise.stars!r}")
     if not (isinstance(exercise.points, int) and exercise.points > 0):
         raise ValueError(f"{where}: points must be a positive whole number")
+    if len(exercise.chart) not in (0, 2):
+        raise ValueError(f"{where}: chart must name the cost and the error, got {exercise.chart!r}")
     return exercise
 
 

@@ -17,7 +17,7 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import IO, Any
@@ -34,6 +34,9 @@ LONGEST_MESSAGE = 8000  # characters: what a student returns may be large, and i
 GRACE = 10.0  # seconds of silence beyond a check's limit, then the process is ended from outside
 
 
+Point = tuple[float, float]  # on the chart of an open exercise: cost, in counted work, and error
+
+
 @dataclass(frozen=True)
 class Verdict:
     """What became of one check. Status: passed, failed, blocked, inherited or error."""
@@ -44,6 +47,7 @@ class Verdict:
     status: str
     message: str
     hidden: bool = False
+    on_chart: Point | None = None
 
 
 class GraderError(Exception):
@@ -257,13 +261,15 @@ class _Run:
                 self.checks = {check["name"]: check for check in event["checks"]}
                 self.on_verdict(len(self.verdicts), len(self.checks))
             case "verdict":
-                self._decide(event["name"], event["status"], event["message"])
+                self._decide(event["name"], event["status"], event["message"], event["on_chart"])
             case "end":
                 self.finished = current is None
                 return current
         return None
 
-    def _decide(self, name: str, status: str, message: str) -> None:
+    def _decide(
+        self, name: str, status: str, message: str, point: Sequence[float] | None = None
+    ) -> None:
         check = self.checks[name]
         hidden = check["rationale"] is not None
         if hidden and self.behind is not None and not self.behind.tells:
@@ -274,7 +280,8 @@ class _Run:
             message = clean(message)
         if len(message) > LONGEST_MESSAGE:
             message = f"{message[: LONGEST_MESSAGE - 50]}\n... {len(message)} characters in all"
-        verdict = Verdict(name, check["exercise"], check["weight"], status, message, hidden)
+        place = (point[0], point[1]) if point else None
+        verdict = Verdict(name, check["exercise"], check["weight"], status, message, hidden, place)
         self.verdicts[name] = verdict
         self.on_verdict(len(self.verdicts), len(self.checks))
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from autograder.manifest import Chapter, Exercise
-from autograder.runner import Verdict
+from autograder.runner import Point, Verdict
 
 
 @dataclass(frozen=True)
@@ -21,6 +21,11 @@ class Result:
     status: str
     score: float | None
     checks: list[Verdict]
+
+    @property
+    def on_chart(self) -> Point | None:
+        """Where the work lies on the chart of an open exercise; None where no check has put it."""
+        return next((check.on_chart for check in self.checks if check.on_chart), None)
 
 
 def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
@@ -62,3 +67,8 @@ def total(results: Iterable[Result]) -> tuple[float | None, int]:
 def shown(score: float | None) -> str:
     """Return a score as people read it: 2.5, or - where there is none."""
     return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")
+
+
+def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
+    """Return a place on a chart as people read it; ``axes`` say what its cost and its error are."""
+    return f"{point[0]:g} {axes[0]}, {axes[1]}: {point[1]:.2g}"

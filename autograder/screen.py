@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from autograder.answers import answered
 from autograder.manifest import ROOT, Chapter, Exercise, chapters_below
 from autograder.places import next_place
-from autograder.scores import Result, shown, total
+from autograder.scores import Result, place_on_chart, shown, total
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -126,6 +126,11 @@ def _print_chapter(console: Console, report: Report, engine: list[Path]) -> None
     answers = sum(result.exercise.points for result in results) - points
     more = f", and {answers} for written answers, which a person marks" if answers else ""
     console.print(f"[{bar}] {shown(earned)} of {points} points{more}\n", markup=False)
+    for result in results:
+        if result.on_chart:
+            exercise = result.exercise
+            where = place_on_chart(exercise.chart, result.on_chart)
+            console.print(f"Your {exercise.id}: {where}\n", markup=False, soft_wrap=True)
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
     if extra := [name for name in files if name not in known]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import random
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -35,3 +37,18 @@ def pytest_configure(config: pytest.Config) -> None:
 def rng(request: pytest.FixtureRequest) -> random.Random:
     """Random numbers of a check's own: the same whichever other checks run, and in what order."""
     return random.Random(f"{request.config.getoption('seed')} {request.node.name}")
+
+
+@pytest.fixture
+def on_chart(request: pytest.FixtureRequest) -> Callable[[float, float], None]:
+    """Put a point on the chart of the check's exercise: its cost, in counted work, and its error.
+
+    What has no place on logarithmic axes is left out.
+    """
+
+    def put(cost: float, error: float) -> None:
+        point = float(cost), float(error)
+        if all(0.0 < value < math.inf for value in point):
+            request.node.user_properties.append(("on_chart", point))
+
+    return put

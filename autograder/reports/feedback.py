@@ -16,7 +16,9 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from autograder.manifest import Chapter
 from autograder.reports.class_stats import exercise_rates, histogram, most_missed
+from autograder.reports.scatter import Scatter, scatter
 from autograder.reports.texts import Report, check_title, clean_all, number, replace_file
+from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
 SYMBOLS = {  # beside the word, so that no status is told by colour alone
@@ -87,6 +89,7 @@ def write_index(out: Path, chapters: list[Chapter], reports: Sequence[Report]) -
         isolations=_distinct(shown, "isolation"),
         bins=histogram(shown),
         missed=most_missed(rates),
+        charts=_charts(shown),
         rates_of_chapters=[(c, [r for r in rates if r.exercise in c.exercises]) for c in chapters],
     )
     replace_file(path, page)
@@ -97,7 +100,11 @@ def _exercise(number_on_page: int, exercise: dict[str, Any]) -> dict[str, Any]:
     """Return an exercise as its page shows it: what is lost in full, what passes in short."""
     checks = exercise["checks"]
     own, given = exercise["score"], exercise["score_on_given"]
+    chart = exercise.get("chart") or {"own": None}
     return exercise | {
+        "scatter": chart["own"]
+        and scatter(exercise, [("yours", chart["own"])], chart["reference"]),
+        "place": chart["own"] and place_on_chart(chart["axes"], chart["own"]),
         "anchor": f"exercise-{number_on_page}",
         "gains": own is not None and given is not None and given > own,
         "comment": exercise.get("comment") or "",
@@ -109,6 +116,21 @@ def _exercise(number_on_page: int, exercise: dict[str, Any]) -> dict[str, Any]:
             if check["status"] == "passed"
         ],
     }
+
+
+def _charts(reports: Sequence[Report]) -> list[Scatter]:
+    """Return a chart for each open exercise that is on somebody's, in the order of the reports."""
+    exercises: dict[str, dict[str, Any]] = {}
+    named: dict[str, list[tuple[str, Sequence[float]]]] = {}
+    for report in reports:
+        for exercise in report["exercises"]:
+            if (chart := exercise.get("chart")) and chart["own"]:
+                exercises.setdefault(exercise["id"], exercise)
+                named.setdefault(exercise["id"], []).append((report["student"], chart["own"]))
+    return [
+        scatter(exercise, named[key], exercise["chart"]["reference"])
+        for key, exercise in exercises.items()
+    ]
 
 
 def _groups(checks: list[dict[str, Any]]) -> list[dict[str, Any]]:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.reports.texts import Report, check_title, clean, clean_line, number, replace_file
+from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
 OURS = "error of the grader, retry: this is no fault of the submission, and it is no zero"
@@ -89,6 +90,8 @@ def _output(exercise: dict[str, Any]) -> str:
     blocks.append(f"{status}: {len(checks) - len(lost)} of {len(checks)} checks passed")
     if status == "inherited":
         blocks.append("the mistake lies in an earlier chapter: on the given ones this passes")
+    if (chart := exercise.get("chart")) and chart["own"]:
+        blocks.append(f"your work: {place_on_chart(chart['axes'], chart['own'])}")
     for check in lost:
         title = "a hidden check" if check["hidden"] else check_title(check["name"])
         blocks.append(f"{check['status']}: {title}\n{clean(check['message'])}".strip())

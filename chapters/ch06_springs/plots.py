@@ -18,6 +18,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceGenerator
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
+from ch06_springs.own_step import my_step
 from ch06_springs.springs import (
     AnchoredSpring,
     Bungee,
@@ -68,6 +69,7 @@ COLORS = {
     "Runge-Kutta 4": GREEN,
     "backward Euler": ORANGE,
     "trapezoidal rule": PINK,
+    "your own step": BLACK,
 }
 
 
@@ -321,7 +323,8 @@ def error_against_work() -> Picture:
     words = []
     for axes, k in zip(panels, (1.0, 1e2, 1e4, 1e6), strict=True):
         chi = math.sqrt(k)
-        for height, (name, method) in enumerate(methods(k).items()):
+        ways = methods(k) | {"your own step": my_step}
+        for height, (name, method) in enumerate(ways.items()):
             if not is_written(lambda m=method, k=k: swing(m, Pull(k), 1e-6, 1, 1e9)):  # type: ignore[misc]
                 continue
             color, cost = COLORS[name], {"velocity Verlet": 2, "Runge-Kutta 4": 4}.get(name, 1)
@@ -356,7 +359,7 @@ def error_against_work() -> Picture:
         swing(INTEGRATORS["explicit Euler"], Pull(1.0), FRAME, 1, 1e4)  # says what is not written
     panels[0].set_ylabel("largest error within 1 s, m; crosses: exploded")
     if panels[0].lines:
-        figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=7)
+        figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=8)
     if words:
         figure.suptitle(f"The orders, measured at 100 N/m: {', '.join(words)}", fontsize=11)
     return Picture(figure, ("k, N/m", "method", "steps", "evaluations", "largest error, m"), rows)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from ch02_vectors.vector import Vector3
 from ch04_particle_engine.closed_form import state_after
+from ch04_particle_engine.exact_frames import places_in_frames
 from ch05_forces.closed_form import quadratic_fall
 from ch05_forces.forces import Drag, Gravity, InverseSquareGravity
 from ch05_forces.particle import Particle
@@ -19,6 +20,7 @@ from studies.accuracy.scene import (
     RATE,
     Made,
     Model,
+    Outcome,
     Place,
     Scene,
     by_forces,
@@ -66,7 +68,12 @@ def projectile() -> Scene:
     damped = Model(
         "damping in the particle", by_forces(with_damping, explicit_euler, frames), by="the book"
     )
-    models = [by_formula(place_at, frames), damped, *by_integrators(with_drag, frames)]
+
+    def in_equal_frames(_: int) -> Outcome:
+        return Outcome([*places_in_frames(shot, 1.0 / RATE, frames)], frames)
+
+    closed = [by_formula(place_at, frames), Model("exact steps", in_equal_frames, (1,))]
+    models = [*closed, damped, *by_integrators(with_drag, frames)]
     models.append(by_pymunk("pymunk", in_space, frames))
     return Scene("projectile with linear drag", frames, 30.0, truth, models)
 

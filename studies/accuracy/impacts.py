@@ -1,6 +1,7 @@
 """Scenes of balls that bounce: on the ground, without loss and with, and one on another.
 
-What is counted is how often contacts are looked for: once a step, or once an impact and frame.
+What is counted is how often contacts are looked for: once a step, or once an impact and frame. A
+ball by its impacts alone counts its heights.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import Any
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
+from ch07_constraints.bouncing_ball import heights_in_frames
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticlePairs
 from ch07_constraints.time_division import time_division_step
@@ -110,6 +112,13 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
     return Outcome(places, work)
 
 
+def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
+    """Have a single ball nowhere but where a height is wanted."""
+    (height,) = balls.heights
+    heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)
+    return Outcome([(RADIUS + height,) for height in heights], frames)
+
+
 def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -> Outcome:
     """Step, look what touches after it, and resolve that."""
     particles = balls.particles()
@@ -153,8 +162,10 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
         return exact[round(time * RATE) - 1]
 
     many = (*STEPS, 2048, 4096)
-    models = [
-        Model("time division", partial(by_time_division, balls, frames), (1,)),
+    models = [Model("time division", partial(by_time_division, balls, frames), (1,))]
+    if len(balls.heights) == 1:
+        models.append(Model("its impacts alone", partial(by_its_impacts, balls, frames), (1,)))
+    models += [
         Model(
             "explicit Euler, then contacts",
             partial(by_resolver, explicit_euler, balls, frames),

@@ -13,7 +13,7 @@ from typing import Any
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch06_springs import exercises, integrators
+from ch06_springs import exercises, integrators, own_step
 
 Components = tuple[float, float, float]
 # position, velocity, acceleration, mass, damping, and a force that is added by hand
@@ -299,3 +299,29 @@ def step_matrix(
         columns.append((particle.position.x, particle.velocity.x))
     (a, c), (b, d) = columns
     return a, b, c, d
+
+
+def own_steps(
+    bodies: Sequence[tuple[Components, Components, Components, float]],
+    forces_at: Callable[[list[Components]], list[Components]],
+    duration: float,
+    frames: int,
+) -> tuple[list[list[Components]], list[list[Components]], list[Components]]:
+    """Move bodies (position, velocity, acceleration, mass) by the step of one's own.
+
+    Return the places and the velocities after each frame, and the accumulators in the end.
+    ``forces_at`` tells the forces at places: whoever calls this counts them.
+    """
+    particles = [Particle(Vector3(*p), Vector3(*v), Vector3(*a), mass=m) for p, v, a, m in bodies]
+
+    def apply_forces(_duration: float) -> None:
+        forces = forces_at([xyz(particle.position) for particle in particles])
+        for particle, force in zip(particles, forces, strict=True):
+            particle.add_force(Vector3(*force))
+
+    places, velocities = [], []
+    for _ in range(frames):
+        own_step.my_step(particles, apply_forces, duration)
+        places.append([xyz(particle.position) for particle in particles])
+        velocities.append([xyz(particle.velocity) for particle in particles])
+    return places, velocities, [xyz(particle.force_accumulator) for particle in particles]

@@ -365,20 +365,25 @@ def lets_go(numbers: Sequence[float], flights: Sequence[tuple[float, Components]
     return seen
 
 
-def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, int, bool]:
+def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, int, bool, int]:
     """Throw; return range and share, how many times STEP it took, and whether it flies.
+
+    And how many contacts the world's resolver says that it has resolved.
 
     Instead of the physics a frame may do "nothing", put the projectile on the "ground", or let go
     of it, "up" or "down", at a place and a speed that are given, the counterweight 1 m lower.
     """
     made = machine(numbers)
     times: list[float] = []
+    resolved = 0
     step = made.world.step
 
     def counted(duration: float) -> None:
+        nonlocal resolved
         times.append(duration)
         if not instead:
             step(duration)
+            resolved += made.world.resolver.iterations_used
         if instead == "ground":
             made.projectile.position.y = 0.0
         if instead not in ("up", "down"):
@@ -389,7 +394,8 @@ def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, in
 
     made.world.step = counted  # type: ignore[method-assign]
     thrown = made.throw()
-    return thrown.range, thrown.share, round(sum(times) / trebuchet.STEP), bool(made.flies)
+    frames = round(sum(times) / trebuchet.STEP)
+    return thrown.range, thrown.share, frames, bool(made.flies), resolved
 
 
 def my_design() -> tuple[float, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from random import Random
 
 import pytest
@@ -94,7 +95,7 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     call += "(30, 10, 0) m/s, when the counterweight has sunk by 1 m"
     start = 5.0 + 3.0 * math.sin(math.radians(200.0)) - 1.0
     cause = "it flies (v_y + sqrt(v_y^2 + 2 g y)) / g seconds, and v_x times that from x on"
-    distance, share, frames, flies = throw(design, "up")
+    distance, share, frames, flies, _ = throw(design, "up")
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     expect_close(f"{call}: range", distance, wanted, cause=cause, read=read, tolerance=1e-9)
     cause = "m v^2 / 2 + m g (how far it rose), divided by M g (how far the counterweight sank)"
@@ -114,13 +115,15 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
 
 
 @pytest.mark.exercise("P8.2a")
-def test_a_throw_agrees_with_lagrange(rng: Random) -> None:
+def test_a_throw_agrees_with_lagrange(
+    rng: Random, on_chart: Callable[[float, float], None]
+) -> None:
     read = THROW
     design = draw_design(rng)
     call = f"Trebuchet(Design{design}).throw()"
     cause = "the same machine by Lagrange's equations: are rods and sling there, and STEP and the "
     cause += "world's step used until it lets go?"
-    distance, share, *_ = throw(design)
+    distance, share, *_, resolved = throw(design)
     true_distance, true_share = thrown(*design)
     # First order in the frame: at 1/250 s range and share are up to 6.5 % too small, for
     # every design that is drawn and rods of either kind.
@@ -132,6 +135,7 @@ def test_a_throw_agrees_with_lagrange(rng: Random) -> None:
         read=read,
         tolerance=0.1 * true_distance,
     )
+    on_chart(resolved, abs(distance / true_distance - 1.0))
     expect_close(
         f"{call}: share", share, true_share, cause=cause, read=read, tolerance=0.1 * true_share
     )

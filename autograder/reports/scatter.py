@@ -1,0 +1,108 @@
+"""Lay points out on the chart of an open exercise: what each costs, against how far off it is.
+
+Both axes are logarithmic. scatter.svg draws what is laid out here, in its own units.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+LEFT, RIGHT, TOP, BOTTOM = 70.0, 620.0, 20.0, 300.0
+MOST_TICKS = 9
+Point = Sequence[float]  # cost and error
+
+
+@dataclass(frozen=True)
+class Dot:
+    """One point on the chart: whose it is, its numbers, and where it is drawn."""
+
+    name: str
+    cost: float
+    error: float
+    x: float
+    y: float
+    best: bool  # none costs no more and is nearer to the truth
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """A chart: its axes with ticks (place, label), students' dots, the reference's, the front."""
+
+    exercise: dict[str, Any]
+    axes: Sequence[str]
+    costs: list[tuple[float, str]]
+    errors: list[tuple[float, str]]
+    dots: list[Dot]
+    reference: Dot | None
+    front: str  # the points of a line
+
+
+def scatter(
+    exercise: dict[str, Any], named: Sequence[tuple[str, Point]], reference: Point | None
+) -> Scatter:
+    """Lay out named points, and the reference's, for an exercise of a report that has a chart."""
+    points = [point for _, point in named] + ([reference] if reference else [])
+    costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
+    edge = front(points)
+
+    def dot(name: str, point: Point) -> Dot:
+        cost, error = point
+        x = _between(cost, costs, LEFT, RIGHT)
+        y = _between(error, errors, BOTTOM, TOP)
+        return Dot(name, cost, error, round(x, 1), round(y, 1), [*point] in edge)
+
+    corners = [dot("", point) for point in edge]
+    line = [(corner.x, corner.y) for corner in corners]
+    line = [(line[0][0], TOP), *_stairs(line), (RIGHT, line[-1][1])]
+    return Scatter(
+        exercise,
+        exercise["chart"]["axes"],
+        [(round(_between(t, costs, LEFT, RIGHT), 1), _label(t)) for t in costs],
+        [(round(_between(t, errors, BOTTOM, TOP), 1), _label(t)) for t in errors],
+        sorted((dot(*pair) for pair in named), key=lambda d: (d.error, d.cost, d.name)),
+        dot("the reference", reference) if reference else None,
+        " ".join(f"{x:g},{y:g}" for x, y in line),
+    )
+
+
+def front(points: Sequence[Point]) -> list[list[float]]:
+    """Return the points than which no other costs no more and is nearer to the truth, by cost."""
+    kept: list[list[float]] = []
+    for cost, error in sorted([*point] for point in points):
+        if not kept or error < kept[-1][1]:
+            kept.append([cost, error])
+    return kept
+
+
+def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return the corners of a front: what costs more is no worse than the best that costs less."""
+    corners = line[:1]
+    for x, y in line[1:]:
+        corners += [(x, corners[-1][1]), (x, y)]
+    return corners
+
+
+def _ticks(values: Sequence[float]) -> list[float]:
+    """Return 1, 2 and 5 times powers of ten around the values, or fewer where that is too many."""
+    low, high = 0.8 * min(values), 1.25 * max(values)
+    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    fine = [float(f"{digit}e{power}") for power in powers for digit in (1, 2, 5)]
+    first = max(tick for tick in fine if tick <= low)
+    last = min(tick for tick in fine if tick >= high)
+    ticks = [tick for tick in fine if first <= tick <= last]
+    if len(ticks) <= MOST_TICKS:
+        return ticks
+    every = math.ceil(len(powers) / MOST_TICKS)
+    return [10.0**power for power in range(powers[0], powers[-1] + every, every)]
+
+
+def _between(value: float, ticks: Sequence[float], start: float, end: float) -> float:
+    share = math.log(value / ticks[0]) / math.log(ticks[-1] / ticks[0])
+    return start + share * (end - start)
+
+
+def _label(value: float) -> str:
+    return f"{value:g}".replace("e-0", "e-").replace("e+0", "e")

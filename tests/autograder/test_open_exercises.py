@@ -1,0 +1,177 @@
+"""Open exercises are put on a chart: cost in counted work, error against truth, nobody's secret."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from autograder.cohort import grade
+from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
+from autograder.reports.feedback import write_feedback, write_index
+from autograder.reports.gradescope import gradescope_results
+from autograder.reports.scatter import BOTTOM, LEFT, RIGHT, TOP, front, scatter
+from autograder.runner import run_checks
+from autograder.scores import results_of
+from graded import CHAPTERS, SHOUT, report_of
+from small import MANIFEST, make_root
+from small import RIGHT as SMALL
+
+AXES = ["evaluations", "error of the result"]
+OPEN = MANIFEST.replace('hints = ["twice"]', f'chart = {AXES}\nhints = ["twice"]')
+CHECK = """
+import pytest
+from ch90_small import small
+
+
+@pytest.mark.exercise("B90.1")
+def test_double(on_chart):
+    asked = 0
+
+    def ask():
+        nonlocal asked
+        asked += 1
+        return 3.0
+
+    got = small.double(ask)
+    on_chart(asked, abs(got - 6.0))
+    assert abs(got - 6.0) < 0.5
+
+
+@pytest.mark.exercise("90.1")
+def test_quadruple():
+    assert small.quadruple(3) == 12
+"""
+HIDDEN = """
+import pytest
+
+
+@pytest.mark.exercise("90.1")
+def test_more(on_chart):
+    \"\"\"A hidden one.\"\"\"
+    on_chart(17.0, 0.125)
+"""
+ASKS = {
+    "ann": "def double(ask):\n    return ask() + ask() + 0.25\n",
+    "bob": "def double(ask):\n    return ask() + 2.0\n",
+    "cai": "def double(ask):\n    return 6.0 + 0 * ask()\n",  # no error: no place on such axes
+    "dan": "def double(ask):\n    raise ValueError('no')\n",
+}
+REFERENCE = "def double(ask):\n    return 2.125 * ask()\n"
+QUADRUPLE = SMALL[SMALL.index("def quadruple") :]
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    made = make_root(tmp_path / "root")
+    for name, text in (
+        ("chapters/ch90_small/chapter.toml", OPEN),
+        ("solutions/ch90_small/small.py", REFERENCE + QUADRUPLE),
+        ("tests/ch90_small/test_small.py", CHECK),
+    ):
+        (made / name).write_text(text, encoding="utf-8")
+    return made
+
+
+def test_a_class_is_on_the_chart_with_the_reference_and_hidden_checks_put_nobody_there(
+    root: Path, tmp_path: Path
+) -> None:
+    for student, code in ASKS.items():
+        folder = tmp_path / "class" / student / "ch90_small"
+        folder.mkdir(parents=True)
+        (folder / "small.py").write_text(code + QUADRUPLE, encoding="utf-8")
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
+    out = tmp_path / "out"
+    chapter = load_chapter(root / "chapters/ch90_small")
+    grade(
+        tmp_path / "class", out, [chapter], "1", unsafe=True, root=root, hidden=tmp_path / "hidden"
+    )
+
+    def charts(student: str) -> list[Any]:
+        text = (out / "results" / f"{student}.json").read_text(encoding="utf-8")
+        return [exercise["chart"] for exercise in json.loads(text)["exercises"]]
+
+    assert charts("ann") == [{"axes": AXES, "own": [2.0, 0.25], "reference": [1.0, 0.375]}, None]
+    assert charts("bob")[0]["own"] == [1.0, 1.0]
+    assert charts("cai")[0]["own"] is None
+    assert charts("dan")[0]["own"] is None
+    index = (out / "index.html").read_text(encoding="utf-8")
+    assert index.count("<circle") == 2
+    assert "<title>ann</title>" in index
+    assert "<title>cai</title>" not in index
+    feedback = (out / "feedback/ann.html").read_text(encoding="utf-8")
+    assert "Your work: 2 evaluations, error of the result: 0.25." in feedback
+    assert feedback.count("<circle") == 1
+    assert "bob" not in feedback
+    assert "<circle" not in (out / "feedback/dan.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    "chapter", [c for c in load_chapters() if any(e.chart for e in c.exercises)]
+)
+def test_the_reference_is_on_the_chart_of_every_open_exercise(chapter: Chapter) -> None:
+    wanted = [exercise.id for exercise in chapter.exercises if exercise.chart]
+    engine = [ROOT / "solutions", ROOT / "chapters"]
+    verdicts = run_checks(chapter, engine, seed="1", exercises=wanted)
+    placed = {result.exercise.id for result in results_of(chapter, verdicts) if result.on_chart}
+    assert placed == set(wanted)
+
+
+def charted(student: str, own: list[float] | None, reference: list[float] | None) -> dict[str, Any]:
+    report = report_of(student)
+    report["exercises"][1]["chart"] = {"axes": AXES, "own": own, "reference": reference}
+    return report
+
+
+def test_names_on_a_chart_are_text_and_gradescope_says_the_place_in_words(tmp_path: Path) -> None:
+    report = charted(SHOUT, [100.0, 0.01], None)
+    page = write_index(tmp_path, CHAPTERS, [report]).read_text(encoding="utf-8")
+    assert "<script>" not in page
+    assert page.count("&lt;script&gt;") >= 2
+    told = gradescope_results(report)["tests"][1]["output"]
+    assert "your work: 100 evaluations, error of the result: 0.01" in told
+    nobody = charted("ada", None, [10.0, 0.1])
+    assert "<circle" not in write_feedback(tmp_path, nobody).read_text(encoding="utf-8")
+    assert "Speed against accuracy" not in write_index(tmp_path, CHAPTERS, [nobody]).read_text(
+        encoding="utf-8"
+    )
+
+
+def test_a_dot_lies_where_its_logarithms_say() -> None:
+    exercise = charted("ada", None, None)["exercises"][1]
+    chart = scatter(exercise, [("a", (100.0, 1e-2)), ("b", (1000.0, 1e-6))], (300.0, 1e-4))
+    costs, errors = dict(map(reversed, chart.costs)), dict(map(reversed, chart.errors))  # type: ignore[arg-type]
+    a, b = chart.dots[1], chart.dots[0]
+    assert (a.name, b.name) == ("a", "b")  # the nearest to the truth first
+    # Places are rounded to a tenth of their unit.
+    assert (a.x, b.x) == pytest.approx((costs["100"], costs["1000"]), abs=0.1)
+    assert (a.y, b.y) == pytest.approx((errors["0.01"], errors["1e-6"]), abs=0.1)
+    assert chart.reference is not None
+    half = a.x + (b.x - a.x) * 0.4771  # the logarithm of 3
+    assert chart.reference.x == pytest.approx(half, abs=0.1)
+    assert chart.reference.y == pytest.approx((a.y + b.y) / 2.0, abs=0.1)
+    assert all(LEFT < dot.x < RIGHT and TOP < dot.y < BOTTOM for dot in chart.dots)
+
+
+SIZES = st.floats(1e-12, 1e12)
+
+
+@given(st.lists(st.tuples(SIZES, SIZES), min_size=1, max_size=12))
+def test_the_front_is_what_no_other_beats_and_all_dots_are_inside(
+    points: list[tuple[float, float]],
+) -> None:
+    beaten = [[*p] for p in points if any(q != p and q[0] <= p[0] and q[1] <= p[1] for q in points)]
+    assert front(points) == sorted([*p] for p in set(points) if [*p] not in beaten)
+    exercise = charted("ada", None, None)["exercises"][1]
+    chart = scatter(exercise, [("a", point) for point in points], None)
+    for dot in chart.dots:
+        assert LEFT < dot.x < RIGHT
+        assert TOP < dot.y < BOTTOM
+    assert 2 <= len(chart.costs) <= 11
+    assert 2 <= len(chart.errors) <= 11

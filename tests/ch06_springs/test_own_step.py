@@ -1,0 +1,139 @@
+"""Going further, G6.3: a step of one's own, by its evaluations and its error."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from random import Random
+
+import pytest
+
+from ch06_springs.step_probes import own_steps
+from draw import Components, components, direction, dot, positive_number
+from expect import expect_close, expect_exactly
+
+STEP = "the docstring of my_step"
+FRAMES, ECCENTRICITY = 60, 0.5
+MOST = 5000  # evaluations: what asks for more is stopped, and has not stayed within them
+
+
+class Asked:
+    """A field of forces that counts how often it is asked, and answers MOST times."""
+
+    def __init__(self, forces_at: Callable[[list[Components]], list[Components]]) -> None:
+        self.forces_at, self.count = forces_at, 0
+
+    def __call__(self, places: list[Components]) -> list[Components]:
+        self.count += 1
+        if self.count > MOST:
+            raise ValueError(f"the forces were asked for more than {MOST} times")
+        return self.forces_at(places)
+
+
+def turn_of_an_orbit(rng: Random) -> tuple[int, float]:
+    """Let the step go once round a center; return its evaluations, and its largest error.
+
+    The error is in units of the half axis, against Kepler's equation. Size, mass, strength, place
+    and plane of the orbit are drawn, and make no difference to either.
+    """
+    size, mass, mu = (positive_number(rng, 0.5, 4.0) for _ in range(3))
+    center, along = components(rng), direction(rng)
+    other = direction(rng)
+    share = dot(along, other)
+    across = [b - share * a for a, b in zip(along, other, strict=True)]
+    length = math.hypot(*across)
+    across = [part / length for part in across]
+
+    def place(x: float, y: float) -> Components:
+        a, b, c = (o + x * p + y * q for o, p, q in zip(center, along, across, strict=True))
+        return a, b, c
+
+    def forces_at(places: list[Components]) -> list[Components]:
+        offset = [a - b for a, b in zip(places[0], center, strict=True)]
+        strength = -mu * mass / math.hypot(*offset) ** 3
+        return [tuple(strength * part for part in offset)]  # type: ignore[list-item]
+
+    e = ECCENTRICITY
+    speed = math.sqrt(mu / size * (1.0 + e) / (1.0 - e))
+    x, y, z = (speed * part for part in across)
+    start = (place(size * (1.0 - e), 0.0), (x, y, z), (0.0, 0.0, 0.0), mass)
+    duration = 2.0 * math.pi * math.sqrt(size**3 / mu) / FRAMES
+    field = Asked(forces_at)
+    places, *_ = own_steps([start], field, duration, FRAMES)
+    worst = 0.0
+    for frame, (found,) in enumerate(places, 1):
+        mean = 2.0 * math.pi * frame / FRAMES
+        angle = mean
+        for _ in range(60):  # Newton's method on Kepler's equation, which has long converged then
+            angle -= (angle - e * math.sin(angle) - mean) / (1.0 - e * math.cos(angle))
+        true = place(size * (math.cos(angle) - e), size * math.sqrt(1.0 - e * e) * math.sin(angle))
+        error = math.dist(found, true) / size
+        worst = error if not error <= worst else worst  # a NaN stays
+    return field.count, worst
+
+
+@pytest.mark.exercise("G6.3")
+def test_it_moves_all_by_their_forces(rng: Random) -> None:
+    read = STEP
+    m, n = positive_number(rng, 1.0, 4.0), positive_number(rng, 1.0, 4.0)
+    stiffness, along = positive_number(rng, 5.0, 20.0), direction(rng)
+    v, a, middle = components(rng), components(rng), components(rng)
+    call = f"my_step with two particles of {m} and {n} kg on a spring of {stiffness} N/m"
+    cause = "each has its own mass, velocity and acceleration, and forces are cleared after use"
+
+    def ends(swung: float, t: float) -> list[Components]:
+        """Where the two are: their middle falls, the spring between them swings."""
+        fallen = [p + q * t + 0.5 * r * t * t for p, q, r in zip(middle, v, a, strict=True)]
+        shares = (-n / (m + n) * swung, m / (m + n) * swung)
+        return [
+            tuple(p + share * part for p, part in zip(fallen, along, strict=True))  # type: ignore[misc]
+            for share in shares
+        ]
+
+    def forces_at(places: list[Components]) -> list[Components]:
+        offset = [q - p for p, q in zip(*places, strict=True)]
+        pull = [stiffness * part for part in offset]
+        return [tuple(pull), tuple(-part for part in pull)]  # type: ignore[list-item]
+
+    period = 2.0 * math.pi * math.sqrt(m * n / (m + n) / stiffness)
+    bodies = [(place, v, a, mass) for place, mass in zip(ends(1.0, 0.0), (m, n), strict=True)]
+    places, velocities, left = own_steps(bodies, Asked(forces_at), period / FRAMES, FRAMES)
+    for frame in (15, 40, 60):
+        true = ends(math.cos(2.0 * math.pi * frame / FRAMES), period * frame / FRAMES)
+        for which, place in enumerate(true):
+            name = f"{call}: particles[{which}].position after {frame} of {FRAMES} frames"
+            # Of a length of 1 m; velocity Verlet, once a frame, is off by 3e-3 at most.
+            got = places[frame - 1][which]
+            expect_close(name, got, place, cause=cause, read=read, tolerance=5e-3)
+    falling = [p + q * period for p, q in zip(v, a, strict=True)]
+    # After a whole period the spring has its velocity of the start, none; it has up to 9 m/s.
+    name = f"{call}: particles[0].velocity after {FRAMES} frames"
+    expect_close(name, velocities[-1][0], falling, cause=cause, read=read, tolerance=5e-2)
+    name = f"{call}: particles[0].force_accumulator after it"
+    expect_close(name, left[0], (0.0, 0.0, 0.0), cause=cause, read=read, tolerance=0.0)
+
+
+@pytest.mark.exercise("G6.3")
+def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], None]) -> None:
+    read = STEP
+    call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
+    cause = "a step of order 2 or more, of as many parts as it takes"
+    count, error = turn_of_an_orbit(rng)
+    on_chart(count, error)
+    name = f"{call}: largest distance from the true orbit / half axis"
+    # Velocity Verlet in 16 parts a frame is off by 2e-3, explicit Euler in 80 by 0.2.
+    expect_close(name, error, 0.0, cause=cause, read=read, tolerance=0.01)
+
+
+@pytest.mark.exercise("G6.3")
+@pytest.mark.parametrize("most", [1e-3, 1e-4], ids=["a good one", "a better one"])
+def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
+    read = STEP
+    call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
+    cause = ""
+    count, error = turn_of_an_orbit(rng)
+    cause = f"yours asks for the forces {count} times, and is off by {error:.1e}: fewer parts, or "
+    cause += "a better formula?"
+    name = f"{call}: at most 500 evaluations, error of at most {most:g}"
+    # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
+    expect_exactly(name, [count <= 500, error <= most], [True, True], cause=cause, read=read)

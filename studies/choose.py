@@ -43,7 +43,7 @@ def main(arguments: list[str]) -> int:
         parser.error(str(error))
     console = Console(highlight=False)
     with console.status("measuring") as status:
-        measured = measure.explore(scenes, SLOWEST, status.update)
+        measured = measure.explore(scenes, SLOWEST, SLOWEST, status.update)
         for done in range(ROUNDS):
             status.update(f"timing, round {done + 1} of {ROUNDS}")
             measure.time_once(measured, scenes, lambda: None)

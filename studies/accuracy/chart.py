@@ -73,6 +73,8 @@ def said(found: Row) -> str:
     if ours is None:
         return f"{start}nothing of ours gets there" + (f", {theirs.model} does" if theirs else "")
     mine = f"{ours.model} takes {1e3 * ours.time:.3g} ms"
+    if theirs is None and found.stalled:
+        return f"{start}{mine}, pymunk never gets there: its error does not fall any more"
     if theirs is None:
         longest = found.longest / ours.time
         return f"{start}{mine}, pymunk more than {longest:.3g} times as long"

@@ -18,7 +18,7 @@ from ch07_constraints.bouncing_ball import heights_in_frames
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticlePairs
 from ch07_constraints.time_division import time_division_step
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.accuracy.scene import MANY, RATE, Model, Outcome, Place, Scene, in_frames
 from studies.constraints import resolving
 
 G = 10.0  # m/s^2
@@ -161,7 +161,6 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
     def truth(time: float) -> Place:
         return exact[round(time * RATE) - 1]
 
-    many = (*STEPS, 2048, 4096)
     models = [Model("time division", partial(by_time_division, balls, frames), (1,))]
     if len(balls.heights) == 1:
         models.append(Model("its impacts alone", partial(by_its_impacts, balls, frames), (1,)))
@@ -169,15 +168,15 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
         Model(
             "explicit Euler, then contacts",
             partial(by_resolver, explicit_euler, balls, frames),
-            many,
+            MANY,
             "the book",
         ),
         Model(
             "semi-implicit Euler, then contacts",
             partial(by_resolver, semi_implicit_euler, balls, frames),
-            many,
+            MANY,
         ),
-        Model("pymunk", partial(by_pymunk, balls, frames), many, "pymunk"),
+        Model("pymunk", partial(by_pymunk, balls, frames), MANY, "pymunk"),
     ]
     return Scene(name, frames, scale, truth, models, "looks for contacts")
 

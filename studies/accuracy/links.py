@@ -21,7 +21,7 @@ from ch07_constraints.angle_pendulum import AnglePendulum
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod, TwoSidedRod
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.accuracy.scene import MANY, RATE, STEPS, Model, Outcome, Place, Scene, in_frames
 from studies.constraints import resolving
 
 G = 10.0  # m/s^2
@@ -56,7 +56,7 @@ def pendulum() -> Scene:
         Model("by its angle, Runge-Kutta 4", by_angle),
         Model("direct chain", partial(by_direct_chain, particle, frames)),
         *by_rods(particle, rod, frames),
-        Model("pymunk, pin joint", partial(by_pin_joints, particle, frames), by="pymunk"),
+        Model("pymunk, pin joint", partial(by_pin_joints, particle, frames), MANY, "pymunk"),
     ]
     return Scene("pendulum from horizontal", frames, 1.0, truth, models, RESOLVED)
 
@@ -97,7 +97,7 @@ def rope() -> Scene:
         Model(
             "pymunk, pin joints",
             partial(by_pin_joints, rope_particles, frames),
-            STEPS,
+            MANY,
             "pymunk",
         ),
     ]

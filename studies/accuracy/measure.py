@@ -25,11 +25,12 @@ from studies.timing import quartiles
 
 EXACT = 1e-13  # an error that more steps cannot lower: rounding
 LEAST = 2e-3  # s for one measurement: what is faster is run several times
+LONG, FEW = 1.0, 2  # s: what takes longer is timed in the first two rounds alone
 
 
 @dataclass
 class Point:
-    """A model of a scene with so many steps a frame. ``times`` are in s, one a round."""
+    """A model of a scene with so many steps a frame. ``times`` are in s, of the rounds it is in."""
 
     scene: str
     model: str
@@ -58,10 +59,13 @@ class Measured:
     rounds: int = 0
 
 
-def explore(scenes: Sequence[Scene], slowest: float, hear: Callable[[str], None]) -> Measured:
+def explore(
+    scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
+) -> Measured:
     """Return the points of these scenes, without times: error and work of each model.
 
-    A model is not asked for more steps once a run takes ``slowest`` s, or once it is exact.
+    A model is not asked for more steps once a run takes ``slowest`` s, or ``theirs`` if it is
+    pymunk's, nor once it is exact.
     """
     points = []
     for scene in scenes:
@@ -73,7 +77,7 @@ def explore(scenes: Sequence[Scene], slowest: float, hear: Callable[[str], None]
                 taken = time.process_time() - start
                 error, work = (scene.error(outcome), outcome.work) if outcome else (math.inf, 0)
                 points.append(Point(scene.name, model.name, model.by, steps, error, work))
-                if taken > slowest or error < EXACT:
+                if taken > (theirs if model.by == "pymunk" else slowest) or error < EXACT:
                     break
     return Measured(points)
 
@@ -90,7 +94,8 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
     """Add a round of times to all points, in shuffled order."""
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
-        point.times.append(seconds_of(models[point.scene, point.model], point.steps))
+        if len(point.times) < FEW or point.time < LONG:
+            point.times.append(seconds_of(models[point.scene, point.model], point.steps))
         hear()
     measured.rounds += 1
 
@@ -124,9 +129,9 @@ def load(path: Path, sign: str) -> Measured | None:
         return None
 
 
-def sign_of(names: Sequence[str], slowest: float) -> str:
+def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
     """Return what stands for these scenes, all code that they run, and the versions."""
-    digest = hashlib.sha256(f"{[*names]} {slowest}".encode())
+    digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):
         for file in sorted((ROOT / folder).rglob("*.py")):
             digest.update(file.read_bytes())

@@ -28,6 +28,7 @@ class Row:
     ours: Reached | None
     pymunk: Reached | None
     longest: float  # s, the longest run of pymunk's that was tried
+    stalled: bool  # its errors no longer fell, however many steps it made
 
     @property
     def ratio(self) -> float | None:
@@ -63,6 +64,16 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
     before = ordered[first - 1]
     share = math.log(before.error / tolerance) / math.log(before.error / inside.error)
     return before.time * math.exp(share * math.log(inside.time / before.time))
+
+
+def stalls(points: Sequence[Point]) -> bool:
+    """Say whether a model's error has not even halved over the last eightfold of its steps.
+
+    With more of them it then never gets where it is not: of any order it would fall to an eighth.
+    """
+    ordered = sorted(points, key=lambda point: point.steps)
+    before = [point for point in ordered if 8 * point.steps <= ordered[-1].steps]
+    return bool(before) and not ordered[-1].error < 0.5 * before[-1].error
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
@@ -105,7 +116,9 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
     """Return what the points of one scene say of a tolerance."""
     ours, theirs = split(points)
     longest = max(point.time for point in theirs)
-    return Row(points[0].scene, tolerance, best(ours, tolerance), best(theirs, tolerance), longest)
+    still = all(stalls(own) for own in models_of(theirs).values())
+    reached = best(ours, tolerance), best(theirs, tolerance)
+    return Row(points[0].scene, tolerance, *reached, longest, still)
 
 
 def table(points: Sequence[Point]) -> list[Row]:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 RATE = 60.0  # frames a second
 STEPS = tuple(2**n for n in range(11))  # a frame
+MANY = tuple(2**n for n in range(16))  # of pymunk
 Place = tuple[float, ...]  # the coordinates of all that is looked at, in m
 Made = tuple[Particle, Sequence[ForceGenerator]]
 Pull = Callable[[float, float, float, float], tuple[float, float]]  # of x, y and velocity, in N
@@ -158,7 +159,7 @@ def by_pymunk(
         places = in_frames(step, lambda: (body.position.x, body.position.y), frames, steps)
         return Outcome(places, frames * steps)
 
-    return Model(name, run, by="pymunk")
+    return Model(name, run, MANY, "pymunk")
 
 
 def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:

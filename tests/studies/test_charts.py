@@ -15,7 +15,7 @@ from ch07_constraints.angle_pendulum import AnglePendulum
 from studies import charts, choose
 from studies.accuracy import impacts
 from studies.accuracy.measure import Measured, Point, load, save
-from studies.accuracy.results import best, front, table, time_to
+from studies.accuracy.results import best, front, stalls, table, time_to
 from studies.accuracy.scene import RATE, Model, Outcome, Scene
 from studies.accuracy.scenes import scenes_with
 from studies.drawing import slope
@@ -182,6 +182,20 @@ def test_the_time_to_a_tolerance_is_read_between_two_points() -> None:
     assert time_to(broken, 1e-4) == 2.0
 
 
+def test_what_does_not_get_nearer_with_eight_times_the_steps_never_gets_there() -> None:
+    falling, flat = [0.1, 0.05, 0.025, 0.0125], [0.1, 0.05, 0.051, 0.052]
+    times = [1.0, 2.0, 4.0, 8.0]
+    assert not stalls(points(falling, times))
+    assert stalls(points(flat, times)) == (flat[-1] >= 0.5 * flat[0])
+    assert stalls(points([0.1, 0.09, 0.07, 0.06], times))
+    assert stalls(points([math.inf] * 4, times))
+    assert not stalls(points([0.1, 0.1], times[:2]))  # nobody can tell
+    ours = points([1e-5], [1.0])
+    assert table([*ours, *points([0.1] * 4, times, "theirs", "pymunk")])[0].stalled
+    theirs = [*points([0.1] * 4, times, "a", "pymunk"), *points(falling, times, "b", "pymunk")]
+    assert not table([*ours, *theirs])[0].stalled
+
+
 def test_the_best_and_the_front_are_the_fastest_at_each_error() -> None:
     slow, fast = points([1e-2, 1e-8], [3.0, 9.0], "slow"), points([1e-3, 1e-4], [2.0, 7.0], "fast")
     theirs = points([1e-1, 1e-2], [1.0, 8.0], "theirs", "pymunk")
@@ -212,7 +226,7 @@ def test_what_was_measured_is_kept_unless_the_code_changed(tmp_path: Path) -> No
 def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(charts, "QUICK", (1, 1e-3))
+    monkeypatch.setattr(charts, "QUICK", (1, 1e-3, 1e-3))
     arguments = ["--quick", "--scene", "k = 100 ", "--out", str(tmp_path)]
     assert charts.main(arguments) == 0
     first = (tmp_path / "measured.json").read_bytes()

@@ -33,7 +33,7 @@ bench: $(READY) ## speed, as ratios measured in turn
 economy: $(READY) ## what parts of a model cost that a scene does not need
 	@$(RUN) -m studies economy
 
-limits: $(READY) ## the stiffest spring that each method bears, and what lies outside
+limits: $(READY) ## what springs and drag each method bears, maps of it, and what lies outside
 	@$(RUN) -m studies limits
 
 charts: $(READY) ## speed against accuracy, every scene by every model (QUICK=1 for a minute's version)

@@ -9,12 +9,23 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
+from matplotlib import colormaps
 from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.figure import Figure
 
 # Okabe and Ito's colours: told apart by colour-blind readers, and of different greys in print.
 BLUE, ORANGE, GREEN, GREY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
 RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
+# The steps of chapter 6 by their names, the same in all pictures.
+COLORS = {
+    "explicit Euler": RED,
+    "semi-implicit Euler": BLUE,
+    "velocity Verlet": SKY,
+    "Runge-Kutta 4": GREEN,
+    "backward Euler": ORANGE,
+    "trapezoidal rule": PINK,
+}
 
 Numbers = tuple[float, float, float]
 Key = TypeVar("Key")
@@ -24,6 +35,11 @@ LABEL: dict[str, Any] = {
     "fontsize": 12,
     "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8},
 }
+
+# What grows is red and what does not is blue, with a leap between them: slow growth shows as well.
+GROWTH = ListedColormap(
+    [*colormaps["RdBu_r"](range(0, 116)), *colormaps["RdBu_r"](range(140, 256))]
+)
 
 
 @dataclass(frozen=True)
@@ -167,3 +183,27 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
     if not all(value > 0.0 for value in (*x, *y)):
         return math.nan
     return statistics.linear_regression([*map(math.log, x)], [*map(math.log, y)]).slope
+
+
+def growth_map(
+    axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
+) -> Any:
+    """Colour what a step multiplies swings by, a row for each y; return it for growth_bar.
+
+    What is beyond the ends of the scale has the colour of its end.
+    """
+    shades = [[_shade(value) for value in row] for row in grown]
+    return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
+
+
+def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
+    """Put the scale of growth_map beside panels."""
+    label = "what a step multiplies the swings by: red explodes"
+    bar = figure.colorbar(colored, ax=panels, label=label, shrink=0.7, extend="both")
+    bar.set_ticks([0.25, 0.5, 1.0, 2.0, 4.0], labels=["1/4", "1/2", "1", "2", "4"])
+    bar.minorticks_off()
+
+
+def _shade(growth: float) -> float:
+    """Return a growth with rounding no growth, and the rest clear of 1, where the colour leaps."""
+    return max(growth, 1.001) if growth > 1.0 + 1e-12 else max(min(growth, 0.999), 0.25)

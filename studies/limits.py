@@ -1,8 +1,8 @@
-"""Where methods fail: the stiffest spring that each bears, beside theory, and what lies outside.
+"""Where methods fail: the stiffest spring and the most drag that each bears, beside theory.
 
-A step is a linear map of place and velocity, so its limit is where the larger eigenvalue leaves 1;
-it is found by bisection. Just outside, at 1.02 of the limit, swings must grow; and far inside, what
-a method does to the energy in ten thousand swings is measured.
+Limits are found by bisection. Just outside, at 1.02 of them, swings must grow; and far inside, what
+a method does to the energy in ten thousand swings is measured. Maps show the growth all around the
+limits, and curves how soon a simulation just outside is lost.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ import argparse
 import csv
 import math
 import sys
-from collections.abc import Callable
-from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from matplotlib import pyplot
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
@@ -22,140 +22,82 @@ from rich.table import Table
 from autograder.manifest import ROOT
 from studies.plot import shown
 
-FRAME = 1.0 / 60.0
-KEPT = (1.0, 0.9, 0.5)  # of the velocity, by the particle's damping, in a step
-LEAST, OUTSIDE, HUGE = 1e-3, 1.02, 1e6
-PERIODS = 10_000
-STIFFNESS = 100.0  # N/m: 38 frames a swing
-State = tuple[float, float]
+if TYPE_CHECKING:
+    from studies.limit_search import Bound
+
+SWINGS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000]
+WORST = 0.05  # of a limit by theory, by which the one that is found may be off
 
 
 def main(arguments: list[str]) -> int:
-    """Print and write the table; return 1 where a limit is off its theory by more than 5 %."""
+    """Print, draw and write; return 1 where a limit is off its theory by more than 5 %."""
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "limits.csv")
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    # These import chapters.
+    from studies import limit_maps, limit_search
+
+    pyplot.switch_backend("agg")
     console = Console(highlight=False)
-    with console.status("looking for limits"):
-        bounds = spring_limits()
-    with console.status(f"letting springs swing {PERIODS} times"):
-        drifts = energy_drifts()
-    headings = ("method", "kept of v", "limit of k h^2 / m", "theory", "off, %", "steps to x 1e6")
-    table = Table(*headings, box=SIMPLE_HEAD, pad_edge=False)
-    for name, kept, found, true, steps in bounds:
-        off = f"{100.0 * (found / true - 1.0):.1g}" if true else ""
-        table.add_row(name, f"{kept:g}", _number(found), _number(true), off, _number(steps))
-    console.print(table)
-    table = Table("method", f"energy after {PERIODS} swings / energy", box=SIMPLE_HEAD)
-    for name, ratio in drifts:
-        table.add_row(name, f"{ratio:.6g}")
+    with console.status("looking for limits of springs"):
+        springs = limit_search.spring_limits()
+    with console.status("looking for limits of drag"):
+        drags = limit_search.drag_limits()
+    with console.status(f"letting springs swing {SWINGS[-1]} times"):
+        drifts = limit_search.energy_drifts(SWINGS)
+    with console.status("letting springs explode"):
+        losses = limit_maps.divergence()
+    tables = ((springs, "at", "k h^2 / m"), (drags, "of", "k1 h / m"))
+    for bounds, where, what in tables:
+        console.print(_table(bounds, where, what))
+    table = Table("method", f"energy after {SWINGS[-1]} swings / energy", box=SIMPLE_HEAD)
+    for name, ratios in drifts.items():
+        table.add_row(name, f"{ratios[-1]:.6g}")
     console.print(table)
     options.out.parent.mkdir(parents=True, exist_ok=True)
     with options.out.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file)
-        writer.writerows([headings[:4] + headings[5:], *bounds])
-        writer.writerows([("method", "energy / energy at the start"), *drifts])
+        for bounds, where, what in tables:
+            heading = ("method", where, f"limit of {what}", "theory", "steps to x 1e6")
+            writer.writerows([heading, *bounds])
+        writer.writerow(("method", *(f"energy after {count} swings" for count in SWINGS)))
+        writer.writerows((name, *ratios) for name, ratios in drifts.items())
+        writer.writerows([limit_maps.LOSS_COLUMNS, *losses])
+    maps = options.out.with_suffix(".png")
+    curves = options.out.with_name(f"{options.out.stem}_divergence.png")
+    with console.status("drawing maps"):
+        limit_maps.draw_maps(maps)
+    limit_maps.draw_divergence(losses, drifts, SWINGS, curves)
     console.print(
-        f"Steps are counted at {OUTSIDE} of the limit; a limit of 0 means growth at {LEAST:g} "
-        f"already. The swings are at k h^2 / m = {STIFFNESS * FRAME**2:.3g}, which explicit Euler "
-        f"does not bear. All numbers: {shown(options.out)}",
+        "Steps are those until a swing just outside, at "
+        f"{limit_search.OUTSIDE} of the limit, is 1e6 times as large. A limit of 0 means growth at "
+        f"{limit_search.LEAST:g} already. The energies are those at k h^2 / m = "
+        f"{limit_search.STIFFNESS * limit_search.FRAME**2:.3g}, which explicit Euler does not bear."
+        f"\nMaps: {shown(maps)}; time to divergence and energies: {shown(curves)}; "
+        f"all numbers of tables and curves: {shown(options.out)}",
         soft_wrap=True,
     )
-    return 0 if all(abs(found - true) <= 0.05 * true for _, _, found, true, _ in bounds) else 1
+    off = [each for each in (*springs, *drags) if not _is_near(each)]
+    for each in off:
+        console.print(f"off its theory by more than 5 %: {each.method}, {each.at}")
+    return 1 if off else 0
 
 
-def spring_limits() -> list[tuple[str, float, float, float, float]]:
-    """Return method, share kept, limit, theory, and steps until a swing just outside is huge."""
-    from studies.stability import INTEGRATORS, theory
-
-    rows = []
-    for name in INTEGRATORS:
-        for kept in KEPT:
-            growth = partial(_growth_of, name, kept)
-            rows.append((name, kept, *limit(growth, theory(name, kept))))
-    # A spring of its own is stepped as semi-implicit Euler does, a force by hand as explicit Euler.
-    for name, by_hand, true in (("pymunk's spring", False, 4.0), ("pymunk, by hand", True, 0.0)):
-        rows.append((name, 1.0, *limit(partial(_growth_in_pymunk, by_hand), true)))
-    return rows
+def _is_near(bound: Bound) -> bool:
+    return math.isclose(bound.found, bound.theory, rel_tol=WORST)
 
 
-def limit(growth: Callable[[float], float], theory: float) -> tuple[float, float, float]:
-    """Return a limit of k h^2 / m, what theory has, and how soon a swing just outside is huge.
-
-    That is in steps. The limit is 0 where swings grow at LEAST already; there are no steps then.
-    """
-    from studies.stability import limit_of
-
-    if growth(LEAST) > 1.0 + 1e-13:
-        return 0.0, theory, math.nan
-    found = limit_of(growth)
-    return found, theory, math.log(HUGE) / math.log(growth(OUTSIDE * found))
-
-
-def _growth_of(name: str, kept: float, kappa: float) -> float:
-    from studies.stability import growth_of
-
-    return growth_of(name, kappa, kept, FRAME)
-
-
-def _growth_in_pymunk(by_hand: bool, kappa: float) -> float:
-    from studies.stability import Pull, growth, solving
-
-    k = kappa / FRAME**2
-    return growth(solving(partial(pymunk_step, by_hand), k), Pull(k), FRAME)
-
-
-def pymunk_step(
-    by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
-) -> State:
-    """Return place and velocity of a body of pymunk on a spring a step later, as a Solver does."""
-    import pymunk
-
-    space = pymunk.Space()
-    body = pymunk.Body(mass, 1.0)
-    body.position, body.velocity = (x, 0.0), (v, 0.0)
-    space.add(body)
-    if by_hand:
-        body.apply_force_at_world_point((-k * x - c * v, 0.0), body.position)
-    else:
-        still = space.static_body
-        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), 0.0, k, c))
-    space.step(duration)
-    return body.position.x, body.velocity.x
-
-
-def energy_drifts() -> list[tuple[str, float]]:
-    """Return each method with what many swings have made of an energy of 1."""
-    from studies.stability import Pull, methods, solving, step_matrix
-
-    ways = methods(STIFFNESS) | {"pymunk's spring": solving(partial(pymunk_step, False), STIFFNESS)}
-    del ways["explicit Euler"]
-    steps = round(PERIODS * 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME)
-    return [
-        (name, energy_after(step_matrix(way, Pull(STIFFNESS), FRAME), steps))
-        for name, way in ways.items()
-    ]
-
-
-def energy_after(matrix: tuple[float, float, float, float], steps: int) -> float:
-    """Return the energy after so many steps, in units of that at the start, as the mean of a swing.
-
-    ``matrix`` is that of a step of (x, v h). The energy of a symplectic method swings, and its mean
-    stays.
-    """
-    a, b, c, d = matrix
-    swing = round(2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME)
-    x, vh, first, last = 1.0, 0.0, 0.0, 0.0
-    for i in range(steps + swing):
-        energy = 0.5 * STIFFNESS * x * x + 0.5 * (vh / FRAME) ** 2
-        if i < swing:
-            first += energy
-        if i >= steps:
-            last += energy
-        x, vh = a * x + b * vh, c * x + d * vh
-    return last / first
+def _table(bounds: list[Bound], where: str, what: str) -> Table:
+    headings = ("method", where, "limit", "theory", "off, %", "steps")
+    table = Table(*headings, title=f"limits of {what}", box=SIMPLE_HEAD, pad_edge=False)
+    for name, at, found, true, steps in bounds:
+        off = f"{100.0 * (found / true - 1.0):.1g}" if 0.0 < true < math.inf else ""
+        reached = "none to 1e6" if found == math.inf else _number(found)
+        lasts = "" if math.isnan(steps) else f"{steps:.0f}"
+        table.add_row(name, at, reached, _number(true), off, lasts)
+    return table
 
 
 def _number(value: float) -> str:
-    return "" if math.isnan(value) else f"{value:.6g}"
+    return "none" if value == math.inf else f"{value:.6g}"

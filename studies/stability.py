@@ -99,10 +99,15 @@ def watching(integrator: Integrator, limit: float) -> Integrator:
 
 
 def swing(
-    integrator: Integrator, generator: ForceGenerator, duration: float, steps: int, limit: float
+    integrator: Integrator,
+    generator: ForceGenerator,
+    duration: float,
+    steps: int,
+    limit: float,
+    damping: float = 1.0,
 ) -> Swing:
     """Release a particle of 1 kg at x = 1 m and let it swing, until a speed is over the limit."""
-    particle = Particle(Vector3(1.0))
+    particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]
 
@@ -222,9 +227,8 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
     return abs(half) + math.sqrt(root)
 
 
-def limit_of(growth_at: Callable[[float], float]) -> float:
-    """Return the k h^2 / m above which there is growth, between 1e-3 and 1e3; by bisection."""
-    low, high = 1e-3, 1e3
+def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
+    """Return the k h^2 / m above which there is growth, between low and high; by bisection."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:

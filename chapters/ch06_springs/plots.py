@@ -12,7 +12,6 @@ from collections.abc import Sequence
 
 from matplotlib import pyplot
 from matplotlib.axes import Axes
-from matplotlib.colors import LogNorm
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceGenerator
@@ -31,13 +30,14 @@ from ch06_springs.springs import (
 from studies.drawing import (
     BLACK,
     BLUE,
+    COLORS,
     GREEN,
     GREY,
     ORANGE,
-    PINK,
     RED,
-    SKY,
     Picture,
+    growth_bar,
+    growth_map,
     is_written,
     numbers,
     slope,
@@ -62,15 +62,6 @@ from studies.stability import (
 
 FRAME = 1.0 / 60.0
 CLOTH_SECONDS = 2
-COLORS = {
-    "explicit Euler": RED,
-    "semi-implicit Euler": BLUE,
-    "velocity Verlet": SKY,
-    "Runge-Kutta 4": GREEN,
-    "backward Euler": ORANGE,
-    "trapezoidal rule": PINK,
-    "your own step": BLACK,
-}
 
 
 def force_against_length() -> Picture:
@@ -185,10 +176,7 @@ def stability_map() -> Picture:
             for damping, line in zip(dampings, grown, strict=True)
             for kappa, value in zip(kappas, line, strict=True)
         ]
-        # What is beyond the ends of the scale has the colour of its end.
-        shades = [[max(value, 0.25) for value in line] for line in grown]
-        scale = LogNorm(0.25, 4.0)
-        colored = axes.pcolormesh(kappas, dampings, shades, cmap="RdBu_r", norm=scale)
+        colored = growth_map(axes, kappas, dampings, grown)
         if implicit:
             largest = max(value for line in grown for value in line)
             axes.set_title(f"{name}: at most x {largest:.4f}", fontsize=11)
@@ -204,10 +192,7 @@ def stability_map() -> Picture:
     if not rows:
         growth_of("explicit Euler", 1.0, 1.0, FRAME)  # says what is not written
     if colored is not None:
-        label = "what a step multiplies the swings by: red explodes"
-        bar = figure.colorbar(colored, ax=panels, label=label, shrink=0.7, extend="both")
-        bar.set_ticks([0.25, 0.5, 1.0, 2.0, 4.0], labels=["1/4", "1/2", "1", "2", "4"])
-        bar.minorticks_off()
+        growth_bar(figure, panels, colored)
     if deviations:
         figure.suptitle(
             f"The limits measured are off those of theory by at most {max(deviations):.1g} of them"
@@ -327,7 +312,10 @@ def error_against_work() -> Picture:
         for height, (name, method) in enumerate(ways.items()):
             if not is_written(lambda m=method, k=k: swing(m, Pull(k), 1e-6, 1, 1e9)):  # type: ignore[misc]
                 continue
-            color, cost = COLORS[name], {"velocity Verlet": 2, "Runge-Kutta 4": 4}.get(name, 1)
+            color, cost = (
+                COLORS.get(name, BLACK),
+                {"velocity Verlet": 2, "Runge-Kutta 4": 4}.get(name, 1),
+            )
             fine = []
             for steps in (2**power // cost for power in range(3, 14)):
                 pull = Pull(k)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from studies.accuracy.bridge import BRIDGES
 from studies.accuracy.flights import FLIGHTS
 from studies.accuracy.impacts import IMPACTS
 from studies.accuracy.links import LINKED
@@ -14,7 +15,7 @@ def scenes_with(part: str) -> list[Scene]:
 
     Raises ValueError, with the names that there are, where no scene has it.
     """
-    every = [make() for make in (*FLIGHTS, *SPRINGS, *IMPACTS, *LINKED)]
+    every = [make() for make in (*FLIGHTS, *SPRINGS, *IMPACTS, *LINKED, *BRIDGES)]
     if found := [scene for scene in every if part in scene.name]:
         return found
     names = "; ".join(scene.name for scene in every)

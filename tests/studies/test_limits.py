@@ -7,60 +7,213 @@ import math
 from pathlib import Path
 
 import pytest
+from matplotlib import pyplot
+from matplotlib.figure import Figure
 
-from studies import limits
-from studies.stability import growth_of
+from studies import limit_maps, limit_search, limits
+from studies.limit_search import Bound, drag_factor, energy_drifts, growth_at
+
+SPRINGS = {
+    ("explicit Euler", "d^h = 1"): 0.0,
+    ("explicit Euler", "d^h = 0.5"): 1.0,
+    ("semi-implicit Euler", "d^h = 1"): 4.0,
+    ("semi-implicit Euler", "d^h = 0.5"): 6.0,
+    ("velocity Verlet", "d^h = 0.9"): 4.0,
+    ("Runge-Kutta 4", "d^h = 1"): 8.0,
+    ("pymunk's spring", "c h / m = 0"): 4.0,
+    ("pymunk's spring", "c h / m = 0.5"): 2.0 * (1.0 + math.exp(0.5)),
+    ("pymunk, by hand", "c h / m = 0"): 0.0,
+    ("pymunk, by hand", "c h / m = 0.5"): 0.5,
+    ("backward Euler", "c h / m = 0"): math.inf,
+    ("trapezoidal rule", "c h / m = 0"): math.inf,
+    ("faked stiff spring", "undamped"): math.pi**2,
+}
+# Of the speed, by drag: what it grows above, and what it turns round above.
+DRAGS = {
+    "explicit Euler": (2.0, 1.0),
+    "semi-implicit Euler": (2.0, 1.0),
+    "velocity Verlet": (2.0, math.inf),
+    "Runge-Kutta 4": (2.785293563405282, math.inf),  # z^3 - 4 z^2 + 12 z = 24
+    "backward Euler": (math.inf, math.inf),
+    "trapezoidal rule": (math.inf, 2.0),
+    "pymunk, by hand": (2.0, 1.0),
+    "pymunk's spring": (math.inf, math.inf),
+    "pymunk's space.damping": (math.inf, math.inf),
+}
+
+# Where a map has 0.5 for the damping, the limit of each panel; there is none for the solvers.
+AT_HALF = (1.0, 6.0, 4.0, 8.8351743, None, None, 2.0 * (1.0 + math.exp(0.5)), 0.5)
 
 
-def test_limits_are_found_within_a_millionth_of_theory() -> None:
-    bounds = {(name, kept): (found, true) for name, kept, found, true, _ in limits.spring_limits()}
-    known = {
-        ("explicit Euler", 1.0): 0.0,
-        ("explicit Euler", 0.5): 1.0,
-        ("semi-implicit Euler", 1.0): 4.0,
-        ("semi-implicit Euler", 0.5): 6.0,
-        ("velocity Verlet", 0.9): 4.0,
-        ("Runge-Kutta 4", 1.0): 8.0,
-        ("pymunk's spring", 1.0): 4.0,
-        ("pymunk, by hand", 1.0): 0.0,
-    }
-    for key, wanted in known.items():
+@pytest.fixture(scope="module")
+def springs() -> dict[tuple[str, str], Bound]:
+    return {row[:2]: row for row in limit_search.spring_limits()}
+
+
+def test_limits_of_springs_are_found_within_a_millionth_of_theory(
+    springs: dict[tuple[str, str], Bound],
+) -> None:
+    assert len(springs) == 4 * 3 + 2 * 2 + 2 + 2
+    for key, wanted in SPRINGS.items():
         # Bisection to 1e-14; explicit Euler's growth begins with the root of what it is beyond.
-        assert bounds[key] == pytest.approx((wanted, wanted), rel=1e-6)
+        found = springs[key].found, springs[key].theory
+        assert found == pytest.approx((wanted, wanted), rel=1e-6)
+    # At 2000 steps a growth of e^(ln 1e6 / 2000) = 1 + 2 sqrt(kappa / 4 - 1) a step is seen.
+    assert springs["penalty ground", "what lies"].found == pytest.approx(4.0, rel=2e-5)
 
 
 @pytest.mark.parametrize("name", ["semi-implicit Euler", "velocity Verlet", "Runge-Kutta 4"])
-def test_just_inside_nothing_grows_and_just_outside_it_does(name: str) -> None:
+def test_just_inside_nothing_grows_and_just_outside_it_does(
+    name: str, springs: dict[tuple[str, str], Bound]
+) -> None:
     wanted = 8.0 if name == "Runge-Kutta 4" else 4.0
-    assert growth_of(name, 0.98 * wanted, 1.0, limits.FRAME) <= 1.0 + 1e-13
-    assert growth_of(name, 1.02 * wanted, 1.0, limits.FRAME) > 1.01
-    ((steps,),) = [row[4:] for row in limits.spring_limits() if row[:2] == (name, 1.0)]
-    assert 41 <= steps <= 199
+    assert growth_at(name, 1.0, 0.98 * wanted) <= 1.0 + 1e-13
+    assert growth_at(name, 1.0, 1.02 * wanted) > 1.01
+    assert 41 <= springs[name, "d^h = 1"].steps <= 199
+
+
+def test_a_ground_throws_what_lies_on_it_beyond_4_alone() -> None:
+    assert not limit_search.thrown(0.98 * 4.0)
+    assert 41 <= limit_search.thrown(1.02 * 4.0) <= 199
+
+
+def test_limits_of_drag_are_those_of_theory() -> None:
+    found = {row[:2]: row[2:4] for row in limit_search.drag_limits()}
+    assert len(found) == 2 * len(DRAGS)
+    for name, known in DRAGS.items():
+        for at, wanted in zip(("growth", "reversal"), known, strict=True):
+            assert found[name, at] == pytest.approx((wanted, wanted), rel=1e-9)
+
+
+@pytest.mark.parametrize("name", DRAGS)
+def test_drag_on_both_sides_of_its_limits(name: str) -> None:
+    grows, turns = DRAGS[name]
+    if grows < math.inf:
+        assert abs(drag_factor(name, 0.98 * grows)) < 0.99
+        assert abs(drag_factor(name, 1.02 * grows)) > 1.01
+    else:
+        assert all(abs(drag_factor(name, 10.0**i)) < 1.0 for i in range(-2, 6))
+    if turns < math.inf:
+        assert drag_factor(name, 0.98 * turns) > 0.0 > drag_factor(name, 1.02 * turns)
+    else:
+        assert all(drag_factor(name, 10.0**i) >= 0.0 for i in range(-2, 6))
+
+
+def test_verlet_asks_for_its_second_force_with_the_speed_of_the_first() -> None:
+    for z in (0.1, 1.0, 1.9, 3.0):
+        wanted = 1.0 - z + z * z / 2.0
+        assert drag_factor("velocity Verlet", z) == pytest.approx(wanted, rel=1e-12)
+    assert drag_factor("Runge-Kutta 4", 1.0) == pytest.approx(0.375, rel=1e-12)
+
+
+def test_pymunk_damps_by_a_power_of_its_frame() -> None:
+    for name in ("pymunk's spring", "pymunk's space.damping"):
+        assert drag_factor(name, 0.7) == pytest.approx(math.exp(-0.7), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("name", "damping", "share"),
+    [
+        ("semi-implicit Euler", 1.0, 5.39),
+        ("velocity Verlet", 1.0, 0.505),
+        ("pymunk's spring", 0.0, 4.68),
+    ],
+)
+def test_a_simulation_is_lost_when_the_eigenvalue_says(
+    name: str, damping: float, share: float
+) -> None:
+    # At 1.02 of 4 the eigenvalues -r and -1 / r add up to the trace, 2 - 4.08. A place from rest is
+    # A (-r)^n + B (-1 / r)^n, with A + B = 1; the first place after it, -3.08, -1.04 or 1, gives A.
+    # ``share`` is A times the size of the eigenvector of -r, whose place is 1.
+    rate = math.log(1.04 + math.sqrt(1.04**2 - 1.0))
+    predicted = math.log(1e6) / rate
+    rest, evenly = limit_maps.steps_to_loss(name, damping, 4.08, predicted)
+    # Steps are whole.
+    assert evenly == pytest.approx(predicted, abs=1.0)
+    assert predicted <= rest + math.log(share) / rate <= predicted + 1.01
+
+
+def test_explicit_euler_is_lost_slowly() -> None:
+    # Half of the speed is kept: the determinant is (1 + 1.02) / 2. A swing's size goes to and fro
+    # as it turns, so that the steps are some more or fewer.
+    predicted = math.log(1e6) / (0.5 * math.log(1.01))
+    rest, evenly = limit_maps.steps_to_loss("explicit Euler", 0.5, 1.02, predicted)
+    assert (rest, evenly) == pytest.approx((predicted, predicted), rel=0.01)
 
 
 def test_energies_after_many_swings_are_those_of_theory() -> None:
-    drifts = dict(limits.energy_drifts())
-    kappa = limits.STIFFNESS * limits.FRAME**2
-    steps = 10_000 * 2.0 * math.pi / math.sqrt(kappa)
-    # The fourth order's series of e^(i x) is 1 - x^6 / 72 + x^8 / 576 in size, squared.
-    kept = math.exp(steps * math.log1p(-(kappa**3) / 72.0 + kappa**4 / 576.0))
-    assert drifts["Runge-Kutta 4"] == pytest.approx(kept, rel=1e-3)
-    for name in ("semi-implicit Euler", "velocity Verlet", "trapezoidal rule", "pymunk's spring"):
-        # They keep a quadratic form near the energy; the mean is over 38 steps of 37.7 a swing.
-        assert drifts[name] == pytest.approx(1.0, abs=2e-3)
-    assert drifts["backward Euler"] < 1e-300
+    drifts = energy_drifts([1, 100, 10_000])
+    kappa = limit_search.STIFFNESS * limit_search.FRAME**2
+    for place, swings in enumerate((1, 100, 10_000)):
+        steps = swings * 2.0 * math.pi / math.sqrt(kappa)
+        # The fourth order's series of e^(i x) is 1 - x^6 / 72 + x^8 / 576 in size, squared.
+        kept = math.exp(steps * math.log1p(-(kappa**3) / 72.0 + kappa**4 / 576.0))
+        assert drifts["Runge-Kutta 4"][place] == pytest.approx(kept, rel=1e-3)
+        for name in (
+            "semi-implicit Euler",
+            "velocity Verlet",
+            "trapezoidal rule",
+            "pymunk's spring",
+        ):
+            # They keep a quadratic form near the energy; the mean is over 38 steps of 37.7 a swing.
+            assert drifts[name][place] == pytest.approx(1.0, abs=2e-3)
+    # Each of its steps divides the energy by 1 + kappa, and 38 are a swing.
+    assert drifts["backward Euler"][0] == pytest.approx((1.0 + kappa) ** -38, rel=1e-9)
+    assert drifts["backward Euler"][-1] < 1e-300
     assert "explicit Euler" not in drifts
 
 
-def test_the_command_prints_and_writes_the_table(
+def test_the_command_prints_writes_and_draws(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(limits, "PERIODS", 10)
+    monkeypatch.setattr(limits, "SWINGS", [1, 10])
+    monkeypatch.setattr(limit_maps, "BEYOND", (0.02, 0.1))
+    figures: list[Figure] = []
+    monkeypatch.setattr(limit_maps, "KAPPAS", limit_maps.KAPPAS[::8])
+    monkeypatch.setattr(pyplot, "close", figures.append)
     assert limits.main(["--out", str(tmp_path / "limits.csv")]) == 0
-    assert "Runge-Kutta 4" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert "Runge-Kutta 4" in told
+    assert "none to 1e6" in told
     with (tmp_path / "limits.csv").open(encoding="utf-8") as file:
         rows = [*csv.reader(file)]
-    assert rows[0][:3] == ["method", "kept of v", "limit of k h^2 / m"]
-    assert len(rows) == 1 + 14 + 1 + 6
-    monkeypatch.setattr(limits, "spring_limits", lambda: [("a", 1.0, 3.7, 4.0, 9.0)])
-    assert limits.main(["--out", str(tmp_path / "limits.csv")]) == 1
+    assert rows[0] == ["method", "at", "limit of k h^2 / m", "theory", "steps to x 1e6"]
+    assert len(rows) == (1 + 20) + (1 + 18) + (1 + 6) + (1 + 6 * 2)
+    drag = [row for row in rows if row[:2] == ["trapezoidal rule", "reversal"]]
+    assert [float(cell) for cell in drag[0][2:4]] == pytest.approx([2.0, 2.0])
+    maps, curves = figures
+    assert (tmp_path / "limits.png").exists()
+    assert (tmp_path / "limits_divergence.png").exists()
+    for axes, wanted in zip(maps.axes, AT_HALF, strict=False):
+        assert len(axes.collections) == 1, "a map of colours"
+        if wanted is None:
+            assert not axes.lines
+            continue
+        theory, dots = axes.lines
+        found = dict(zip(dots.get_ydata(), dots.get_xdata(), strict=True))
+        assert found[0.5] == pytest.approx(wanted, rel=1e-6)
+        near = min(theory.get_xydata(), key=lambda point: abs(point[1] - 0.5))
+        assert near[0] == pytest.approx(wanted, rel=0.01)  # it has 1000 points
+    # Six methods with two lines each, a line at 0; six methods and a theory.
+    assert [len(axes.lines) for axes in curves.axes] == [12, 13, 7]
+
+
+def test_a_limit_off_its_theory_is_a_failure(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(limits, "SWINGS", [1])
+    monkeypatch.setattr(limit_maps, "divergence", lambda: [("explicit Euler", 0.5, 0.02, 9, 9, 9)])
+    monkeypatch.setattr(limit_maps, "draw_maps", lambda *_: None)
+    monkeypatch.setattr(limit_maps, "draw_divergence", lambda *_: None)
+    monkeypatch.setattr(limit_search, "drag_limits", list)
+    for found, theory, status in (
+        (3.81, 4.0, 0),
+        (3.79, 4.0, 1),
+        (900.0, math.inf, 1),
+        (math.inf, 4.0, 1),
+        (0.01, 0.0, 1),
+    ):
+        row = Bound("a", "b", found, theory, 9.0)
+        monkeypatch.setattr(limit_search, "spring_limits", lambda row=row: [row])
+        assert limits.main(["--out", str(tmp_path / "limits.csv")]) == status
+        assert ("off its theory by more than 5 %: a, b" in capsys.readouterr().out) == status

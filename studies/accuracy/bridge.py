@@ -1,0 +1,185 @@
+"""The rope bridge of chapter 8 at rest, with a load: what holds it keeps it where it is.
+
+Every model starts without speed where potential energy is least, and a hair lower: of cables that
+are just as long as they may be rounding says which are taut. What is counted is contacts resolved;
+pymunk goes through its joints in each step as often as it has iterations.
+
+Places are compared as they are seen from the side, since pymunk has no other: its bridge is both
+sides in one plane, with the cables as long as they look from there, and needs no rods across.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache, partial
+from typing import Any
+
+import numpy
+from scipy.optimize import root  # type: ignore[import-untyped]
+
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
+from ch07_constraints.contacts import ContactGenerator, ContactResolver
+from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.links import AnchoredCable, Cable, Rod, TwoSidedRod
+from ch08_mass_aggregate.bridge import ITERATIONS, links_of
+from ch08_mass_aggregate.bridge_plan import (
+    CABLE_LENGTH,
+    DAMPING,
+    GRAVITY,
+    HEIGHT,
+    PLANK_MASS,
+    ROWS,
+    Row,
+    anchor_of,
+    make_rows,
+    support_length,
+)
+from ch08_mass_aggregate.world import ParticleWorld
+from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
+
+FRAMES = 60  # errors do not grow after this second
+MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg lie on the third
+HAIR = 1e-8  # m; it puts ends 3e-8 m too low: errors below that say nothing
+
+Links = Callable[[list[Row]], list[ContactGenerator]]
+
+
+def bridge() -> Scene:
+    """The bridge with 5 kg on its third row, at rest for 1 s, in units of a cable from row to row.
+
+    Of pymunk's joints a slide joint is a cable. It makes 10 iterations unless it is told another
+    number.
+    """
+    few, some = STEPS[:5], STEPS[:8]
+
+    def ours(links: Links, iterations: int | None) -> Callable[[int], Outcome]:
+        return partial(by_world, semi_implicit_euler, links, HeapResolver(iterations))
+
+    models = [
+        Model(
+            "explicit Euler, cables",
+            partial(by_world, explicit_euler, links_of, ContactResolver()),
+            few,
+            "the book",
+        ),
+        Model("semi-implicit Euler, cables", ours(links_of, None), few),
+        Model(f"cables, {ITERATIONS} iterations", ours(links_of, ITERATIONS), few),
+        Model("semi-implicit Euler, two-sided rods", ours(two_sided, None), few),
+        Model("two-sided rods, 400 iterations", ours(two_sided, 400), few),
+        Model("pymunk, slide joints", partial(by_joints, 10), some, "pymunk"),
+        Model("pymunk, slide joints, 50 iterations", partial(by_joints, 50), some, "pymunk"),
+    ]
+    return Scene("rope bridge at rest", FRAMES, CABLE_LENGTH, truth, models, "contacts resolved")
+
+
+def truth(_: float) -> Place:
+    """Return where both ends of each row are at any time, seen from the side."""
+    return tuple(part for place in hanging() for part in place * 2)
+
+
+def cables() -> list[tuple[int | tuple[float, float], int, float]]:
+    """Return what holds a side: from which anchor or row to which row, and how long in m."""
+    found: list[tuple[int | tuple[float, float], int, float]] = []
+    for i, (end, _) in enumerate(make_rows()):
+        anchor = anchor_of(end)
+        across = anchor.z - end.position.z
+        found.append(((anchor.x, anchor.y), i, math.sqrt(support_length(i) ** 2 - across**2)))
+    return found + [(i, i + 1, CABLE_LENGTH) for i in range(ROWS - 1)]
+
+
+@cache
+def hanging(extra: float = 0.0) -> list[Place]:
+    """Return where the rows of a side hang, at the least potential energy that the cables allow.
+
+    There weights and the pulls of cables are in balance, and all cables are taut: as long as they
+    are, and longer by ``extra``, in m.
+    """
+    held = cables()
+
+    def off(state: Any) -> Any:
+        """Return the forces on the rows in N, and by how much in m each cable is too long."""
+        rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
+        forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
+        too_long = []
+        for (start, end, length), pull in zip(held, pulls, strict=True):
+            way = rows[end] - (rows[start] if isinstance(start, int) else start)
+            now = numpy.hypot(*way)
+            too_long.append(now - length - extra)
+            forces[end] -= pull / now * way
+            if isinstance(start, int):
+                forces[start] += pull / now * way
+        return numpy.concatenate([forces.ravel(), too_long])
+
+    start = [part for end, _ in make_rows() for part in (end.position.x, 0.75 * HEIGHT)]
+    found = root(off, [*start, *(10.0 for _ in held)], tol=1e-12)
+    if not found.success:
+        raise ArithmeticError(f"SciPy did not find where the bridge hangs: {found.message}")
+    return [(float(x), float(y)) for x, y in found.x[: 2 * ROWS].reshape(ROWS, 2)]
+
+
+def two_sided(rows: list[Row]) -> list[ContactGenerator]:
+    """Return rods that pull and push in place of all links: there is no cable that is not taut."""
+    found: list[ContactGenerator] = []
+    for link in links_of(rows):
+        if isinstance(link, AnchoredCable):
+            anchor = Particle(link.anchor, mass=math.inf)
+            found.append(TwoSidedRod(anchor, link.particle, link.max_length))
+        elif isinstance(link, Cable):
+            found.append(TwoSidedRod(link.a, link.b, link.max_length))
+        elif isinstance(link, Rod):
+            found.append(TwoSidedRod(link.a, link.b, link.length))
+    return found
+
+
+def by_world(
+    integrator: Integrator, links: Links, resolver: ContactResolver, steps: int
+) -> Outcome:
+    """Step the world of the bridge, which has its damping."""
+    rows = make_rows()
+    held = links(rows)  # which are made for the places at the start
+    for row, (x, y), mass in zip(rows, hanging(HAIR), MASSES, strict=True):
+        for end in row:
+            end.position.x, end.position.y, end.mass = x, y, mass
+    ends = [end for row in rows for end in row]
+    world, work = ParticleWorld(ends, held, integrator=integrator), 0
+    world.resolver = resolver
+
+    def step(duration: float) -> None:
+        nonlocal work
+        resolver.iterations_used = 0  # where there is no contact, the resolver is not asked
+        world.step(duration)
+        work += resolver.iterations_used
+
+    def place() -> Place:
+        return tuple(part for end in ends for part in (end.position.x, end.position.y))
+
+    return Outcome(in_frames(step, place, FRAMES, steps), work)
+
+
+def by_joints(iterations: int, steps: int) -> Outcome:
+    """Let pymunk hold both sides by slide joints."""
+    import pymunk
+
+    space = pymunk.Space()
+    space.gravity, space.damping, space.iterations = (0.0, GRAVITY.y), DAMPING, iterations
+    still = space.static_body
+    sides = [[pymunk.Body(mass, math.inf) for mass in MASSES] for _ in range(2)]
+    for side in sides:
+        for body, (x, y) in zip(side, hanging(HAIR), strict=True):
+            body.position = x, y
+        space.add(*side)
+        for start, end, length in cables():
+            body, at = (side[start], (0.0, 0.0)) if isinstance(start, int) else (still, start)
+            space.add(pymunk.SlideJoint(body, side[end], at, (0.0, 0.0), 0.0, length))
+    ends = [end for row in zip(*sides, strict=True) for end in row]
+
+    def place() -> Place:
+        return tuple(part for end in ends for part in end.position)
+
+    places = in_frames(space.step, place, FRAMES, steps)
+    return Outcome(places, FRAMES * steps * iterations * len(space.constraints))
+
+
+BRIDGES: list[Callable[[], Scene]] = [bridge]

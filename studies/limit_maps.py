@@ -1,0 +1,208 @@
+"""Pictures of where methods fail: growth all around the limits, and how soon what is outside ends.
+
+The curves beside the measured steps are of the eigenvalue of one step; the steps themselves are
+those of a simulation.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+
+from studies.drawing import BLACK, COLORS, GREY, growth_bar, growth_map
+from studies.limit_search import (
+    FRAME,
+    HUGE,
+    STIFFNESS,
+    first,
+    growth_at,
+    stepping,
+    theory_at,
+)
+from studies.stability import INTEGRATORS, SOLVERS, swing
+
+SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GREY}
+# Pymunk's lie on the curves of the methods that they are, and so have marks that show on others.
+MARKS = dict(zip(SHADES, "oovsoox+", strict=True))
+KAPPAS = [0.01 * 10.0 ** (i / 16.0) for i in range(56)]
+DOTS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.5, 2.0)  # dampings whose limits are looked for
+# With the damping at which each has a limit that is not 0: d^h, or c h / m.
+LOST = {
+    "explicit Euler": 0.5,
+    "semi-implicit Euler": 1.0,
+    "velocity Verlet": 1.0,
+    "Runge-Kutta 4": 1.0,
+    "pymunk's spring": 0.0,
+    "pymunk, by hand": 0.5,
+}
+BEYOND = (0.001, 0.003, 0.01, 0.02, 0.03, 0.1, 0.3, 1.0)  # k / limit - 1
+LOSS_COLUMNS = (
+    "method",
+    "damping",
+    "k / limit - 1",
+    "steps to x 1e6 by the eigenvalue",
+    "steps of a simulation from release",
+    "steps of a simulation from x 1e3 to x 1e9",
+)
+Loss = tuple[str, float, float, float, int, int]
+
+
+def draw_maps(png: Path) -> None:
+    """Write a panel a method: growth over stiffness and damping, theory's limit, limits found."""
+    figure, panels = pyplot.subplots(2, 4, figsize=(17, 8), layout="constrained")
+    off = []
+    for axes, name in zip(panels.flat, SHADES, strict=True):
+        by_particle = name in INTEGRATORS
+        full, corner, words = (
+            (1.0, "lower left", "particle, d$^h$")
+            if by_particle
+            else (2.0, "upper left", "spring, c h / m")
+        )
+        dampings = [full * i / 40.0 for i in range(4 if by_particle else 0, 41)]
+        grown = [[growth_at(name, d, kappa) for kappa in KAPPAS] for d in dampings]
+        colored = growth_map(axes, KAPPAS, dampings, grown)
+        axes.set(xscale="log", xlim=(KAPPAS[0], KAPPAS[-1]))
+        axes.set(xlabel="k h$^2$ / m", ylabel=f"damping of the {words}")
+        if name in SOLVERS:
+            most = max(map(max, grown))
+            axes.set_title(f"{name}\nbears all: at most x {most:.4f}", fontsize=10)
+            continue
+        fine = [dampings[0] + (full - dampings[0]) * i / 999.0 for i in range(1000)]
+        curve = [(true, d) for d in fine if (true := theory_at(name, d))]
+        axes.plot(*zip(*curve, strict=True), color=BLACK, label="theory")
+        found = {d: first(partial(growth_at, name, d)) for d in dampings if d in DOTS}
+        off += [found[d] / true - 1.0 for d in found if (true := theory_at(name, d))]
+        axes.plot([*found.values()], [*found], "o", color="white", mec=BLACK, label="bisection")
+        axes.legend(fontsize=8, loc=corner)
+        free = found[1.0 if by_particle else 0.0]
+        half = "d$^h$" if by_particle else "c h / m"
+        axes.set_title(
+            f"{name}\nbears {free:.3g} undamped, {found[0.5]:.3g} at {half} = 0.5", fontsize=10
+        )
+    growth_bar(figure, panels, colored)
+    worst = 100.0 * max(map(abs, off))
+    figure.suptitle(
+        f"What steps bear of k h$^2$ / m: by bisection off theory by at most {worst:.1g} %"
+    )
+    figure.savefig(png, dpi=110)
+    pyplot.close(figure)
+
+
+def divergence() -> list[Loss]:
+    """Return how soon springs beyond their limits are lost, by the eigenvalue and by simulation."""
+    rows = []
+    for name, damping in LOST.items():
+        for beyond in BEYOND:
+            kappa = theory_at(name, damping) * (1.0 + beyond)
+            predicted = math.log(HUGE) / math.log(growth_at(name, damping, kappa))
+            rows.append(
+                (name, damping, beyond, predicted, *steps_to_loss(name, damping, kappa, predicted))
+            )
+    return rows
+
+
+def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
+    """Return the steps from release until a swing is 1e6 times as large, and from x 1e3 to x 1e9.
+
+    ``predicted`` is how many they should be. The size of a swing is that of x and of v over the
+    root of k / m, together.
+    """
+    integrator, pull, d = stepping(name, kappa, damping)
+    chi = math.sqrt(pull.stiffness)
+    run = swing(integrator, pull, FRAME, round(1.6 * predicted) + 50, 1e20, d)
+    pairs = zip(run.places, run.velocities, strict=True)
+    sizes = [math.hypot(x, v / chi) for x, v in pairs]
+
+    def when(size: float) -> int:
+        return next(i for i, each in enumerate(sizes) if each >= size)
+
+    return when(HUGE), when(1e3 * HUGE) - when(1e3)
+
+
+def draw_divergence(
+    losses: Sequence[Loss], drifts: dict[str, list[float]], swings: Sequence[int], png: Path
+) -> None:
+    """Write time to divergence over how far outside, its error, and energies over many swings."""
+    figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(17, 5.4), layout="constrained")
+    _draw_steps(left, losses)
+    _draw_errors(middle, losses)
+    _draw_energies(right, drifts, swings)
+    for axes in (left, middle, right):
+        axes.grid(alpha=0.3)
+        axes.legend(fontsize=8)
+    figure.savefig(png, dpi=110)
+    pyplot.close(figure)
+
+
+def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
+    """Steps from release, dots, beside ln(1e6) / ln(growth), lines."""
+    for name, damping in LOST.items():
+        own = [row[2:] for row in losses if row[0] == name]
+        color, mark = SHADES[name], MARKS[name]
+        beyond = [row[0] for row in own]
+        axes.plot(beyond, [row[1] for row in own], color=color, lw=1)
+        words = "d$^h$" if name in INTEGRATORS else "c h / m"
+        label = f"{name}, {words} = {damping:g}"
+        axes.plot(beyond, [row[2] for row in own], mark, color=color, mfc="none", label=label)
+    axes.set(xscale="log", yscale="log", xlabel="k / limit - 1")
+    axes.set_ylabel("steps until a swing is 1e6 times as large")
+    low, high = (limit(row[4] for row in losses if row[2] == 0.02) for limit in (min, max))
+    axes.set_title(
+        f"2 % outside a swing is lost in {low} to {high} steps\n"
+        "(lines: ln 1e6 / ln |eigenvalue|; marks: simulated from rest)",
+        fontsize=10,
+    )
+
+
+def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
+    """How many steps more than predicted, as a share: from rest, and from x 1e3 to x 1e9.
+
+    A swing from rest is the sum of both eigenvectors. Near a limit they nearly agree, so that the
+    growing one may be far larger than the sum, or half of it: the million is reached sooner, or
+    later. Far outside, whole steps are coarse.
+    """
+    for name in LOST:
+        own = [row[2:] for row in losses if row[0] == name]
+        color, mark = SHADES[name], MARKS[name]
+        beyond = [row[0] for row in own]
+        from_rest = [100.0 * (row[2] / row[1] - 1.0) for row in own]
+        axes.plot(beyond, from_rest, f"{mark}:", color=color, mfc="none", lw=0.8, label=name)
+        evenly = [100.0 * (row[3] / row[1] - 1.0) for row in own]
+        axes.plot(beyond, evenly, "-", color=color, lw=1.5)
+    clear = [row for row in losses if abs(row[5] - row[3]) > 1.0]  # by more than a step
+    most = 100.0 * max((abs(row[5] / row[3] - 1.0) for row in clear), default=0.0)
+    rest = 100.0 * max(abs(row[4] / row[3] - 1.0) for row in losses)
+    axes.axhline(0.0, color=BLACK, lw=0.8)
+    axes.set(xscale="log", xlabel="k / limit - 1", ylabel="steps simulated / predicted - 1, %")
+    axes.set_title(
+        f"Once it grows evenly (lines) this is off by a step, or by at most {most:.1g} %;\n"
+        f"from rest (marks) its share of the growing eigenvector counts: up to {rest:.2g} %",
+        fontsize=10,
+    )
+
+
+def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
+    """Energies over swings, and Runge-Kutta 4's by theory."""
+    for name, ratios in drifts.items():
+        color, mark = SHADES[name], MARKS[name]
+        axes.semilogx(swings, ratios, f"{mark}-", color=color, mfc="none", lw=1, ms=5, label=name)
+    kappa = STIFFNESS * FRAME**2
+    # Of e^(i a) the series to the fourth power is 1 - a^6 / 72 + a^8 / 576 in size, squared.
+    step = math.log1p(-(kappa**3) / 72.0 + kappa**4 / 576.0)
+    each = 2.0 * math.pi / math.sqrt(kappa)
+    by_theory = [math.exp(count * each * step) for count in swings]
+    axes.plot(swings, by_theory, "--", color=BLACK, lw=1, label="Runge-Kutta 4, theory")
+    leaking = ("Runge-Kutta 4", "backward Euler")
+    most = max(abs(own[-1] - 1.0) for name, own in drifts.items() if name not in leaking)
+    axes.set(xlabel="swings", ylabel="energy / energy at the start, mean of a swing")
+    axes.set_title(
+        f"After {swings[-1]:,} swings at k h$^2$ / m = {kappa:.3g}, Runge-Kutta 4 has "
+        f"{drifts['Runge-Kutta 4'][-1]:.3g}\nof the energy, backward Euler "
+        f"{drifts['backward Euler'][-1]:.1g}, the others are within {100.0 * most:.1g} %",
+        fontsize=10,
+    )

@@ -1,4 +1,4 @@
-"""Draw a scene's points: error over processor time, and over what was worked out."""
+"""Draw a scene's points, error over processor time and over work; and all scenes in one chart."""
 
 from __future__ import annotations
 
@@ -9,13 +9,15 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib import pyplot
+from matplotlib.axes import Axes
 
 from studies.accuracy.measure import Point
-from studies.accuracy.results import Row, front, models_of, row
+from studies.accuracy.results import Row, Side, front, models_of, row
 from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, YELLOW
 
 FLOOR, CEILING = 1e-15, 10.0  # errors below and above are rounding, and no answer
 OURS = (BLUE, GREEN, ORANGE, SKY, PINK, YELLOW)
+UP = (0.25, 0.0, -0.25)  # of the three tolerances in the row of a scene
 MARKERS = "os^Dvp"
 COLUMNS = (
     *("model", "by", "steps a frame", "error / scale", "work"),
@@ -52,7 +54,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
     right.set(xlabel=counted)
     for axes in (left, right):
         axes.set(xscale="log", yscale="log", ylabel="largest error / scale of the scene")
-        axes.set_ylim(FLOOR / 3.0, CEILING)
+        axes.set_ylim(max(FLOOR, min(point.error for point in points)) / 3.0, CEILING)
         axes.grid(alpha=0.3)
     left.legend(fontsize=8.5, loc="best")
     figure.suptitle(f"{points[0].scene}\n{said(row(points, 1e-4))}", fontsize=11)
@@ -66,21 +68,79 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         csv.writer(file).writerows([COLUMNS, *rows])
 
 
+def draw_overview(rows: Sequence[Row], png: Path) -> None:
+    """Write how many times as long pymunk takes as our best model, for each scene and tolerance.
+
+    An arrow is a bound: pymunk was not there in the longest run that was tried. What never gets
+    there is at the edge.
+    """
+    scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
+    tolerances = sorted({row.tolerance for row in rows}, reverse=True)
+    figure, axes = pyplot.subplots(figsize=(11, 0.45 * len(scenes) + 2.0), layout="constrained")
+    ends = [end for found in rows for end in found.bounds if 0.0 < end < math.inf]
+    low, high = min([0.1, *ends]) / 3.0, max([10.0, *ends]) * 10.0
+    axes.set(xscale="log", xlim=(low, high), yticks=range(len(scenes)), yticklabels=scenes)
+    for tolerance, color, mark, up in zip(
+        tolerances, (ORANGE, BLUE, GREEN), "o^s", UP, strict=True
+    ):
+        for found in rows:
+            if found.tolerance == tolerance:
+                _draw_ratio(axes, found, scenes.index(found.scene) + up, color, mark)
+        axes.plot([], [], mark, color=color, label=f"to {tolerance:g} of the scale")
+    axes.axvline(1.0, color=BLACK, lw=1)
+    axes.set_xlabel(
+        "time of pymunk / time of our cheapest model that is as near to the truth (arrows: at "
+        "least; left of 1 pymunk is the faster one)"
+    )
+    axes.set_title("A place in every 60 Hz frame, to a tolerance: pymunk's time over ours")
+    axes.grid(alpha=0.3)
+    axes.legend(loc="lower right", fontsize=9)
+    figure.savefig(png, dpi=100)
+    pyplot.close(figure)
+
+
+def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
+    """Draw a ratio as a mark, a bound as an open one with an arrow, and what never is as a word."""
+    if found.ratio:
+        axes.plot(found.ratio, y, mark, color=color)
+    elif found.ours.never or found.pymunk.never:
+        edge = axes.get_xlim()[found.pymunk.never] * (0.5 if found.pymunk.never else 2.0)
+        axes.text(edge, y, "never", color=color, ha="center", va="center", fontsize=8)
+    elif found.ours.time or found.pymunk.time:
+        most = found.ours.time is None
+        value = found.bounds[most]
+        axes.plot(value, y, mark, color=color, mfc="none")
+        arrow = {"arrowstyle": "->", "color": color}
+        axes.annotate("", (value / 2.2 if most else 2.2 * value, y), (value, y), arrowprops=arrow)
+
+
 def said(found: Row) -> str:
     """Return a row of the table as a sentence."""
     ours, theirs = found.ours, found.pymunk
     start = f"to {found.tolerance:g} of the scale: "
-    if ours is None:
-        return f"{start}nothing of ours gets there" + (f", {theirs.model} does" if theirs else "")
-    mine = f"{ours.model} takes {1e3 * ours.time:.3g} ms"
-    if theirs is None and found.stalled:
-        return f"{start}{mine}, pymunk never gets there: its error does not fall any more"
-    if theirs is None:
-        longest = found.longest / ours.time
-        return f"{start}{mine}, pymunk more than {longest:.3g} times as long"
+    if ours.time is None or theirs.time is None:
+        mine, others = (told(side) for side in (ours, theirs))
+        return f"{start}ours {mine}; pymunk {others}"
     many = theirs.time / ours.time
     end = f"{many:.3g} times as long" if many >= 1.0 else f"1/{1.0 / many:.3g} of that"
-    return f"{start}{mine}, {theirs.model} {end}"
+    return f"{start}{ours.model} takes {1e3 * ours.time:.3g} ms, {theirs.model} {end}"
+
+
+def told(side: Side) -> str:
+    """Return one side of a row in words: the model and its time, or that there is none."""
+    if side.time is not None:
+        return f"{side.model}, {1e3 * side.time:.3g} ms"
+    return "never" if side.never else f"not in {1e3 * side.longest:.3g} ms"
+
+
+def told_ratio(found: Row) -> str:
+    """Return how many times as long pymunk takes in words: a number, a bound, or nothing."""
+    low, high = found.bounds
+    if found.ratio:
+        return f"{found.ratio:.3g}"
+    if low > 0.0 and not found.pymunk.never:
+        return f"> {low:.3g}"
+    return f"< {high:.3g}" if high < math.inf and not found.ours.never else ""
 
 
 def _styles(points: Sequence[Point]) -> dict[str, dict[str, Any]]:

@@ -12,30 +12,45 @@ TOLERANCES = (1e-2, 1e-4, 1e-6)
 
 
 @dataclass(frozen=True)
-class Reached:
-    """Which model of some reaches a tolerance first, and its time in s."""
+class Side:
+    """Which model of ours, or of pymunk's, reaches a tolerance first, and its time in s.
 
-    model: str
-    time: float
+    Both are None where none does: then ``longest`` is the longest run that was tried, in s, and
+    ``never`` says that no error fell any more, however many steps there were.
+    """
+
+    model: str | None
+    time: float | None
+    longest: float
+    never: bool
 
 
 @dataclass(frozen=True)
 class Row:
-    """A scene and a tolerance: our best model and pymunk's; None where none gets there."""
+    """A scene and a tolerance, and the two sides of it."""
 
     scene: str
     tolerance: float
-    ours: Reached | None
-    pymunk: Reached | None
-    longest: float  # s, the longest run of pymunk's that was tried
-    stalled: bool  # its errors no longer fell, however many steps it made
+    ours: Side
+    pymunk: Side
 
     @property
     def ratio(self) -> float | None:
         """How many times as long pymunk takes."""
-        if self.ours is None or self.pymunk is None:
+        if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time
+
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """Between what the ratio lies where a side is not there in the time that was tried."""
+        low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
+        high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
+        return low, high
+
+    @staticmethod
+    def _of(side: Side) -> float:
+        return side.longest if side.time is None else side.time
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
@@ -84,11 +99,14 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
     return found
 
 
-def best(points: Sequence[Point], tolerance: float) -> Reached | None:
-    """Return the model that reaches a tolerance in the least time, None where none does."""
-    times = {name: time_to(own, tolerance) for name, own in models_of(points).items()}
-    reached = [Reached(name, time) for name, time in times.items() if time is not None]
-    return min(reached, key=lambda model: model.time, default=None)
+def side_of(points: Sequence[Point], tolerance: float) -> Side:
+    """Return which model reaches a tolerance in the least time."""
+    models = models_of(points)
+    times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
+    name = min(times, key=lambda name: times[name], default=None)
+    longest = max(point.time for point in points)
+    never = not times and all(stalls(own) for own in models.values())
+    return Side(name, times[name] if name else None, longest, never)
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
@@ -114,11 +132,8 @@ def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
 
 def row(points: Sequence[Point], tolerance: float) -> Row:
     """Return what the points of one scene say of a tolerance."""
-    ours, theirs = split(points)
-    longest = max(point.time for point in theirs)
-    still = all(stalls(own) for own in models_of(theirs).values())
-    reached = best(ours, tolerance), best(theirs, tolerance)
-    return Row(points[0].scene, tolerance, *reached, longest, still)
+    ours, theirs = (side_of(own, tolerance) for own in split(points))
+    return Row(points[0].scene, tolerance, ours, theirs)
 
 
 def table(points: Sequence[Point]) -> list[Row]:

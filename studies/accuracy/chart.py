@@ -89,8 +89,8 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
         axes.plot([], [], mark, color=color, label=f"to {tolerance:g} of the scale")
     axes.axvline(1.0, color=BLACK, lw=1)
     axes.set_xlabel(
-        "time of pymunk / time of our cheapest model that is as near to the truth (arrows: at "
-        "least; left of 1 pymunk is the faster one)"
+        "time of pymunk / time of our cheapest model that is as near to the truth\n"
+        "(left of 1 pymunk is the faster one; arrows: more than that, or less)"
     )
     axes.set_title("A place in every 60 Hz frame, to a tolerance: pymunk's time over ours")
     axes.grid(alpha=0.3)

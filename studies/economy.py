@@ -19,7 +19,7 @@ from rich.console import Console
 from autograder.manifest import ROOT
 from studies.drawing import BLUE, GREY
 from studies.plot import shown
-from studies.timing import Line, Timer, ratio, timer
+from studies.timing import Line, Measurement, measure, timer, versus
 
 COUNT, ROUNDS, FRAME = 200, 41, 1.0 / 60.0
 FRAMES = 20  # in one measurement
@@ -33,16 +33,18 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = Console(highlight=False)
-    lines = [
-        Line(what, *ratio(_frames(with_it), _frames(without), ROUNDS, what), "")
-        for what, with_it, without in parts()
-    ]
+    lines = measure(
+        [
+            Measurement(what, versus(timer(with_it, FRAMES), timer(without, FRAMES)), ROUNDS)
+            for what, with_it, without in parts()
+        ]
+    )
     for line in lines:
-        console.print(f"{line.ratio:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}")
+        console.print(f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}")
     options.out.parent.mkdir(parents=True, exist_ok=True)
     draw(lines, options.out)
     with options.out.with_suffix(".csv").open("w", encoding="utf-8", newline="") as file:
-        rows = [(line.what, line.ratio, line.low, line.high) for line in lines]
+        rows = [(line.what, line.median, line.low, line.high) for line in lines]
         csv.writer(file).writerows([("part", "ratio", "lower", "upper"), *rows])
     console.print(f"{shown(options.out)} and {shown(options.out.with_suffix('.csv'))}")
     return 0
@@ -52,11 +54,11 @@ def draw(lines: list[Line], png: Path) -> None:
     """Write the bars, the dearest part on top."""
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
-    ordered = sorted(lines, key=lambda line: line.ratio)
-    ratios = [line.ratio for line in ordered]
+    ordered = sorted(lines, key=lambda line: line.median)
+    ratios = [line.median for line in ordered]
     around = [
-        [line.ratio - line.low for line in ordered],
-        [line.high - line.ratio for line in ordered],
+        [line.median - line.low for line in ordered],
+        [line.high - line.median for line in ordered],
     ]
     axes.barh([line.what for line in ordered], ratios, xerr=around, color=BLUE, capsize=3)
     for i, value in enumerate(ratios):
@@ -166,7 +168,3 @@ def plain(dimensions: int) -> Move:
             vy[i] -= 9.81 * FRAME
 
     return {2: two, 3: three}[dimensions]
-
-
-def _frames(move: Move) -> Timer:
-    return timer(move, FRAMES)

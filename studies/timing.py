@@ -1,7 +1,8 @@
-"""Two things timed in turn, shuffled, in one run on one machine, as a ratio.
+"""Things timed two at a time, in one run on one machine, as ratios: every line all over the run.
 
-A ratio holds on any machine; seconds do not. It is the median of the rounds' ratios, and the spread
-is between their quartiles.
+A ratio holds on any machine; seconds do not. What is compared is timed back to back. The rounds of
+all lines are mixed, so that a slow minute of the machine hits no line alone: a line says the median
+of its rounds, and the spread is between their quartiles.
 """
 
 from __future__ import annotations
@@ -10,53 +11,148 @@ import importlib.util
 import random
 import statistics
 import sys
+import time
 import timeit
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from rich.console import Console
-from rich.progress import track
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-Timer = Callable[[], float]
+Timer = Callable[[], float]  # in seconds
+Figure = Callable[[], float]  # of a round: a ratio of two times, or what else a line says
 Statements = dict[str, dict[str, str]]  # of a library, by operation; its "setup" comes first
 ROUNDS = 15
 TIMES = 20_000  # a round, of a single statement
+LEAST = 5e-3  # s for a time of a round: what is faster is timed several times
+
+
+@dataclass(frozen=True)
+class Target:
+    """What a figure is to be: at least, or at most, a bound."""
+
+    side: Literal["at least", "at most"]
+    bound: float
+
+    def __str__(self) -> str:
+        return f"{self.side} {self.bound:,g}"
+
+    def is_met(self, figure: float) -> bool:
+        """Return whether a figure is on the right side of the bound, or on it."""
+        return figure >= self.bound if self.side == "at least" else figure <= self.bound
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """A line that is to be measured: ``once`` gives the figure of one of its rounds."""
+
+    what: str
+    once: Figure
+    rounds: int
+    target: Target | None = None
 
 
 @dataclass(frozen=True)
 class Line:
-    """A line of the report: how much faster, or slower, one thing is than another."""
+    """A line that was measured: the median of its rounds, and their quartiles."""
 
     what: str
-    ratio: float
+    median: float
     low: float
     high: float
-    target: str
+    target: Target | None
+
+    @property
+    def verdict(self) -> str:
+        """Whether the median is "met" or "missed" by the target; empty where there is none."""
+        if self.target is None:
+            return ""
+        return "met" if self.target.is_met(self.median) else "missed"
 
 
 def timer(run: Callable[[], object], times: int = 1) -> Timer:
-    """Return what times so many runs, in seconds."""
+    """Return what times so many runs."""
     return lambda: timeit.timeit(run, number=times)
 
 
 def statement_timer(code: str, setup: str) -> Timer:
-    """Return what times many runs of a statement, in seconds."""
+    """Return what times many runs of a statement."""
     prepared = timeit.Timer(code, setup)
     return lambda: prepared.timeit(TIMES)
 
 
-def ratio(first: Timer, second: Timer, rounds: int, title: str) -> tuple[float, float, float]:
-    """Return the median of first / second and its quartiles, timed in turn in shuffled order."""
-    pairs = []
-    for _ in track(range(rounds), title, transient=True, disable=not sys.stdout.isatty()):
-        order = [0, 1]
-        random.shuffle(order)
-        times = [0.0, 0.0]
-        for which in order:
-            times[which] = (first, second)[which]()
-        pairs.append(times)
-    ratios = [a / b for a, b in pairs]
-    return statistics.median(ratios), *quartiles(ratios)
+def both(first: Timer, second: Timer) -> tuple[float, float]:
+    """Return the times of two things, taken one right after the other in random order."""
+    if random.random() < 0.5:
+        a = warm(first)
+        return a, warm(second)
+    b = warm(second)
+    return warm(first), b
+
+
+def warm(timed: Timer) -> float:
+    """Return a time, of what takes less than LEAST the mean of several after a first one.
+
+    That one finds the caches full of other lines' data, which a short run would be all about.
+    """
+    taken = timed()
+    if taken >= LEAST:
+        return taken
+    times: list[float] = []
+    end = time.perf_counter() + LEAST
+    while not times or time.perf_counter() < end:
+        times.append(timed())
+    return statistics.fmean(times)
+
+
+def versus(first: Timer, second: Timer) -> Figure:
+    """Return the figure first / second."""
+
+    def once() -> float:
+        a, b = both(first, second)
+        return a / b
+
+    return once
+
+
+def measure(measurements: Sequence[Measurement]) -> list[Line]:
+    """Take all rounds of all measurements, mixed, and return their lines in the same order.
+
+    On a terminal a bar shows what is measured and the time left. It is drawn between two rounds
+    alone, so that none of them pays for it.
+    """
+    figures: list[list[float]] = [[] for _ in measurements]
+    order = mixed([measurement.rounds for measurement in measurements])
+    columns = (
+        *(TextColumn("{task.description:40.40}"), BarColumn()),
+        *(MofNCompleteColumn(), TimeRemainingColumn()),
+    )
+    with Progress(
+        *columns,
+        transient=True,
+        auto_refresh=False,
+        speed_estimate_period=3600.0,
+        disable=not sys.stdout.isatty(),
+    ) as progress:
+        task = progress.add_task("", total=len(order))
+        for i in order:
+            progress.update(task, description=measurements[i].what, refresh=True)
+            figures[i].append(measurements[i].once())
+            progress.advance(task)
+    return [
+        Line(one.what, statistics.median(found), *quartiles(found), one.target)
+        for one, found in zip(measurements, figures, strict=True)
+    ]
+
+
+def mixed(rounds: Sequence[int]) -> list[int]:
+    """Return an order in which 0 comes rounds[0] times, 1 rounds[1] times and so on.
+
+    Each comes once, at random, in each of as many equal parts of the run as it has rounds.
+    """
+    at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
+    return [i for _, i in sorted(at)]
 
 
 def quartiles(values: Sequence[float]) -> tuple[float, float]:
@@ -66,15 +162,18 @@ def quartiles(values: Sequence[float]) -> tuple[float, float]:
 
 
 def against_peers(
-    console: Console, name: str, statements: Statements, peers: Iterable[tuple[str, str, str]]
-) -> list[Line]:
+    console: Console,
+    name: str,
+    statements: Statements,
+    peers: Iterable[tuple[str, str, Target | None]],
+) -> list[Measurement]:
     """How much faster ours is than each peer: the geometric mean over what both can do.
 
     ``name`` is what ours is called. A peer is the module that it needs, what of it is measured, and
     the target; one that is not installed is said and left out.
     """
     ours = statements["ours"]
-    measured = []
+    found = []
     for peer, title, target in peers:
         if importlib.util.find_spec(peer) is None:
             console.print(
@@ -83,16 +182,18 @@ def against_peers(
             continue
         theirs = statements[peer]
         each = [
-            ratio(
+            versus(
                 statement_timer(theirs[operation], theirs["setup"]),
                 statement_timer(ours[operation], ours["setup"]),
-                ROUNDS,
-                f"{peer}: {operation}",
             )
             for operation in ours
             if operation in theirs and operation != "setup"
         ]
-        middle, low, high = map(statistics.geometric_mean, zip(*each, strict=True))
         what = f"{title} / {name}, geometric mean of {len(each)} operations"
-        measured.append(Line(what, middle, low, high, target))
-    return measured
+        found.append(Measurement(what, geometric_mean(each), ROUNDS, target))
+    return found
+
+
+def geometric_mean(figures: Sequence[Figure]) -> Figure:
+    """Return the figure that is the geometric mean of some."""
+    return lambda: statistics.geometric_mean([once() for once in figures])

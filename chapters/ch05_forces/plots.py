@@ -39,7 +39,7 @@ from studies.drawing import (
     numbers,
     slope,
 )
-from studies.timing import ratio, timer
+from studies.timing import Measurement, measure, timer, versus
 
 FRAME = 1.0 / 60.0
 MASS = 2.0
@@ -218,7 +218,13 @@ def cost_of_a_generator() -> Picture:
         particle = Particle(place, motion)
         if is_written(lambda g=generator, p=particle: g.update_force(p, FRAME)):  # type: ignore[misc]
             shown.append((f"{name}, by the registry", _registered(particle, generator)))
-    rows = [(name, *ratio(timer(lambda f=f: _frames(f)), base, 21, name)) for name, f in shown]  # type: ignore[misc]
+    lines = measure(
+        [
+            Measurement(name, versus(timer(lambda f=f: _frames(f)), base), 21)  # type: ignore[misc]
+            for name, f in shown
+        ]
+    )
+    rows = [(line.what, line.median, line.low, line.high) for line in lines]
     figure, axes = pyplot.subplots(figsize=(9, 4.2), layout="constrained")
     names, ratios, lows, highs = zip(*rows, strict=True)
     spread = [

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 import subprocess
 import sys
-import timeit
 
 from autograder.manifest import ROOT
-from studies.timing import Line, ratio
+from studies.timing import Measurement, Target, Timer, timer, versus
 
 
-def lines() -> list[Line]:
+def lines() -> list[Measurement]:
     """How long make check takes for one chapter, in units of Python importing pytest."""
-
-    def run(*command: str) -> float:
-        call = [sys.executable, *command]
-        return timeit.timeit(
-            lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False), number=1
-        )
-
-    check = ["-m", "autograder", "check", "--chapter", "2"]
+    check = running("-m", "autograder", "check", "--chapter", "2")
     for _ in range(2):  # the first run compiles
-        run(*check)
-    measured = ratio(lambda: run(*check), lambda: run("-c", "import pytest"), 15, "make check")
-    return [Line("make check CH=2 / python -c 'import pytest'", *measured, "at most 3")]
+        check()
+    what = "make check CH=2 / python -c 'import pytest'"
+    figure = versus(check, running("-c", "import pytest"))
+    return [Measurement(what, figure, 15, Target("at most", 3))]
+
+
+def running(*command: str) -> Timer:
+    """Return what times Python with these arguments."""
+    call = [sys.executable, *command]
+    return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

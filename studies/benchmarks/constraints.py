@@ -18,7 +18,7 @@ from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import Cable
 from studies.constraints import FRAME, GRAVITY, LINK, chain_particles, no_forces
-from studies.timing import Line, Timer, ratio, timer
+from studies.timing import Measurement, Target, Timer, timer, versus
 
 LINKS = 30
 ANGLE = 30.0  # degrees, at which the chain is let go
@@ -26,41 +26,40 @@ SECONDS = 1
 RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
-def lines() -> list[Line]:
+def lines() -> list[Measurement]:
     """Return every line about contacts."""
-    found = [
-        Line(
-            f"{count} contacts of a rope by the plain scan / by a heap",
-            *ratio(resolving(ContactResolver, count), resolving(HeapResolver, count), 11, "a rope"),
-            f"at least {least}",
-        )
-        for count, least in ((100, 4), (300, 11))
-    ]
-    found.append(
-        Line(
-            "300 contacts of a rope / 30, both by a heap",
-            *ratio(resolving(HeapResolver, 300), resolving(HeapResolver, 30), 31, "a heap"),
-            "at most 14",
-        )
-    )
     many, few = spread(1000), spread(100)
-    found.append(
-        Line(
-            "pairs among 1,000 spread spheres / among 100",
-            *ratio(timer(many.contacts), timer(few.contacts), 41, "pairs"),
-            "at most 15",
-        )
-    )
     rate = matching_rate()
-    found.append(
-        Line(
+    return [
+        *(
+            Measurement(
+                f"{count} contacts of a rope by the plain scan / by a heap",
+                versus(resolving(ContactResolver, count), resolving(HeapResolver, count)),
+                11,
+                Target("at least", least),
+            )
+            for count, least in ((100, 4), (300, 11))
+        ),
+        Measurement(
+            "300 contacts of a rope / 30, both by a heap",
+            versus(resolving(HeapResolver, 300), resolving(HeapResolver, 30)),
+            31,
+            Target("at most", 14),
+        ),
+        Measurement(
+            "pairs among 1,000 spread spheres / among 100",
+            versus(timer(many.contacts), timer(few.contacts)),
+            41,
+            Target("at most", 15),
+        ),
+        Measurement(
             f"{LINKS} rods by pymunk's pin joints at {rate:,} Hz / by DirectChain at {RATE} Hz, "
             "whose tip is as near the true place",
-            *ratio(timer(lambda: by_pymunk(rate)), timer(lambda: by_direct_solve(RATE)), 7, "rods"),
-            "at least 2.5",
-        )
-    )
-    return found
+            versus(timer(lambda: by_pymunk(rate)), timer(lambda: by_direct_solve(RATE))),
+            7,
+            Target("at least", 2.5),
+        ),
+    ]
 
 
 def resolving(kind: type[ContactResolver], count: int) -> Timer:

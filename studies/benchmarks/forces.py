@@ -7,32 +7,34 @@ from ch05_forces.forces import ForceRegistry, Gravity
 from ch05_forces.particle import Particle
 from studies.benchmarks.particles import FRAME, ROUNDS, STEPS, steps
 from studies.scenes import PROJECTILE, Numbers, make_particle
-from studies.timing import Line, ratio, timer
+from studies.timing import Measurement, Target, timer, versus
 
 FORCE = (1.0, 2.0, 3.0)
 FRAMES = [FRAME] * STEPS
 
 
-def lines() -> list[Line]:
+def lines() -> list[Measurement]:
     """Return every line about forces."""
     chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
     free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
     forced = timer(lambda: forced_steps(FRAMES))
     return [
-        Line(
+        Measurement(
             "Particle.integrate of chapter 5 without a force / chapter 3's",
-            *ratio(free, chapter_3, ROUNDS, "no force"),
-            "at most 1.1",
+            versus(free, chapter_3),
+            ROUNDS,
+            Target("at most", 1.1),
         ),
-        Line(
+        Measurement(
             "add_force and Particle.integrate / their arithmetic in local variables",
-            *ratio(forced, timer(lambda: forced_arithmetic(FRAMES)), ROUNDS, "one force"),
-            "at most 2.1",
+            versus(forced, timer(lambda: forced_arithmetic(FRAMES))),
+            ROUNDS,
+            Target("at most", 2.1),
         ),
-        Line(
+        Measurement(
             "gravity by a generator and the registry / as constant acceleration",
-            *ratio(timer(lambda: generator_steps(FRAMES)), free, ROUNDS, "a generator"),
-            "",
+            versus(timer(lambda: generator_steps(FRAMES)), free),
+            ROUNDS,
         ),
     ]
 

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import random
+import sys
 
 from ch03_laws_of_motion.particle import Particle
 from studies.scenes import DAMPED_FALL, PROJECTILE, Numbers, make_particle, make_space
-from studies.timing import Line, ratio, timer
+from studies.timing import Measurement, Target, timer, versus
 
 FRAME = 1.0 / 60.0
 STEPS = 10_000
 ROUNDS = 51
 
 
-def lines() -> list[Line]:
+def lines() -> list[Measurement]:
     """Return every line about particles."""
     even = [FRAME] * STEPS
     uneven = [FRAME * random.uniform(0.8, 1.2) for _ in even]
@@ -21,34 +22,36 @@ def lines() -> list[Line]:
     uneven_step = timer(lambda: steps(make_particle(PROJECTILE), uneven))
     operators = timer(lambda: operator_steps(make_particle(PROJECTILE), even))
     in_place = timer(lambda: in_place_steps(make_particle(PROJECTILE), even))
-    measured = [
-        Line(
+    found = [
+        Measurement(
             "Particle.integrate / its own arithmetic in local variables",
-            *ratio(step, timer(lambda: arithmetic(even)), ROUNDS, "arithmetic"),
-            "at most 1.6; 2.0 on 3.13",
+            versus(step, timer(lambda: arithmetic(even))),
+            ROUNDS,
+            Target("at most", 2.0 if sys.version_info >= (3, 13) else 1.6),
         ),
-        Line(
+        Measurement(
             "the same, in frames of random length",
-            *ratio(uneven_step, timer(lambda: arithmetic(uneven)), ROUNDS, "uneven frames"),
-            "",
+            versus(uneven_step, timer(lambda: arithmetic(uneven))),
+            ROUNDS,
         ),
-        Line(
+        Measurement(
             "the step with operators, which make new vectors / Particle.integrate",
-            *ratio(operators, step, ROUNDS, "operators"),
-            "at least 5",
+            versus(operators, step),
+            ROUNDS,
+            Target("at least", 5),
         ),
-        Line(
+        Measurement(
             "the step with add_scaled and *=, in place / Particle.integrate",
-            *ratio(in_place, step, ROUNDS, "in place"),
-            "",
+            versus(in_place, step),
+            ROUNDS,
         ),
     ]
-    measured += [_against_pymunk(bodies, read=True) for bodies in (1, 10, 100, 1000)]
-    measured += [_against_pymunk(bodies, read=False) for bodies in (1, 3, 10, 1000)]
-    return measured
+    found += [_against_pymunk(bodies, read=True) for bodies in (1, 10, 100, 1000)]
+    found += [_against_pymunk(bodies, read=False) for bodies in (1, 3, 10, 1000)]
+    return found
 
 
-def _against_pymunk(bodies: int, *, read: bool) -> Line:
+def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
     """Time as many damped falls in both engines, with every x and y read after each step or not.
 
     Our positions lie in Python already; pymunk's are fetched one by one from its library in C.
@@ -76,11 +79,11 @@ def _against_pymunk(bodies: int, *, read: bool) -> Line:
 
     many = "1 body" if bodies == 1 else f"{bodies} bodies"
     what = "step and read every position" if read else "step only"
-    measured = ratio(timer(theirs), timer(ours), ROUNDS, f"pymunk, {many}")
-    target = "at least 1.8" if read else ""
     if not read and bodies > 1:
-        target = "pymunk wins below 1"
-    return Line(f"pymunk / Particle, {many}, {what}", *measured, target)
+        what += " (pymunk wins below 1)"
+    target = Target("at least", 1.8) if read else None
+    figure = versus(timer(theirs), timer(ours))
+    return Measurement(f"pymunk / Particle, {many}, {what}", figure, ROUNDS, target)
 
 
 def steps(particle: Particle, frames: list[float]) -> None:

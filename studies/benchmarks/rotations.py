@@ -6,12 +6,13 @@ from rich.console import Console
 
 from studies.timing import (
     ROUNDS,
-    Line,
+    Measurement,
     Statements,
+    Target,
     Timer,
     against_peers,
-    ratio,
     statement_timer,
+    versus,
 )
 
 SETUP = """\
@@ -30,42 +31,46 @@ RIVALS = (  # two statements, what their ratio is, and its target
         "t.inverse().transform(v)",
         "t.transform_inverse(v)",
         "a point taken back by Matrix4.inverse and transform / by transform_inverse",
-        "at least 15",
+        Target("at least", 15),
     ),
     (
         "t.inverse()",
         "easy_inverse(t)",
         "Matrix4.inverse / easy_inverse of exercise 9.6",
-        "at least 4.5",
+        Target("at least", 4.5),
     ),
-    ("read_off(t)", "t.inverse()", "whether easy_inverse will do, by read_off / the inverse", ""),
-    ("m.is_rotation()", "m.inverse()", "Matrix3.is_rotation / Matrix3.inverse", ""),
-    ("m @ n", "q * p", "one turn after another, as matrices / as quaternions", "at least 1.8"),
-    ("q.rotate(v)", "m @ v", "a vector turned by a quaternion / by its matrix", ""),
+    ("read_off(t)", "t.inverse()", "whether easy_inverse will do, by read_off / the inverse", None),
+    ("m.is_rotation()", "m.inverse()", "Matrix3.is_rotation / Matrix3.inverse", None),
+    (
+        "m @ n",
+        "q * p",
+        "one turn after another, as matrices / as quaternions",
+        Target("at least", 1.8),
+    ),
+    ("q.rotate(v)", "m @ v", "a vector turned by a quaternion / by its matrix", None),
     (
         "c.rotate_by(spin)",
         "c.add_scaled(spin, 1.0); c.normalize()",
         "rotate_by, which is exact / add_scaled and normalize (Eq. 9.5)",
-        "at most 2",
+        Target("at most", 2),
     ),
 )
 
 
-def lines(console: Console) -> list[Line]:
+def lines(console: Console) -> list[Measurement]:
     """Return every line about rotations."""
-    measured = [
-        Line(what, *ratio(_timer(first), _timer(second), ROUNDS, what), target)
+    found = [
+        Measurement(what, versus(_timer(first), _timer(second)), ROUNDS, target)
         for first, second, what, target in RIVALS
     ]
     form, rotate, transform = map(_timer, ("M3.from_quaternion(q)", "q.rotate(v)", "m @ v"))
     what = "vectors to turn from which on it pays to form the matrix first"
-    saved = ratio(form, lambda: rotate() - transform(), ROUNDS, what)
-    measured.append(Line(what, *saved, ""))
+    found.append(Measurement(what, versus(form, lambda: rotate() - transform()), ROUNDS))
     peers = (
-        ("pyglet", "pyglet Quaternion, Mat3 and Mat4", ""),
-        ("numpy", "NumPy 3x3 arrays", ""),
+        ("pyglet", "pyglet Quaternion, Mat3 and Mat4", None),
+        ("numpy", "NumPy 3x3 arrays", None),
     )
-    return measured + against_peers(console, "Quaternion, Matrix3 and Matrix4", STATEMENTS, peers)
+    return found + against_peers(console, "Quaternion, Matrix3 and Matrix4", STATEMENTS, peers)
 
 
 def _timer(code: str) -> Timer:

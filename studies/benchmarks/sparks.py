@@ -10,7 +10,7 @@ from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.closed_form import burst_positions, state_after
 from ch04_particle_engine.fireworks import GRAVITY, FireworkRule, FireworksShow
 from studies.benchmarks.particles import steps
-from studies.timing import Line, ratio, timer
+from studies.timing import Measurement, Target, timer, versus
 
 FRAME = 1.0 / 60.0
 SPARKS = 1000
@@ -23,45 +23,41 @@ ROUNDS = 31
 RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
-def lines() -> list[Line]:
+def lines() -> list[Measurement]:
     """Return every line about sparks."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)
-    measured = []
-    for what, stepped, closed, times, target in (
-        (
+    closed = timer(lambda: positions(speeds, SECONDS, "xyz"))
+    return [
+        Measurement(
             f"a frame of {SPARKS} sparks, x and y: step and read / closed form",
-            lambda: step(show, 1, "xy"),
-            lambda: positions(speeds, SECONDS, "xy"),
-            1,
-            "at least 4",
+            versus(
+                timer(lambda: step(show, 1, "xy")), timer(lambda: positions(speeds, SECONDS, "xy"))
+            ),
+            ROUNDS,
+            Target("at least", 4),
         ),
-        (
+        Measurement(
             "the same, x, y and z",
-            lambda: step(show, 1, "xyz"),
-            lambda: positions(speeds, SECONDS, "xyz"),
-            1,
-            "",
+            versus(timer(lambda: step(show, 1, "xyz")), closed),
+            ROUNDS,
         ),
-        (
+        Measurement(
             f"{SPARKS} sparks at {SECONDS:g} s, x, y and z: {frames} steps / closed form",
-            lambda: step(show, frames, "xyz"),
-            lambda: positions(speeds, SECONDS, "xyz"),
-            1,
-            "at least 250",
+            versus(timer(lambda: step(show, frames, "xyz")), closed),
+            ROUNDS,
+            Target("at least", 250),
         ),
-        (
+        Measurement(
             f"one particle at {SECONDS:g} s: {frames} steps / state_after",
-            lambda: steps(one, [FRAME] * frames),
-            lambda: state_after(one, SECONDS),
-            20,
-            "",
+            versus(
+                timer(lambda: steps(one, [FRAME] * frames), 20),
+                timer(lambda: state_after(one, SECONDS), 20),
+            ),
+            ROUNDS,
         ),
-    ):
-        timers = (timer(stepped, times), timer(closed, times))
-        measured.append(Line(what, *ratio(*timers, ROUNDS, what), target))
-    return measured
+    ]
 
 
 def burst() -> FireworksShow:

@@ -16,7 +16,7 @@ from ch06_springs.cloth import (
     neighbours,
 )
 from ch06_springs.springs import Spring
-from studies.timing import Line, ratio, timer
+from studies.timing import Measurement, Target, timer, versus
 
 DAMPING = 0.2  # N s/m
 FRAME = 1.0 / 2400.0  # s, at which the book's step bears this cloth
@@ -24,20 +24,22 @@ FRAMES = 120
 ROUNDS = 21
 
 
-def lines() -> list[Line]:
+def lines() -> list[Measurement]:
     """Return every line about springs. The cloths are made before, and fall from round to round."""
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
     return [
-        Line(
+        Measurement(
             "a cloth of 180 springs by connect / its arithmetic in one loop",
-            *ratio(connected, timer(cloth_arithmetic), ROUNDS, "a cloth"),
-            "at most 1.75",
+            versus(connected, timer(cloth_arithmetic)),
+            ROUNDS,
+            Target("at most", 1.75),
         ),
-        Line(
+        Measurement(
             "a cloth with a Spring an end, in vectors / by connect, in local floats",
-            *ratio(apart, connected, ROUNDS, "a Spring an end"),
-            "at least 4",
+            versus(apart, connected),
+            ROUNDS,
+            Target("at least", 4),
         ),
     ]
 

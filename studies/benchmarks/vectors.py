@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from rich.console import Console
 
-from studies.timing import Line, Statements, against_peers
+from studies.timing import Measurement, Statements, Target, against_peers
 
 
-def lines(console: Console) -> list[Line]:
+def lines(console: Console) -> list[Measurement]:
     """How much faster Vector3 is than each peer: the geometric mean over what both can do."""
     peers = (
-        ("pyglet", "pyglet Vec3", "at least 2.4"),
-        ("numpy", "NumPy array", "at least 4.5"),
-        ("pymunk", "pymunk Vec2d (two components)", ""),
+        ("pyglet", "pyglet Vec3", Target("at least", 2.4)),
+        ("numpy", "NumPy array", Target("at least", 4.5)),
+        ("pymunk", "pymunk Vec2d (two components)", None),
     )
     return against_peers(console, "Vector3", STATEMENTS, peers)
 

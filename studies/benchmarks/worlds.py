@@ -10,73 +10,76 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
 from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.detectors import GroundPlane
-from ch08_mass_aggregate.sleeping import SleepingWorld
+from ch08_mass_aggregate.sleeping import LOOK_EVERY, SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.constraints import FRAME, GRAVITY, no_forces
 from studies.ropes import hang_by_direct_chain, hang_by_rods, polygon_sag
-from studies.timing import Line, ratio, timer
+from studies.timing import Measurement, Target, timer, versus
 
 COUNT = 1000  # particles that fly freely
 BALLS = 300  # of which a tenth moves
 FRAMES = 40  # after which what lies still is asleep
 RATE = 240  # Hz, of the direct chain
+SUBSTEPS = 16  # of the rods, in a frame
 DOWN = Vector3(0.0, -GRAVITY)
 
 
-def lines() -> list[Line]:
+def lines() -> list[Measurement]:
     """Return every line about worlds."""
     bare = flying()
-    found = [
-        Line(
+    return [
+        Measurement(
             f"{COUNT:,} particles in a world / in a bare loop of integrate, by explicit Euler",
-            *ratio(
+            versus(
                 timer(stepping(ParticleWorld(flying(), integrator=explicit_euler)), 5),
                 timer(lambda: integrate(bare), 5),
-                101,
-                "a world",
             ),
-            "at most 1.15",
+            101,
+            Target("at most", 1.15),
         ),
-        Line(
+        Measurement(
             "the same / that step alone, both with the velocity first",
-            *ratio(
+            versus(
                 timer(stepping(ParticleWorld(flying())), 5),
                 timer(stepping_bare(semi_implicit_euler, flying()), 5),
-                101,
-                "a world",
             ),
-            "at most 1.15",
+            101,
+            Target("at most", 1.15),
         ),
+        asleep("on the ground", on_the_ground, Target("at least", 7)),
+        asleep("on springs, without a contact", on_springs, Target("at least", 2)),
+        rope(10, 11),
+        rope(100, 3),
     ]
-    for what, make, target in (
-        ("on the ground", on_the_ground, "at least 7"),
-        ("on springs, without a contact", on_springs, "at least 2"),
-    ):
-        awake, asleep = make(ParticleWorld), make(SleepingWorld)
-        found.append(
-            Line(
-                f"{BALLS} balls {what}, in a ParticleWorld / nine tenths of them asleep",
-                *ratio(timer(stepping(awake)), timer(stepping(asleep)), 41, "sleep"),
-                target,
-            )
-        )
-    for links, substeps, rounds in ((10, 16, 11), (100, 16, 3)):
-        rods = hang_by_rods(links, 60, substeps, 1.0).sag - polygon_sag(links)
-        chain = hang_by_direct_chain(links, RATE, 1.0).sag - polygon_sag(links)
-        found.append(
-            Line(
-                f"a second of a rope of {links} links by rods in {substeps} substeps, too low by "
-                f"{rods:.2g} m / by DirectChain at {RATE} Hz, by {chain:.1g} m",
-                *ratio(
-                    timer(partial(hang_by_rods, links, 60, substeps, 1.0)),
-                    timer(partial(hang_by_direct_chain, links, RATE, 1.0)),
-                    rounds,
-                    "ropes",
-                ),
-                "at least 10",
-            )
-        )
-    return found
+
+
+def asleep(
+    what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
+) -> Measurement:
+    """Return the line of balls that are awake, over the same of which nine tenths sleep."""
+    worlds = make(ParticleWorld), make(SleepingWorld)
+    return Measurement(
+        f"{BALLS} balls {what}, in a ParticleWorld / nine tenths of them asleep",
+        # It looks what pushes what sleeps in every LOOK_EVERY-th frame, which costs several others.
+        versus(*(timer(stepping(world), LOOK_EVERY) for world in worlds)),
+        21,
+        target,
+    )
+
+
+def rope(links: int, rounds: int) -> Measurement:
+    """Return the line of a rope of rods, over the direct solve of the same."""
+    rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
+    chain = partial(hang_by_direct_chain, links, RATE, 1.0)
+    wanted = polygon_sag(links)
+    low, off = rods().sag - wanted, chain().sag - wanted
+    return Measurement(
+        f"a second of a rope of {links} links by rods in {SUBSTEPS} substeps, too low by "
+        f"{low:.2g} m / by DirectChain at {RATE} Hz, by {off:.1g} m",
+        versus(timer(rods), timer(chain)),
+        rounds,
+        Target("at least", 10),
+    )
 
 
 def flying() -> list[Particle]:

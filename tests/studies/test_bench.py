@@ -2,31 +2,186 @@
 
 from __future__ import annotations
 
+import csv
 import io
 import math
 import timeit
+from collections.abc import Callable
 from itertools import chain
+from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 from rich.console import Console
 
-from studies import timing
-from studies.benchmarks import constraints, forces, particles, rotations, sparks, springs, vectors
+from studies import bench, timing
+from studies.accuracy.scenes import scenes_with
+from studies.benchmarks import (
+    accuracy,
+    constraints,
+    forces,
+    particles,
+    rotations,
+    sparks,
+    springs,
+    vectors,
+)
 from studies.scenes import PROJECTILE, make_particle
+from studies.timing import Measurement, Target
 
 
 def test_a_ratio_is_the_median_of_the_rounds_and_its_spread_their_quartiles() -> None:
     first = iter([2.0, 4.0, 6.0, 100.0, 4.0])
-    ratio, low, high = timing.ratio(lambda: next(first), lambda: 2.0, 5, "made up")
-    assert ratio == 2.0  # of 1, 2, 2, 3 and 50: one slow round does not count
-    assert (low, high) == (2.0, 3.0)
+    figure = timing.versus(lambda: next(first), lambda: 2.0)
+    (line,) = timing.measure([Measurement("made up", figure, 5)])
+    assert line.median == 2.0  # of 1, 2, 2, 3 and 50: one slow round does not count
+    assert (line.low, line.high) == (2.0, 3.0)
+
+
+def test_what_is_quick_is_timed_again_without_its_first_cold_run() -> None:
+    calls = {"quick": 0, "slow": 0}
+
+    def taking(what: str, first: float, later: float) -> Callable[[], float]:
+        def timed() -> float:
+            calls[what] += 1
+            return first if calls[what] == 1 else later
+
+        return timed
+
+    quick, slow = timing.both(taking("quick", 1e-3, 1e-4), taking("slow", 3.0, 2.0))
+    assert quick == pytest.approx(1e-4)  # the sum of many roundings
+    assert slow == 3.0
+    assert calls["quick"] > 1
+    assert calls["slow"] == 1
+
+
+def test_a_geometric_mean_is_taken_in_every_round() -> None:
+    figures = [iter([2.0, 1.0, 3.0]), iter([8.0, 1.0, 12.0])]
+    figure = timing.geometric_mean([figures[0].__next__, figures[1].__next__])
+    (line,) = timing.measure([Measurement("made up", figure, 3)])
+    assert (line.low, line.median, line.high) == pytest.approx((1.0, 4.0, 6.0))
+
+
+def test_lines_are_visited_all_over_the_run_with_their_two_sides_next_to_each_other() -> None:
+    rounds = {"often": 120, "as often": 120, "seldom": 3, "once": 1}
+    visits: list[tuple[str, int]] = []
+
+    def side(what: str, which: int) -> Callable[[], float]:
+        def timed() -> float:
+            visits.append((what, which))
+            return 1.0
+
+        return timed
+
+    timing.measure(
+        [
+            Measurement(what, timing.versus(side(what, 0), side(what, 1)), many)
+            for what, many in rounds.items()
+        ]
+    )
+    pairs = [*zip(visits[::2], visits[1::2], strict=True)]
+    assert all(first[0] == second[0] for first, second in pairs)
+    orders = [(first[1], second[1]) for first, second in pairs]
+    # That 244 tosses, or 120, are all alike happens once in 2^119 runs.
+    assert {*orders} == {(0, 1), (1, 0)}
+    order = [first[0] for first, _ in pairs]
+    assert {what: order.count(what) for what in rounds} == rounds
+    equals = [what for what in order if "often" in what]
+    halves = [*zip(equals[::2], equals[1::2], strict=True)]
+    assert {*halves} == {("often", "as often"), ("as often", "often")}  # both once in a round
+    before = [order[:i].count("often") for i, what in enumerate(order) if what == "seldom"]
+    assert all(40 * k <= count <= 40 * (k + 1) for k, count in enumerate(before))  # a third each
+
+
+@pytest.mark.parametrize(
+    ("target", "median", "verdict"),
+    [
+        (Target("at least", 7), 6.999, "missed"),
+        (Target("at least", 7), 7.0, "met"),
+        (Target("at least", 7), 7.001, "met"),
+        (Target("at most", 1.15), 1.149, "met"),
+        (Target("at most", 1.15), 1.15, "met"),
+        (Target("at most", 1.15), 1.151, "missed"),
+        (None, 1.0, ""),
+    ],
+)
+def test_a_target_is_judged_by_the_median(
+    target: Target | None, median: float, verdict: str
+) -> None:
+    assert timing.Line("made up", median, 0.0, 1e9, target).verdict == verdict
+
+
+@pytest.mark.parametrize(("minor", "bound"), [(11, 1.6), (12, 1.6), (13, 2.0), (14, 2.0)])
+def test_the_target_of_a_step_is_that_of_the_python_that_runs(
+    minor: int, bound: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(particles, "sys", SimpleNamespace(version_info=(3, minor)))
+    assert particles.lines()[0].target == Target("at most", bound)
+
+
+def test_the_table_is_printed_and_written_and_a_miss_is_no_failure(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    made_up = [
+        Measurement("quick", lambda: 2500.4, 3, Target("at least", 2000)),
+        Measurement("slow", lambda: 1.5, 1, Target("at most", 1.15)),
+        Measurement("told", lambda: 0.25, 2),
+    ]
+    monkeypatch.setattr(bench, "every", lambda _: made_up)
+    out = tmp_path / "new" / "bench.csv"
+    assert bench.main(["--out", str(out)]) == 0
+    told = capsys.readouterr().out
+    cells = {words[0]: words[1:] for line in told.splitlines() if (words := line.split())}
+    assert cells["quick"] == ["2,500", "2,500-2,500", "at", "least", "2,000", "met"]
+    assert cells["slow"] == ["1.50", "1.50-1.50", "at", "most", "1.15", "missed"]
+    assert cells["told"] == ["0.25", "0.25-0.25"]
+    assert "1 targets met, 1 missed" in told
+    assert "bench.csv" in told
+    with out.open(encoding="utf-8") as file:
+        assert [*csv.reader(file)] == [
+            ["what", "ratio", "lower", "upper", "target", "verdict"],
+            ["quick", "2500.4", "2500.4", "2500.4", "at least 2,000", "met"],
+            ["slow", "1.5", "1.5", "1.5", "at most 1.15", "missed"],
+            ["told", "0.25", "0.25", "0.25", "", ""],
+        ]
+
+
+def test_each_side_makes_the_fewest_steps_that_are_accurate_enough() -> None:
+    (scene,) = scenes_with("projectile")
+    for name, tolerance in (("pymunk", 1e-4), ("explicit Euler", 1e-3), ("velocity Verlet", 1e-7)):
+        model = accuracy.model_of(scene, name)
+        steps, error = accuracy.fewest_steps(scene, model, tolerance)
+        assert error == scene.error(model.run(steps)) <= tolerance
+        assert scene.error(model.run(steps // 2)) > tolerance
+
+
+def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    (scene,) = scenes_with("projectile")
+    monkeypatch.setattr(accuracy, "MOST", 40 * scene.frames)
+    pymunk = accuracy.model_of(scene, "pymunk")
+    steps, error = accuracy.fewest_steps(scene, pymunk, 1e-4)  # needs 64 of them
+    assert steps == 32
+    assert error == scene.error(pymunk.run(32)) > 1e-4
+    monkeypatch.setattr(accuracy, "MOST", 1000)
+    bounds = ["a lower bound" in line.what for line in accuracy.lines()]
+    assert bounds == [True] * 6
+    monkeypatch.setattr(accuracy, "MOST", 64 * scene.frames)
+    assert "bound" not in accuracy.line(scene.name, None, "pymunk", 1).what
+
+
+def test_the_exact_model_of_a_scene_is_one_of_ours_without_steps() -> None:
+    for part in ("projectile", "bouncing ball, restitution 0.8"):
+        (scene,) = scenes_with(part)
+        # Some hundred roundings.
+        assert scene.error(accuracy.fastest_exact(scene).run(1)) < 1e-12
 
 
 @pytest.mark.parametrize("subject", [vectors, rotations])
 def test_a_peer_that_is_not_there_is_named(subject: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(timing.importlib.util, "find_spec", lambda _: None)
-    monkeypatch.setattr(timing, "TIMES", 1)
     screen = io.StringIO()
     lines = subject.lines(Console(file=screen))
     assert [line.what for line in lines if "geometric mean" in line.what] == []

@@ -1,0 +1,92 @@
+"""Speed at equal accuracy: how long pymunk takes for what a model of ours does in a scene.
+
+The place is wanted at every frame, to a tolerance of the scene's scale. Each side makes the fewest
+steps a frame that reach it, of powers of two; where pymunk does not, the line is a lower bound.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+
+from studies.accuracy.measure import run, seconds_of
+from studies.accuracy.scene import Model, Scene
+from studies.accuracy.scenes import scenes_with
+from studies.timing import Measurement, Target, versus
+
+TOLERANCE = 1e-4
+RK4 = "Runge-Kutta 4"
+MOST = 2_000_000  # steps of a run: a few seconds of pymunk's
+
+
+def lines() -> list[Measurement]:
+    """Return every line about speed at equal accuracy."""
+    return [
+        line("projectile with linear drag", None, "pymunk", 31, Target("at least", 150)),
+        line("spring, k = 100 N/m", RK4, "pymunk's spring", 15, Target("at least", 250)),
+        line("spring, k = 100 N/m", RK4, "pymunk, force by hand", 5, Target("at least", 250)),
+        line("pendulum", f"by its angle, {RK4}", "pymunk, pin joint", 11, Target("at least", 250)),
+        line("bouncing ball, restitution 0.8", None, "pymunk", 15, Target("at least", 2000)),
+        line("orbit", RK4, "pymunk, force by hand", 3, tolerance=1e-6),
+    ]
+
+
+def line(
+    part: str,
+    ours: str | None,
+    theirs: str,
+    rounds: int,
+    target: Target | None = None,
+    tolerance: float = TOLERANCE,
+) -> Measurement:
+    """Return pymunk's time to TOLERANCE over ours to a tolerance, as a line.
+
+    Ours is the fastest exact model where it has no name.
+    """
+    (scene,) = scenes_with(part)
+    mine = model_of(scene, ours) if ours else fastest_exact(scene)
+    other = model_of(scene, theirs)
+    steps, error = fewest_steps(scene, mine, tolerance)
+    other_steps, other_error = fewest_steps(scene, other, TOLERANCE)
+    sides = f"{told(other, other_steps, other_error)} / {told(mine, steps, error)}"
+    what = f"{scene.name}, every frame: {sides}"
+    if other_error > TOLERANCE:
+        what += f"; a lower bound, as pymunk does not reach {TOLERANCE:g}"
+    figure = versus(partial(seconds_of, other, other_steps), partial(seconds_of, mine, steps))
+    return Measurement(what, figure, rounds, target)
+
+
+def model_of(scene: Scene, name: str) -> Model:
+    """Return the model of that name."""
+    return next(model for model in scene.models if model.name == name)
+
+
+def fastest_exact(scene: Scene) -> Model:
+    """Return the one of our models without steps to choose that takes the least time."""
+    exact = [model for model in scene.models if model.by == "ours" and is_exact(model)]
+    return min(exact, key=lambda model: seconds_of(model, 1))
+
+
+def is_exact(model: Model) -> bool:
+    """Return whether a model has no steps to choose."""
+    return tuple(model.steps) == (1,)
+
+
+def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
+    """Return the fewest steps a frame within a tolerance, of powers of two, and the error there.
+
+    Where MOST steps in a run are not enough, these are the most that were tried.
+    """
+    steps = 1
+    while True:
+        outcome = run(model, steps)
+        error = scene.error(outcome) if outcome else math.inf
+        if error <= tolerance or is_exact(model) or 2 * steps * scene.frames > MOST:
+            return steps, error
+        steps *= 2
+
+
+def told(model: Model, steps: int, error: float) -> str:
+    """Return a model with its steps and its error."""
+    chosen = "" if is_exact(model) else f", {steps:,} {'step' if steps == 1 else 'steps'} a frame"
+    return f"{model.name}{chosen}, error {error:.1g}"

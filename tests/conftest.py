@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import random
 import sys
 from collections.abc import Callable
@@ -43,12 +42,11 @@ def rng(request: pytest.FixtureRequest) -> random.Random:
 def on_chart(request: pytest.FixtureRequest) -> Callable[[float, float], None]:
     """Put a point on the chart of the check's exercise: its cost, in counted work, and its error.
 
-    What has no place on logarithmic axes is left out.
+    What has no place on logarithmic axes, or no sensible one, is left out.
     """
 
     def put(cost: float, error: float) -> None:
-        point = float(cost), float(error)
-        if all(0.0 < value < math.inf for value in point):
-            request.node.user_properties.append(("on_chart", point))
+        if all(1e-20 < value < 1e20 for value in (cost, error)):
+            request.node.user_properties.append(("on_chart", (float(cost), float(error))))
 
     return put

@@ -59,6 +59,7 @@ ASKS = {
     "ann": "def double(ask):\n    return ask() + ask() + 0.25\n",
     "bob": "def double(ask):\n    return ask() + 2.0\n",
     "cai": "def double(ask):\n    return 6.0 + 0 * ask()\n",  # no error: no place on such axes
+    "eve": "def double(ask):\n    ask()\n    return 1e300\n",
     "dan": "def double(ask):\n    raise ValueError('no')\n",
 }
 REFERENCE = "def double(ask):\n    return 2.125 * ask()\n"
@@ -101,6 +102,7 @@ def test_a_class_is_on_the_chart_with_the_reference_and_hidden_checks_put_nobody
     assert charts("bob")[0]["own"] == [1.0, 1.0]
     assert charts("cai")[0]["own"] is None
     assert charts("dan")[0]["own"] is None
+    assert charts("eve")[0]["own"] is None
     index = (out / "index.html").read_text(encoding="utf-8")
     assert index.count("<circle") == 2
     assert "<title>ann</title>" in index
@@ -159,7 +161,7 @@ def test_a_dot_lies_where_its_logarithms_say() -> None:
     assert all(LEFT < dot.x < RIGHT and TOP < dot.y < BOTTOM for dot in chart.dots)
 
 
-SIZES = st.floats(1e-12, 1e12)
+SIZES = st.floats(1e-20, 1e20)
 
 
 @given(st.lists(st.tuples(SIZES, SIZES), min_size=1, max_size=12))

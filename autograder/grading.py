@@ -156,20 +156,20 @@ def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
 
 
 def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> dict[str, Any] | None:
-    """Return where an open exercise lies on its chart, and the reference; None for the others.
+    """Return where a work lies on its exercise's chart, and the reference; None where it does not.
 
     What an earlier chapter spoils is not on it: of the run on the reference's nothing is told.
     """
-    exercise = result.exercise
-    if not exercise.chart:
+    if result.on_chart is None:
         return None
     reference = {
         other.exercise.id: other.on_chart for other in _results_of_reference(assignment, chapter)
     }
-    own, best = result.on_chart, reference.get(exercise.id)
+    exercise = result.exercise
+    best = reference.get(exercise.id)
     return {
         "axes": exercise.chart,
-        "own": own and list(own),
+        "own": list(result.on_chart),
         "reference": best and list(best),
     }
 

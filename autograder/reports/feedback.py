@@ -100,11 +100,10 @@ def _exercise(number_on_page: int, exercise: dict[str, Any]) -> dict[str, Any]:
     """Return an exercise as its page shows it: what is lost in full, what passes in short."""
     checks = exercise["checks"]
     own, given = exercise["score"], exercise["score_on_given"]
-    chart = exercise.get("chart") or {"own": None}
+    chart = exercise.get("chart")
     return exercise | {
-        "scatter": chart["own"]
-        and scatter(exercise, [("yours", chart["own"])], chart["reference"]),
-        "place": chart["own"] and place_on_chart(chart["axes"], chart["own"]),
+        "scatter": chart and scatter(exercise, [("yours", chart["own"])], chart["reference"]),
+        "place": chart and place_on_chart(chart["axes"], chart["own"]),
         "anchor": f"exercise-{number_on_page}",
         "gains": own is not None and given is not None and given > own,
         "comment": exercise.get("comment") or "",
@@ -124,7 +123,7 @@ def _charts(reports: Sequence[Report]) -> list[Scatter]:
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
         for exercise in report["exercises"]:
-            if (chart := exercise.get("chart")) and chart["own"]:
+            if chart := exercise.get("chart"):
                 exercises.setdefault(exercise["id"], exercise)
                 named.setdefault(exercise["id"], []).append((report["student"], chart["own"]))
     return [

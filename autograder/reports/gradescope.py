@@ -90,7 +90,7 @@ def _output(exercise: dict[str, Any]) -> str:
     blocks.append(f"{status}: {len(checks) - len(lost)} of {len(checks)} checks passed")
     if status == "inherited":
         blocks.append("the mistake lies in an earlier chapter: on the given ones this passes")
-    if (chart := exercise.get("chart")) and chart["own"]:
+    if chart := exercise.get("chart"):
         blocks.append(f"your work: {place_on_chart(chart['axes'], chart['own'])}")
     for check in lost:
         title = "a hidden check" if check["hidden"] else check_title(check["name"])

@@ -105,4 +105,4 @@ def _between(value: float, ticks: Sequence[float], start: float, end: float) -> 
 
 
 def _label(value: float) -> str:
-    return f"{value:g}".replace("e-0", "e-").replace("e+0", "e")
+    return f"{value:g}".replace("e-0", "e-").replace("e+0", "e").replace("e+", "e")

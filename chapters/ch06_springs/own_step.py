@@ -13,7 +13,7 @@ from ch06_springs.integrators import ApplyForces
 
 
 def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    """Step particles by a duration in s, in a way of your own, of as many parts as you like.
+    """Step particles by a duration in s, in a way of your own, and of as many parts as it takes.
 
     ``apply_forces(duration)`` adds the forces of the moment to the accumulators: clear them before
     you ask again, and at the end. A particle's own acceleration counts beside the forces. There is
@@ -22,6 +22,6 @@ def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: 
 
     It is graded on one turn of an orbit of eccentricity 0.5, in 60 frames, by how often it asks for
     the forces, and by how far at most it is off the true orbit after a frame, in units of the half
-    axis. To 1e-3 with at most 500 evaluations is good, to 1e-4 is better.
+    axis. To 1e-3 with at most 500 evaluations is good, to 1e-4 is better; after 5000 it is stopped.
     """
     raise NotImplementedError("Exercise G6.3: Going further: a step of your own")

@@ -10,7 +10,7 @@ import math
 
 from ch02_vectors.arguments import finite, not_negative, positive, whole
 
-LEAST = 1e-12  # m: a ball that would bounce no higher lies still
+LEAST = 1e-12  # m: a ball that would bounce no higher lies still, whatever its restitution
 
 
 def heights_in_frames(
@@ -26,7 +26,7 @@ def heights_in_frames(
     It begins at ``height`` in m, above the ground, with ``speed`` in m/s upwards; ``frame`` is in s
     and gravity in m/s^2. Raises ValueError where a height is negative, a speed not finite, a
     restitution outside 0 to 1, frame or gravity not positive, or there is not a whole number of
-    frames, 1 or more.
+    frames, 1 or more, which all together last for a finite time.
     """
     not_negative("height", height)
     finite("speed", speed)
@@ -34,17 +34,17 @@ def heights_in_frames(
         raise ValueError(f"restitution must be from 0 to 1, got {restitution!r}")
     positive("frame", frame)
     half = 0.5 * positive("gravity", gravity)
+    finite("the time of all frames", frame * whole("frames", frames))
     start, impact = 0.0, _time_of_fall(height, speed, gravity)
     heights = []
-    for number in range(1, whole("frames", frames) + 1):
+    for number in range(1, frames + 1):
         now = number * frame
         while impact <= now:
             height, speed = 0.0, restitution * (gravity * (impact - start) - speed)
             start = impact
-            rises = speed * speed > 2.0 * gravity * LEAST
-            impact += 2.0 * speed / gravity if rises else math.inf
-            if not rises:
-                speed = half = 0.0
+            impact += 2.0 * speed / gravity
+            if speed * speed <= 2.0 * gravity * LEAST:
+                speed, half, impact = 0.0, 0.0, math.inf
         passed = now - start
         heights.append(height + (speed - half * passed) * passed)
     return heights

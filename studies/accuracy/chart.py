@@ -71,8 +71,8 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
     """Write how many times as long pymunk takes as our best model, for each scene and tolerance.
 
-    An arrow is a bound: pymunk was not there in the longest run that was tried. What never gets
-    there is at the edge.
+    An arrow is a bound: the other side was not there in the time that was tried. Where it never
+    gets there, a word is at the edge; where neither side gets there, nothing is drawn.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
@@ -103,11 +103,12 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
     """Draw a ratio as a mark, a bound as an open one with an arrow, and what never is as a word."""
     if found.ratio:
         axes.plot(found.ratio, y, mark, color=color)
-    elif found.ours.never or found.pymunk.never:
-        edge = axes.get_xlim()[found.pymunk.never] * (0.5 if found.pymunk.never else 2.0)
-        axes.text(edge, y, "never", color=color, ha="center", va="center", fontsize=8)
     elif found.ours.time or found.pymunk.time:
         most = found.ours.time is None
+        if (found.ours if most else found.pymunk).never:
+            edge = axes.get_xlim()[not most] * (2.0 if most else 0.5)
+            axes.text(edge, y, "never", color=color, ha="center", va="center", fontsize=8)
+            return
         value = found.bounds[most]
         axes.plot(value, y, mark, color=color, mfc="none")
         arrow = {"arrowstyle": "->", "color": color}

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from studies.accuracy.measure import Point
+from studies.accuracy.measure import EXACT, Point
 
 TOLERANCES = (1e-2, 1e-4, 1e-6)
 
@@ -15,8 +15,8 @@ TOLERANCES = (1e-2, 1e-4, 1e-6)
 class Side:
     """Which model of ours, or of pymunk's, reaches a tolerance first, and its time in s.
 
-    Both are None where none does: then ``longest`` is the longest run that was tried, in s, and
-    ``never`` says that no error fell any more, however many steps there were.
+    Both are None where none does: then every model that might get there has been tried for
+    ``longest`` s, or longer; and ``never`` says that none of them might.
     """
 
     model: str | None
@@ -84,11 +84,12 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 def stalls(points: Sequence[Point]) -> bool:
     """Say whether a model's error has not even halved over the last eightfold of its steps.
 
-    With more of them it then never gets where it is not: of any order it would fall to an eighth.
+    Of any order it would fall to an eighth: as a judgement, it then never gets where it is not.
+    While it is off by a tenth of the scale or more, nobody can tell.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if 8 * point.steps <= ordered[-1].steps]
-    return bool(before) and not ordered[-1].error < 0.5 * before[-1].error
+    return bool(before) and 0.5 * before[-1].error <= ordered[-1].error < 0.1
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
@@ -102,11 +103,11 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
     """Return which model reaches a tolerance in the least time."""
     models = models_of(points)
+    open_ones = [own for own in models.values() if not stalls(own)]
     times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
     name = min(times, key=lambda name: times[name], default=None)
-    longest = max(point.time for point in points)
-    never = not times and all(stalls(own) for own in models.values())
-    return Side(name, times[name] if name else None, longest, never)
+    tried = (max(point.time for point in own) for own in open_ones or models.values())
+    return Side(name, times[name] if name else None, min(tried), not times and not open_ones)
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
@@ -145,9 +146,15 @@ def table(points: Sequence[Point]) -> list[Row]:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Return the points than which no other is both faster and nearer to the truth, by time."""
+    """Return the points than which no other is both faster and nearer to the truth, by time.
+
+    What is off by rounding alone is as near as can be.
+    """
     kept: list[Point] = []
+    nearest = math.inf
     for point in sorted(points, key=lambda point: (point.time, point.error)):
-        if math.isfinite(point.error) and (not kept or point.error < kept[-1].error):
+        error = max(point.error, EXACT)
+        if error < nearest:
             kept.append(point)
+            nearest = error
     return kept

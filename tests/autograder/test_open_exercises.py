@@ -20,6 +20,7 @@ from autograder.scores import results_of
 from graded import CHAPTERS, SHOUT, report_of
 from small import MANIFEST, make_root
 from small import RIGHT as SMALL
+from walls import behind_walls
 
 AXES = ["evaluations", "error of the result"]
 OPEN = MANIFEST.replace('hints = ["twice"]', f'chart = {AXES}\nhints = ["twice"]')
@@ -38,7 +39,7 @@ def test_double(on_chart):
         return 3.0
 
     got = small.double(ask)
-    on_chart(asked, abs(got - 6.0))
+    on_chart(asked, abs(got - 6.0) / 6.0)
     assert abs(got - 6.0) < 0.5
 
 
@@ -98,17 +99,18 @@ def test_a_class_is_on_the_chart_with_the_reference_and_hidden_checks_put_nobody
         text = (out / "results" / f"{student}.json").read_text(encoding="utf-8")
         return [exercise["chart"] for exercise in json.loads(text)["exercises"]]
 
-    assert charts("ann") == [{"axes": AXES, "own": [2.0, 0.25], "reference": [1.0, 0.375]}, None]
-    assert charts("bob")[0]["own"] == [1.0, 1.0]
-    assert charts("cai")[0]["own"] is None
-    assert charts("dan")[0]["own"] is None
-    assert charts("eve")[0]["own"] is None
+    assert charts("ann") == [
+        {"axes": AXES, "own": [2.0, 0.25 / 6.0], "reference": [1.0, 0.375 / 6.0]},
+        None,
+    ]
+    assert charts("bob")[0]["own"] == [1.0, 1.0 / 6.0]
+    assert charts("cai") == charts("dan") == charts("eve") == [None, None]
     index = (out / "index.html").read_text(encoding="utf-8")
     assert index.count("<circle") == 2
     assert "<title>ann</title>" in index
     assert "<title>cai</title>" not in index
     feedback = (out / "feedback/ann.html").read_text(encoding="utf-8")
-    assert "Your work: 2 evaluations, error of the result: 0.25." in feedback
+    assert "Your work: 2 evaluations, error of the result: 0.042." in feedback
     assert feedback.count("<circle") == 1
     assert "bob" not in feedback
     assert "<circle" not in (out / "feedback/dan.html").read_text(encoding="utf-8")
@@ -125,20 +127,20 @@ def test_the_reference_is_on_the_chart_of_every_open_exercise(chapter: Chapter) 
     assert placed == set(wanted)
 
 
-def charted(student: str, own: list[float] | None, reference: list[float] | None) -> dict[str, Any]:
+def charted(student: str, own: list[float]) -> dict[str, Any]:
     report = report_of(student)
-    report["exercises"][1]["chart"] = {"axes": AXES, "own": own, "reference": reference}
+    report["exercises"][1]["chart"] = {"axes": AXES, "own": own, "reference": None}
     return report
 
 
 def test_names_on_a_chart_are_text_and_gradescope_says_the_place_in_words(tmp_path: Path) -> None:
-    report = charted(SHOUT, [100.0, 0.01], None)
+    report = charted(SHOUT, [100.0, 0.01])
     page = write_index(tmp_path, CHAPTERS, [report]).read_text(encoding="utf-8")
     assert "<script>" not in page
     assert page.count("&lt;script&gt;") >= 2
     told = gradescope_results(report)["tests"][1]["output"]
     assert "your work: 100 evaluations, error of the result: 0.01" in told
-    nobody = charted("ada", None, [10.0, 0.1])
+    nobody = report_of("ada")
     assert "<circle" not in write_feedback(tmp_path, nobody).read_text(encoding="utf-8")
     assert "Speed against accuracy" not in write_index(tmp_path, CHAPTERS, [nobody]).read_text(
         encoding="utf-8"
@@ -146,7 +148,7 @@ def test_names_on_a_chart_are_text_and_gradescope_says_the_place_in_words(tmp_pa
 
 
 def test_a_dot_lies_where_its_logarithms_say() -> None:
-    exercise = charted("ada", None, None)["exercises"][1]
+    exercise = charted("ada", [1.0, 1.0])["exercises"][1]
     chart = scatter(exercise, [("a", (100.0, 1e-2)), ("b", (1000.0, 1e-6))], (300.0, 1e-4))
     costs, errors = dict(map(reversed, chart.costs)), dict(map(reversed, chart.errors))  # type: ignore[arg-type]
     a, b = chart.dots[1], chart.dots[0]
@@ -170,10 +172,23 @@ def test_the_front_is_what_no_other_beats_and_all_dots_are_inside(
 ) -> None:
     beaten = [[*p] for p in points if any(q != p and q[0] <= p[0] and q[1] <= p[1] for q in points)]
     assert front(points) == sorted([*p] for p in set(points) if [*p] not in beaten)
-    exercise = charted("ada", None, None)["exercises"][1]
+    exercise = charted("ada", [1.0, 1.0])["exercises"][1]
     chart = scatter(exercise, [("a", point) for point in points], None)
     for dot in chart.dots:
         assert LEFT < dot.x < RIGHT
         assert TOP < dot.y < BOTTOM
     assert 2 <= len(chart.costs) <= 11
     assert 2 <= len(chart.errors) <= 11
+
+
+def test_a_step_that_lets_no_frame_pass_earns_nothing(tmp_path: Path) -> None:
+    """The loop of frames runs beside the student's code, which may end it before it begins."""
+    folder = tmp_path / "ch06_springs"
+    folder.mkdir()
+    forged = "import builtins\n\nbuiltins.range = lambda *_: []\n\n\ndef my_step(*_):\n    pass\n"
+    (folder / "own_step.py").write_text(forged, encoding="utf-8")
+    engine = [tmp_path, ROOT / "solutions", ROOT / "chapters"]
+    chapter = load_chapter(ROOT / "chapters/ch06_springs")
+    verdicts = run_checks(chapter, engine, seed="1", exercises=["G6.3"], behind=behind_walls())
+    assert [verdict.status for verdict in verdicts] == ["failed"] * 4
+    assert all(verdict.on_chart is None for verdict in verdicts)

@@ -14,7 +14,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import GroundPlane
-from ch08_mass_aggregate import ball_game, blob, bridge, cube, tilting_platform, trebuchet, wheel
+from ch08_mass_aggregate import ball_game, blob, bridge, cube, tilting_platform, wheel
 from ch08_mass_aggregate.probes import Components, xyz
 
 Told = tuple[int, int, Components, float, float]
@@ -340,66 +340,3 @@ def played(
             }
         )
     return seen
-
-
-def machine(numbers: Sequence[float]) -> Any:
-    design = trebuchet.Design(*numbers)
-    return trebuchet.Trebuchet(design)
-
-
-def beam(numbers: Sequence[float]) -> tuple[list[tuple[int, int, float]], list[Components]]:
-    """Return the rods of a trebuchet's beam, and where pivot, counterweight and tip are."""
-    made = machine(numbers)
-    particles = [made.pivot, made.weight, made.tip]
-    return rods(made.beam(), particles), [xyz(particle.position) for particle in particles]
-
-
-def lets_go(numbers: Sequence[float], flights: Sequence[tuple[float, Components]]) -> list[Any]:
-    """Return whether a trebuchet lets go of a projectile at a height above the pivot, and fast."""
-    made = machine(numbers)
-    seen = []
-    for height, velocity in flights:
-        made.projectile.position.y = trebuchet.PIVOT_HEIGHT + height
-        made.projectile.velocity = Vector3(*velocity)
-        seen.append(made.lets_go())
-    return seen
-
-
-def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, int, bool, int]:
-    """Throw; return range and share, how many times STEP it took, and whether it flies.
-
-    And how many contacts the world's resolver says that it has resolved.
-
-    Instead of the physics a frame may do "nothing", put the projectile on the "ground", or let go
-    of it, "up" or "down", at a place and a speed that are given, the counterweight 1 m lower.
-    """
-    made = machine(numbers)
-    times: list[float] = []
-    resolved = 0
-    step = made.world.step
-
-    def counted(duration: float) -> None:
-        nonlocal resolved
-        times.append(duration)
-        if not instead:
-            step(duration)
-            resolved += made.world.resolver.iterations_used
-        if instead == "ground":
-            made.projectile.position.y = 0.0
-        if instead not in ("up", "down"):
-            return
-        made.weight.position.y -= 1.0
-        made.projectile.position = Vector3(2.0, 8.0)
-        made.projectile.velocity = Vector3(30.0, 10.0 if instead == "up" else -10.0)
-
-    made.world.step = counted  # type: ignore[method-assign]
-    thrown = made.throw()
-    frames = round(sum(times) / trebuchet.STEP)
-    return thrown.range, thrown.share, frames, bool(made.flies), resolved
-
-
-def my_design() -> tuple[float, ...]:
-    """Return the numbers of the student's design."""
-    design = trebuchet.my_design()
-    numbers = (design.counterweight, design.short_arm, design.long_arm, design.sling)
-    return (*numbers, design.release_angle)

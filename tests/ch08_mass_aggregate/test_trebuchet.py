@@ -8,7 +8,7 @@ from random import Random
 
 import pytest
 
-from ch08_mass_aggregate.scene_probes import beam, lets_go, my_design, throw
+from ch08_mass_aggregate.trebuchet_probes import beam, lets_go, my_design, throw
 from draw import positive_number
 from expect import expect_close, expect_exactly
 from lever import thrown

@@ -52,6 +52,11 @@ def test_a_ball_without_loss_bounces_on_and_one_with_all_lost_lies_still() -> No
     assert heights_in_frames(0.0, -3.0, 0.5, 0.1, 1, gravity=10.0) == pytest.approx([0.1])
 
 
+def test_frames_that_last_for_ever_are_refused() -> None:
+    with pytest.raises(ValueError, match="the time of all frames must be finite"):
+        heights_in_frames(1.0, 0.0, 0.5, 1e308, 2)
+
+
 @pytest.mark.parametrize(
     ("argument", "value"),
     [

@@ -34,6 +34,8 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         [1e3 * point.time for point in edge],
         [max(point.error, FLOOR) for point in edge],
         color=YELLOW,
+        marker="o",
+        ms=18,
         lw=9,
         alpha=0.45,
         label="front of the best",
@@ -123,25 +125,30 @@ def said(found: Row) -> str:
         mine, others = (told(side) for side in (ours, theirs))
         return f"{start}ours {mine}; pymunk {others}"
     many = theirs.time / ours.time
-    end = f"{many:.3g} times as long" if many >= 1.0 else f"1/{1.0 / many:.3g} of that"
-    return f"{start}{ours.model} takes {1e3 * ours.time:.3g} ms, {theirs.model} {end}"
+    end = f"{_number(many)} times as long" if many >= 1.0 else f"1/{_number(1.0 / many)} of that"
+    return f"{start}{ours.model} takes {_number(1e3 * ours.time)} ms, {theirs.model} {end}"
 
 
 def told(side: Side) -> str:
     """Return one side of a row in words: the model and its time, or that there is none."""
     if side.time is not None:
-        return f"{side.model}, {1e3 * side.time:.3g} ms"
-    return "never" if side.never else f"not in {1e3 * side.longest:.3g} ms"
+        return f"{side.model}, {_number(1e3 * side.time)} ms"
+    return "never" if side.never else f"not in {_number(1e3 * side.longest)} ms"
 
 
 def told_ratio(found: Row) -> str:
     """Return how many times as long pymunk takes in words: a number, a bound, or nothing."""
     low, high = found.bounds
     if found.ratio:
-        return f"{found.ratio:.3g}"
+        return _number(found.ratio)
     if low > 0.0 and not found.pymunk.never:
-        return f"> {low:.3g}"
-    return f"< {high:.3g}" if high < math.inf and not found.ours.never else ""
+        return f"> {_number(low)}"
+    return f"< {_number(high)}" if high < math.inf and not found.ours.never else ""
+
+
+def _number(value: float) -> str:
+    """Return three digits of a number, or all before the point: 0.0277, 5.51, 4,190."""
+    return f"{value:.3g}" if value < 1000.0 else f"{float(f'{value:.3g}'):,.0f}"
 
 
 def _styles(points: Sequence[Point]) -> dict[str, dict[str, Any]]:

@@ -87,7 +87,7 @@ def rope() -> Scene:
 
     steps = STEPS[:6]
     models = [
-        Model("direct chain", partial(by_direct_chain, rope_particles, frames), steps[:-1]),
+        Model("direct chain", partial(by_direct_chain, rope_particles, frames), steps),
         *by_rods(rope_particles, rods, frames, steps),
         Model(
             "semi-implicit Euler, two-sided rods",

@@ -44,7 +44,7 @@ def main(arguments: list[str]) -> int:
     met, missed = verdicts.count("met"), verdicts.count("missed")
     minutes = (time.monotonic() - start) / 60.0
     console.print(f"{met} targets met, {missed} missed, in {minutes:.1f} minutes")
-    console.print(f"all numbers: {shown(options.out)}")
+    console.print(f"all numbers: {shown(options.out)}", soft_wrap=True)
     console.print(f"Python {platform.python_version()}, {_versions()}; {platform.platform()}")
     return 0
 

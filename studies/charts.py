@@ -77,14 +77,17 @@ def main(arguments: list[str]) -> int:
         own = [point for point in measured.points if point.scene == scene.name]
         png = options.out / f"{re.sub('[^a-z0-9]+', '_', scene.name.lower()).strip('_')}.png"
         chart.draw(own, scene.counted, png)
-        console.print(f"{scene.name}: {shown(png)}")
+        console.print(f"{scene.name}: {shown(png)}", soft_wrap=True)
     rows = results.table(measured.points)
     chart.draw_overview(rows, options.out / "overview.png")
     words = [[*map(chart.told, (row.ours, row.pymunk)), chart.told_ratio(row)] for row in rows]
     _print(rows, words, console)
     _write(rows, words, options.out / "table.csv")
-    console.print(f"all scenes in one chart: {shown(options.out / 'overview.png')}")
-    console.print(f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}")
+    console.print(
+        f"all scenes in one chart: {shown(options.out / 'overview.png')}\n{rounds} rounds; all numbers: "
+        f"{shown(options.out / 'table.csv')}",
+        soft_wrap=True,
+    )
     return 0
 
 

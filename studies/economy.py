@@ -46,7 +46,9 @@ def main(arguments: list[str]) -> int:
     with options.out.with_suffix(".csv").open("w", encoding="utf-8", newline="") as file:
         rows = [(line.what, line.median, line.low, line.high) for line in lines]
         csv.writer(file).writerows([("part", "ratio", "lower", "upper"), *rows])
-    console.print(f"{shown(options.out)} and {shown(options.out.with_suffix('.csv'))}")
+    console.print(
+        f"{shown(options.out)} and {shown(options.out.with_suffix('.csv'))}", soft_wrap=True
+    )
     return 0
 
 

@@ -275,7 +275,7 @@ def test_springs_that_are_not_written_are_said(tmp_path: Path) -> None:
     shutil.copytree(
         ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
     )
-    for module in ("springs", "integrators", "closed_form"):
+    for module in ("springs", "integrators", "own_step", "closed_form"):
         path = f"ch06_springs/{module}.py"
         text = made_stubs()[f"chapters/{path}"]
         (tmp_path / "engine" / path).write_text(text, encoding="utf-8")

@@ -84,8 +84,8 @@ def main(arguments: list[str]) -> int:
     _print(rows, words, console)
     _write(rows, words, options.out / "table.csv")
     console.print(
-        f"all scenes in one chart: {shown(options.out / 'overview.png')}\n{rounds} rounds; all numbers: "
-        f"{shown(options.out / 'table.csv')}",
+        f"all scenes in one chart: {shown(options.out / 'overview.png')}\n"
+        f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}",
         soft_wrap=True,
     )
     return 0

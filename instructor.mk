@@ -4,13 +4,19 @@ SUBMISSIONS ?= sample_class
 HOSTILE := tests/autograder/test_hostile.py
 OURS := $(wildcard chapters/*/plots*.py chapters/*/demos*.py)
 
-.PHONY: grade handout stubs test lint bench charts limits economy soak
+.PHONY: grade handout classroom gradescope stubs test lint bench charts limits economy soak
 
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3 GIVEN=2 CHECKS=hidden) into build/grades/
 	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(JOBS),--jobs "$(JOBS)")
 
 handout: $(READY) ## what students get (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
 	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/handout)" $(if $(GIVEN),--given "$(GIVEN)")
+
+classroom: $(READY) ## a hand-out that GitHub Classroom marks (CHAPTERS=2 GIVEN=... OUT=dir)
+	@$(RUN) -m autograder classroom $(or $(CHAPTERS),$(error name the chapters: make classroom CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/classroom)" $(if $(GIVEN),--given "$(GIVEN)")
+
+gradescope: $(READY) ## the autograder zip for Gradescope (CHAPTERS=2-3 GIVEN=... OUT=file.zip)
+	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
 
 stubs: $(READY) ## make chapters/ from solutions/ again
 	@$(RUN) -m autograder stubs

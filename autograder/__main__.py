@@ -49,6 +49,11 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command = commands.add_parser("check", help="check your work")
     command.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
     command.add_argument("--exercise", help="one exercise, such as 2.5 or B2.3")
+    command.add_argument(
+        "--only",
+        action="store_true",
+        help="with --exercise: its own checks decide, and not those of what it builds on",
+    )
     command.add_argument("--engine", default="chapters", help="the folder to check")
     command.add_argument("--given", default="", help="chapters to take from the reference, as 2")
     command.add_argument("--seed", default="1", help="seed of the numbers that checks draw")
@@ -67,12 +72,14 @@ def run_check(arguments: argparse.Namespace) -> bool:
     if arguments.exercise:
         chapter, exercise = find_exercise(arguments.exercise, chapters)
         chapters = [chapter]
+    elif arguments.only:
+        raise ValueError("--only goes with --exercise")
     # What students do not edit, such as plots, stands in chapters/ alone.
     engine = [ROOT / folder for folder in dict.fromkeys((arguments.engine, "chapters"))]
     if not engine[0].is_dir():
         raise ValueError(f"engine must be a folder of chapters, got {arguments.engine!r}")
     given, chapters = split_given(chapters, arguments.given)
-    return not check(chapters, exercise, engine, arguments.seed, given)
+    return not check(chapters, exercise, engine, arguments.seed, given, only=arguments.only)
 
 
 def run_hint(arguments: argparse.Namespace) -> int:

@@ -25,10 +25,13 @@ def check(
     engine: list[Path],
     seed: str,
     given: list[Chapter],
+    *,
+    only: bool = False,
 ) -> bool:
     """Check the chapters, or one exercise and what it needs; print it all; return success.
 
-    The ``given`` chapters are the reference's. A check that an earlier chapter fails, and not this
+    With ``only``, what an exercise needs is checked, but neither shown nor asked for success. The
+    ``given`` chapters are the reference's. A check that an earlier chapter fails, and not this
     one, is shown as inherited.
     """
     reports = []
@@ -36,6 +39,7 @@ def check(
         for chapter in chapters:
             progress.title = f"chapter {chapter.number}"
             wanted = with_needs(chapter, [exercise.id] if exercise else None)
+            told = [exercise.id] if exercise and only else wanted
             below = below_and_not_given(chapter, given)
             first = run_checks(
                 chapter, folders, seed=seed, exercises=wanted, on_verdict=progress.show
@@ -47,7 +51,7 @@ def check(
                 again = []
             verdicts = told_on_given(mark_inherited(first, again), again)
             results, better = (
-                [result for result in results_of(chapter, outcome) if result.exercise.id in wanted]
+                [result for result in results_of(chapter, outcome) if result.exercise.id in told]
                 for outcome in (verdicts, again)
             )
             doubtful = [] if again else suspects(first, folders, below, run)

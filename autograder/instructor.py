@@ -1,4 +1,4 @@
-"""The instructor's commands: grade, handout and stubs. A hand-out does not contain them."""
+"""The instructor's commands. A hand-out does not contain them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from autograder.manifest import ROOT, select_chapters, split_given
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add grade, handout and stubs. What they need is loaded when they run: check must be fast."""
+    """Add the commands. What they need is loaded when they run: check must be fast."""
+    unsafe = "where no wall can be put up, grade a class that you trust without one"
     command = commands.add_parser("grade", help="grade a folder of submissions")
     command.add_argument("folder", type=Path, help="with a folder, or a .zip, for each student")
     command.add_argument("--out", type=Path, required=True, help="where the results go")
@@ -19,18 +20,25 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument("--jobs", type=int, help="submissions at a time (default: one a core)")
     command.add_argument("--checks", type=Path, help="a folder of hidden checks: chNN_name/test_*")
-    command.add_argument(
-        "--unsafe-no-sandbox",
-        action="store_true",
-        help="where no wall can be put up, grade a class that you trust without one",
-    )
+    command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
     command.set_defaults(run=run_grade)
 
-    command = commands.add_parser("handout", help="make what students get")
-    command.add_argument("chapters", help="chapters as stubs, such as 4-5")
-    command.add_argument("--given", default="", help="chapters given complete, such as 2-3")
-    command.add_argument("--out", type=Path, required=True, help="a new folder")
-    command.set_defaults(run=run_handout)
+    for name, help_text, run in (
+        ("handout", "make what students get", run_handout),
+        ("classroom", "make a hand-out with a workflow for GitHub Classroom", run_classroom),
+    ):
+        command = commands.add_parser(name, help=help_text)
+        command.add_argument("chapters", help="chapters as stubs, such as 4-5")
+        command.add_argument("--given", default="", help="chapters given complete, such as 2-3")
+        command.add_argument("--out", type=Path, required=True, help="a new folder")
+        command.set_defaults(run=run)
+
+    command = commands.add_parser("gradescope", help="make the autograder zip for Gradescope")
+    command.add_argument("chapters", help="chapters to grade, such as 2-3")
+    command.add_argument("--given", default="", help="chapters that were handed out complete")
+    command.add_argument("--out", type=Path, required=True, help="the zip file")
+    command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
+    command.set_defaults(run=run_gradescope)
 
     command = commands.add_parser("stubs", help="make stubs and tables in chapters/")
     command.add_argument("--check", action="store_true", help="only say what is not in step")
@@ -66,6 +74,24 @@ def run_handout(arguments: argparse.Namespace) -> int:
 
     given = select_chapters(arguments.given) if arguments.given else []
     make_handout(select_chapters(arguments.chapters), given, arguments.out)
+    return 0
+
+
+def run_classroom(arguments: argparse.Namespace) -> int:
+    """Make a hand-out with its workflow and say what it holds."""
+    from autograder.platforms.classroom import make_classroom
+
+    given = select_chapters(arguments.given) if arguments.given else []
+    make_classroom(select_chapters(arguments.chapters), given, arguments.out)
+    return 0
+
+
+def run_gradescope(arguments: argparse.Namespace) -> int:
+    """Make the zip and say what it holds."""
+    from autograder.platforms.gradescope import make_gradescope
+
+    given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
+    make_gradescope(chapters, given, arguments.out, unsafe=arguments.unsafe_no_sandbox)
     return 0
 
 

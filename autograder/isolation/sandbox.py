@@ -157,7 +157,7 @@ def enter(level: Level, rules: int | None, seconds: int) -> None:
     """
     _limit(seconds)
     if level.landlock:
-        _drop_privileges()
+        drop_privileges()
     if sys.platform != "linux":
         return
     _control(_SET_DEATH_SIGNAL, 9)
@@ -198,7 +198,7 @@ def _lower(kind: int, soft: int, hard: int) -> None:
     resource.setrlimit(kind, (soft, hard))
 
 
-def _drop_privileges() -> None:
+def drop_privileges() -> None:
     """Become an unprivileged user where this is root.
 
     Python itself may lie where only root can read, as in /root. Since Landlock names the folders

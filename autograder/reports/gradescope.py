@@ -10,6 +10,13 @@ from autograder.reports.texts import Report, check_title, clean, clean_line, num
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
+FORM = {
+    "output_format": "text",
+    "test_output_format": "text",
+    "test_name_format": "text",
+    "visibility": "visible",
+    "stdout_visibility": "hidden",
+}
 OURS = "error of the grader, retry: this is no fault of the submission, and it is no zero"
 
 
@@ -29,11 +36,7 @@ def gradescope_results(report: Report) -> dict[str, Any]:
     failed = report["status"] != "graded" or report["score"] is None
     results: dict[str, Any] = {
         "output": _summary(report, failed),
-        "output_format": "text",
-        "test_output_format": "text",
-        "test_name_format": "text",
-        "visibility": "visible",
-        "stdout_visibility": "hidden",
+        **FORM,
         "tests": [_test(exercise) for exercise in report["exercises"]],
     }
     if "seconds" in report:
@@ -41,6 +44,11 @@ def gradescope_results(report: Report) -> dict[str, Any]:
     if not failed:
         results["score"] = round(report["score"] + (report["by_hand"] or 0), 2)
     return results
+
+
+def ungraded_results(reason: str) -> dict[str, Any]:
+    """Return results in Gradescope's form for a submission that could not be graded at all."""
+    return {"output": f"{OURS}\n{clean(reason)}", **FORM, "tests": []}
 
 
 def _summary(report: Report, failed: bool) -> str:

@@ -1,0 +1,1 @@
+"""Grading where instructors are: Gradescope and GitHub Classroom."""

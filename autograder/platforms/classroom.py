@@ -1,0 +1,102 @@
+"""Make a hand-out with the workflow by which GitHub Classroom gives points for each push."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import yaml  # type: ignore[import-untyped]
+
+from autograder.handout import make_handout
+from autograder.manifest import ROOT, Chapter, Exercise
+
+WORKFLOW = ".github/workflows/classroom.yml"  # where GitHub Classroom looks for it
+GRADER = "classroom-resources/autograding-command-grader@v1"
+REPORTER = "classroom-resources/autograding-grading-reporter@v1"
+MINUTES = 10  # for an exercise, which takes seconds; the set-up counts, and takes a minute
+
+
+def make_classroom(
+    chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT
+) -> None:
+    """Write a hand-out with a workflow into a new folder and print what it holds.
+
+    Raises ValueError as make_handout does.
+    """
+    make_handout(chapters, given, out, root)
+    path = out / WORKFLOW
+    path.parent.mkdir(parents=True)
+    text = yaml.safe_dump(workflow(chapters), sort_keys=False, width=100)
+    path.write_text(text, encoding="utf-8", newline="\n")
+    exercises = _checked(chapters)
+    points = sum(exercise.points for exercise in exercises)
+    print(f"workflow: {path}, {len(exercises)} exercises, {points} points")
+
+
+def workflow(chapters: list[Chapter]) -> dict[str, Any]:
+    """Return the workflow: a step for each exercise that has checks, and the report last."""
+    exercises = _checked(chapters)
+    steps: list[dict[str, Any]] = [
+        {"uses": "actions/checkout@v4"},
+        {
+            "uses": "actions/setup-python@v5",
+            "with": {
+                "python-version": "3.12",
+                "cache": "pip",
+                "cache-dependency-path": "requirements.lock",
+            },
+        },
+        # The grader's own set-up is silent: what goes wrong is to be read here.
+        {"name": "Set up", "run": "make setup"},
+        *map(_step, exercises),
+        {
+            "name": "Report",
+            "uses": REPORTER,
+            "env": {
+                f"{step_id(exercise).upper()}_RESULTS": (
+                    f"${{{{steps.{step_id(exercise)}.outputs.result}}}}"
+                )
+                for exercise in exercises
+            },
+            "with": {"runners": ",".join(map(step_id, exercises))},
+        },
+    ]
+    return {
+        "name": "Autograding Tests",
+        "on": ["push", "repository_dispatch"],
+        "permissions": {"checks": "write", "actions": "read", "contents": "read"},
+        "jobs": {
+            "autograding": {
+                "runs-on": "ubuntu-latest",
+                "if": "github.actor != 'github-classroom[bot]'",
+                "steps": steps,
+            }
+        },
+    }
+
+
+def step_id(exercise: Exercise) -> str:
+    """Return an id such as exerciseB2dot1: the reporter takes letters and digits alone."""
+    return f"exercise{exercise.id.replace('.', 'dot')}"
+
+
+def _step(exercise: Exercise) -> dict[str, Any]:
+    title = f"{exercise.id} {exercise.title}"
+    return {
+        "name": title,
+        "id": step_id(exercise),
+        "uses": GRADER,
+        "with": {
+            "test-name": title,
+            "setup-command": "make setup",
+            "command": f".venv/bin/python -m autograder check --exercise {exercise.id} --only",
+            "timeout": MINUTES,
+            "max-score": exercise.points,
+        },
+    }
+
+
+def _checked(chapters: list[Chapter]) -> list[Exercise]:
+    """Return the exercises that have checks: all but the written ones."""
+    everything = [exercise for chapter in chapters for exercise in chapter.exercises]
+    return [exercise for exercise in everything if exercise.kind != "written"]

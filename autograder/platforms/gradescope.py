@@ -1,0 +1,92 @@
+"""Make the zip that Gradescope grades with: its two scripts, the grader, checks and reference."""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from autograder.handout import STUDENT_TOOLS
+from autograder.manifest import ROOT, Chapter, chapters_below
+
+SCRIPTS = ("setup.sh", "run_autograder")
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # of every file, so that two makings are equal
+
+
+def make_gradescope(
+    chapters: list[Chapter],
+    given: list[Chapter],
+    out: Path,
+    *,
+    unsafe: bool = False,
+    root: Path = ROOT,
+) -> None:
+    """Write the zip and print what it holds.
+
+    The ``given`` chapters are the reference's, whatever is handed in. ``unsafe`` grades where no
+    wall can be put up, too. Raises ValueError where ``out`` is no name of a zip.
+    """
+    if out.suffix != ".zip" or out.is_dir():
+        raise ValueError(f"--out must be a .zip file, got {str(out)!r}")
+    below = {other.name: other for graded in chapters for other in chapters_below(graded, root)}
+    own = [other for other in below.values() if other not in given]
+    # No graded chapter's reference is needed for its own grading. Those of earlier ones are, for
+    # the second run; without a wall, student code could read them.
+    reference = [*given] if unsafe else [*given, *own]
+    there = {chapter.name: chapter for chapter in [*chapters, *given, *own]}
+    files = [*_files(root, chapters, reference, list(there.values()))]
+    settings = {
+        "chapters": [chapter.number for chapter in chapters],
+        "given": [chapter.number for chapter in given],
+        "unsafe": unsafe,
+    }
+    contents = {file.relative_to(root).as_posix(): file.read_bytes() for file in files}
+    contents |= {name: (Path(__file__).parent / name).read_bytes() for name in SCRIPTS}
+    contents["assignment.json"] = (json.dumps(settings) + "\n").encode()
+    out.parent.mkdir(parents=True, exist_ok=True)
+    out.write_bytes(_zipped(contents))
+    print(f"graded: {_names(chapters)}")
+    print(f"given complete: {_names(given)}")
+    print(f"with the reference of: {_names(reference)}")
+    points = sum(exercise.points for chapter in chapters for exercise in chapter.exercises)
+    print(f"points of the assignment, written answers with them: {points}")
+    print(f"autograder: {out}, {len(contents)} files, {out.stat().st_size:,} bytes")
+
+
+def _files(
+    root: Path, chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
+) -> Iterator[Path]:
+    """Yield what of this repository goes into the zip."""
+    yield root / "pyproject.toml"
+    yield root / "requirements.lock"
+    yield root / "LICENSE"
+    yield from (root / "autograder").rglob("*.py")
+    yield from (root / "autograder/reports/templates").iterdir()
+    for name in STUDENT_TOOLS["tests"].split():
+        yield root / "tests" / name
+    for chapter in chapters:
+        yield from (root / "tests" / chapter.name).glob("test_*.py")
+        yield from (root / "tests" / chapter.name).glob("*probes.py")
+    for chapter in there:
+        for name in ("chapter.toml", *chapter.complete):
+            yield root / "chapters" / chapter.name / name
+    for chapter in reference:
+        yield from (root / "solutions" / chapter.name).glob("*.py")
+
+
+def _zipped(contents: dict[str, bytes]) -> bytes:
+    """Return a zip of these files, in the order of their names, the scripts executable."""
+    memory = io.BytesIO()
+    with zipfile.ZipFile(memory, "w") as file:
+        for name in sorted(contents):
+            entry = zipfile.ZipInfo(name, FIRST_DATE)
+            entry.create_system = 3  # Unix: the only one whose modes are read
+            entry.external_attr = (0o100755 if name in SCRIPTS else 0o100644) << 16
+            file.writestr(entry, contents[name], zipfile.ZIP_DEFLATED)
+    return memory.getvalue()
+
+
+def _names(chapters: list[Chapter]) -> str:
+    return ", ".join(chapter.name for chapter in chapters) or "none"

@@ -1,0 +1,302 @@
+"""The zip for Gradescope, run in a tree laid out as its container is."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import stat
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from autograder import cohort
+from autograder.isolation.sandbox import Level
+from autograder.manifest import ROOT, load_chapters
+from autograder.platforms.grade_one import main, students
+from autograder.platforms.gradescope import make_gradescope
+from made import made_stubs
+from walls import behind_walls
+
+SCHEMA = json.loads(Path(__file__).with_name("gradescope.schema.json").read_text(encoding="utf-8"))
+CH02, CH03 = load_chapters()[:2]
+WALLS = Level(**behind_walls().level).is_wall
+NO_ZERO = "this is no fault of the submission, and it is no zero"
+
+pytestmark = pytest.mark.skipif(shutil.which("timeout") is None, reason="as Ubuntu has it")
+
+
+def make(out: Path, *arguments: str) -> Path:
+    """Make a zip by the command, for what the walls of this machine allow."""
+    unsafe = [] if WALLS else ["--unsafe-no-sandbox"]
+    command = [sys.executable, "-m", "autograder", "gradescope", *arguments, "--out", str(out)]
+    done = subprocess.run(
+        [*command, *unsafe], cwd=ROOT, capture_output=True, encoding="utf-8", check=True
+    )
+    assert str(out) in done.stdout
+    return out
+
+
+@pytest.fixture(scope="module")
+def zipped(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return make(tmp_path_factory.mktemp("zip") / "autograder.zip", "2-3")
+
+
+@pytest.fixture
+def tree(zipped: Path, tmp_path: Path) -> Path:
+    """The container's folder, before anything is handed in."""
+    root = tmp_path / "autograder"
+    with zipfile.ZipFile(zipped) as file:
+        for entry in file.infolist():
+            path = Path(file.extract(entry, root / "source"))
+            path.chmod(entry.external_attr >> 16)
+    (root / "submission").mkdir()
+    users = {"users": [{"id": 1, "name": "Ann Ax", "email": "ann@example.org"}]}
+    (root / "submission_metadata.json").write_text(json.dumps(users), encoding="utf-8")
+    return root
+
+
+def hand_in(tree: Path, files: dict[str, str]) -> None:
+    for name, text in files.items():
+        path = tree / "submission" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
+def answers_of(folder: str, below: str = "") -> dict[str, str]:
+    """Return the modules of both chapters in a folder of this repository."""
+    return {
+        f"{chapter.name}/{file.name}": file.read_text(encoding="utf-8")
+        for chapter in (CH02, CH03)
+        for file in (ROOT / folder / chapter.name / below).glob("*.py")
+    }
+
+
+def second_answers() -> dict[str, str]:
+    """Right answers that are not the reference's."""
+    return answers_of("tests", "second")
+
+
+def run(tree: Path, python: str = sys.executable) -> tuple[dict[str, Any], str]:
+    """Run the submission as the harness does; return the results and what was printed."""
+    environment = os.environ | {"AUTOGRADER_ROOT": str(tree), "AUTOGRADER_PYTHON": python}
+    environment.pop("PYTHONPATH", None)
+    done = subprocess.run(
+        [str(tree / "source/run_autograder")],
+        cwd=tree,
+        env=environment,
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert [path.name for path in (tree / "results").iterdir()] == ["results.json"]
+    results = json.loads((tree / "results/results.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator(SCHEMA).validate(results)
+    return results, done.stdout + done.stderr
+
+
+def test_a_right_submission_gets_every_point_and_stubs_none(tree: Path) -> None:
+    hand_in(tree, second_answers())
+    results, printed = run(tree)
+    assert results["score"] == 43 + 35
+    assert sum(test["max_score"] for test in results["tests"]) == 46 + 35, "with written answers"
+    assert {test["status"] for test in results["tests"] if "score" in test} == {"passed"}
+    assert "grading Ann Ax, seed" in printed
+    first_seed = re.search(r"(?m)^seed: ([0-9a-f]{8})$", results["output"])
+    shutil.rmtree(tree / "submission")
+    stubs = {path.removeprefix("chapters/"): text for path, text in made_stubs().items()}
+    hand_in(tree, stubs)
+    results, _ = run(tree)
+    assert results["score"] == 0
+    assert {test["status"] for test in results["tests"] if "score" in test} == {"failed"}
+    seed = re.search(r"(?m)^seed: ([0-9a-f]{8})$", results["output"])
+    assert first_seed
+    assert seed
+    assert first_seed[1] != seed[1], "each run draws its own"
+
+
+@pytest.mark.skipif(not WALLS, reason="without a wall no reference goes along")
+def test_a_mistake_of_an_earlier_chapter_is_told_from_one_of_this(tree: Path) -> None:
+    """The zip has the reference that the second run needs."""
+    answers = answers_of("solutions")
+    vector = answers["ch02_vectors/vector.py"]
+    answers["ch02_vectors/vector.py"] = vector.replace("return self.x * self.x +", "return")
+    assert answers["ch02_vectors/vector.py"] != vector
+    hand_in(tree, answers)
+    results, _ = run(tree)
+    assert 0 < results["score"] < 43 + 35
+    statuses = {test["number"]: test["output"].partition(":")[0] for test in results["tests"]}
+    assert statuses["B2.2"] == "failed"
+    late = {status for number, status in statuses.items() if re.match(r"\D?3\.", number)}
+    assert late == {"passed", "inherited"}
+
+
+@pytest.mark.skipif(not WALLS, reason="without a wall no reference goes along")
+def test_student_code_cannot_read_the_reference_beside_it(tree: Path) -> None:
+    secret = tree / "source/solutions/ch02_vectors/vector.py"
+    assert "class Vector3" in secret.read_text(encoding="utf-8")
+    spy = f"raise RuntimeError(open({str(secret)!r}).read())"
+    hand_in(tree, second_answers() | {"ch03_laws_of_motion/particle.py": spy})
+    results, printed = run(tree)
+    assert 43 <= results["score"] < 43 + 35, "the module that spies fails"
+    assert "PermissionError" in json.dumps(results)
+    assert "class Vector3" not in json.dumps(results) + printed
+
+
+def test_nothing_of_the_chapters_is_a_zero_that_says_what_was_looked_for(tree: Path) -> None:
+    hand_in(tree, {"vector.py": "", "notes/thoughts.txt": "?"})
+    (tree / "submission_metadata.json").unlink()
+    results, printed = run(tree)
+    assert results["score"] == 0
+    assert "nothing was found of ch02_vectors/vector.py" in results["output"]
+    assert "grading submission, seed" in printed
+
+
+@pytest.mark.parametrize(
+    ("missing", "sentence"),
+    [
+        ("submission", "there is no folder"),
+        ("source/assignment.json", "assignment.json"),
+        ("source/autograder/grading.py", "the grader stopped with status 1"),
+        ("source/tests/ch02_vectors", "isolation"),
+        ("source/autograder", "the grader stopped with status 1"),
+    ],
+)
+def test_a_broken_tree_is_told_in_a_sentence_and_gives_no_number(
+    tree: Path, missing: str, sentence: str
+) -> None:
+    hand_in(tree, second_answers())
+    broken = tree / missing
+    shutil.rmtree(broken) if broken.is_dir() else broken.unlink()
+    results, _ = run(tree)
+    assert "score" not in results
+    assert NO_ZERO in results["output"]
+    assert sentence in results["output"]
+
+
+@pytest.mark.parametrize(
+    ("script", "sentence"),
+    [
+        (None, "there is no Python to grade with"),
+        ("echo '{\"score\": 81'; exit 3", "the grader stopped with status 3"),
+        ("echo '{\"score\": 81}'; exit 124", "the run did not end within 540 seconds"),
+        ("echo '{\"score\": 81}'; kill -9 $$", "the run did not end"),  # out of time, or memory
+    ],
+)
+def test_where_the_grader_does_not_come_to_its_end_nothing_it_said_counts(
+    tree: Path, script: str | None, sentence: str
+) -> None:
+    (tree / "results").mkdir()
+    (tree / "results/results.json").write_text('{"score": 81}')
+    python = tree.parent / "python"
+    if script is not None:
+        python.write_text(f"#!/bin/sh\n{script}\n")
+        python.chmod(0o755)
+    results, printed = run(tree, str(python))
+    assert "score" not in results
+    assert NO_ZERO in results["output"]
+    assert sentence in results["output"]
+    assert f"not graded: {sentence}" in printed
+
+
+def test_without_a_wall_nothing_is_graded_and_the_results_say_why(
+    tree: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    settings = tree / "source/assignment.json"
+    text = settings.read_text(encoding="utf-8").replace("true", "false")
+    settings.write_text(text, encoding="utf-8")
+    monkeypatch.setattr(cohort, "best_level", Level)
+    main(tree, tree / "source")
+    results = json.loads(capsys.readouterr().out)
+    jsonschema.Draft202012Validator(SCHEMA).validate(results)
+    assert "score" not in results
+    assert NO_ZERO in results["output"]
+    assert "there is no wall here" in results["output"]
+    assert "--unsafe-no-sandbox" in results["output"]
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ('{"users": [{"name": "Ann"}, {"name": "Ben"}]}', "Ann, Ben"),
+        ('{"users": []}', "submission"),
+        ('{"users": [{"email": "a@example.org"}]}', "submission"),
+        ('{"users": [{"name": null}]}', "submission"),
+        ("[]", "submission"),
+        ("{", "submission"),
+    ],
+)
+def test_the_names_come_from_the_metadata(tmp_path: Path, text: str, names: str) -> None:
+    (tmp_path / "metadata.json").write_text(text, encoding="utf-8")
+    assert students(tmp_path / "metadata.json") == names
+
+
+def test_the_zip_is_of_the_documented_layout_and_the_same_each_time(
+    zipped: Path, tmp_path: Path
+) -> None:
+    again = make(tmp_path / "again.zip", "2-3")
+    assert again.read_bytes() == zipped.read_bytes()
+    with zipfile.ZipFile(zipped) as file:
+        modes = {entry.filename: entry.external_attr >> 16 for entry in file.infolist()}
+        dates = {entry.date_time for entry in file.infolist()}
+        contents = {name: file.read(name) for name in modes}
+    assert len(dates) == 1, "not that of the files here, which differ from one clone to another"
+    scripts = {"setup.sh", "run_autograder"}
+    assert {name for name, mode in modes.items() if mode & stat.S_IXUSR} == scripts
+    assert all(mode & stat.S_IROTH for mode in modes.values()), "a dropped root reads them"
+    for name in scripts:
+        assert contents[name].startswith(b"#!/")
+    for name, content in contents.items():
+        assert str(ROOT).encode() not in content, name
+    parts = {part for name in modes for part in name.split("/")}
+    assert parts.isdisjoint({"__pycache__", "second", "wrong.toml", ".venv", "sample_class"})
+
+
+def names_in(path: Path) -> set[str]:
+    with zipfile.ZipFile(path) as file:
+        return {"/".join(name.split("/")[:2]) for name in file.namelist()}
+
+
+@pytest.mark.parametrize(
+    ("chapters", "given", "unsafe", "reference", "checks"),
+    [
+        ([CH02], [], False, set(), {CH02.name}),
+        ([CH02, CH03], [], False, {CH02.name}, {CH02.name, CH03.name}),
+        ([CH03], [], False, {CH02.name}, {CH03.name}),
+        ([CH03], [], True, set(), {CH03.name}),
+        ([CH03], [CH02], True, {CH02.name}, {CH03.name}),
+    ],
+)
+def test_only_the_reference_that_is_needed_goes_along(
+    tmp_path: Path,
+    chapters: list[Any],
+    given: list[Any],
+    unsafe: bool,
+    reference: set[str],
+    checks: set[str],
+) -> None:
+    make_gradescope(chapters, given, tmp_path / "a.zip", unsafe=unsafe)
+    names = names_in(tmp_path / "a.zip")
+    assert {name[10:] for name in names if name.startswith("solutions/")} == reference
+    assert {name[6:] for name in names if re.match(r"tests/ch\d\d_\w+$", name)} == checks
+    there = {chapter.name for chapter in chapters} | {CH02.name}
+    assert {name[9:] for name in names if name.startswith("chapters/")} == there
+
+
+def test_what_is_no_zip_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"--out must be a \.zip file, got"):
+        make_gradescope([CH02], [], tmp_path / "out")
+
+
+def test_the_scripts_are_shell_that_can_be_read() -> None:
+    for name in ("setup.sh", "run_autograder"):
+        script = ROOT / "autograder/platforms" / name
+        done = subprocess.run(["bash", "-n", str(script)], capture_output=True, check=False)
+        assert done.returncode == 0, done.stderr

@@ -6,8 +6,10 @@ import importlib
 import importlib.util
 import sys
 
+from autograder.commands import prepare
+
 # A hand-out has the first two.
-COMMANDS = ("plot", "demo", "bench", "charts", "choose", "limits", "economy", "soak")
+COMMANDS = ("plot", "demo", "figures", "bench", "charts", "choose", "limits", "economy", "soak")
 
 
 def main() -> int:
@@ -16,6 +18,8 @@ def main() -> int:
     name = sys.argv[1] if len(sys.argv) > 1 else ""
     if name not in there:
         print(f"usage: python -m studies {'|'.join(there)}", file=sys.stderr)
+        return 2
+    if not prepare():
         return 2
     return int(importlib.import_module(f"studies.{name}").main(sys.argv[2:]))
 

@@ -66,13 +66,13 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
     return all(drawn)
 
 
-def draw(plot: Callable[[], Picture], folder: Path) -> bool:
+def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
     """Write one plot as name.png and name.csv, or say why not and leave no older one there."""
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"
     for older in (png, table):
         older.unlink(missing_ok=True)
-    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)
+    faulthandler.dump_traceback_later(limit, exit=True)
     print(f"{name}: ", end="", flush=True)  # so that a plot that does not end is named
     try:
         picture = plot()

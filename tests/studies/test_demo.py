@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -16,11 +15,12 @@ from PIL import Image
 
 from autograder.manifest import ROOT
 from ch04_particle_engine.ballistics import SHOT_TYPES
+from copies import copy_tree
 from made import made_stubs
 from studies import demo as demos
 
-NAMES = ("ballistics", "fireworks", "sniper", "springbridge", "cloth", "bridge", "platform")
-NAMES += ("blob", "wheel", "cube", "trebuchet", "ball", "spin")
+NAMES = ("ballistics", "fireworks", "sniper", "springbridge", "cloth", "ropes", "bridge")
+NAMES += ("platform", "blob", "wheel", "cube", "trebuchet", "ball", "spin")
 
 
 def play(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -51,14 +51,14 @@ def test_without_a_display_a_demo_is_an_animation_and_a_contact_sheet(
 
 
 def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Path) -> None:
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     ballistics = tmp_path / "engine/ch04_particle_engine/ballistics.py"
-    ballistics.write_text(made_stubs()["chapters/ch04_particle_engine/ballistics.py"])
+    ballistics.write_text(
+        made_stubs()["chapters/ch04_particle_engine/ballistics.py"], encoding="utf-8"
+    )
     out = tmp_path / "out"
     out.mkdir()
-    (out / "ballistics.gif").write_text("an older animation")
+    (out / "ballistics.gif").write_text("an older animation", encoding="utf-8")
     done = play("ballistics", "--engine", str(tmp_path / "engine"), "--out", str(out))
     assert done.returncode == 1
     assert "ballistics: not played, not written yet: Exercise B4.3" in done.stdout
@@ -67,9 +67,7 @@ def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Pa
 
 def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
     """Without grenades, targets, own types, wheel, turns and game there is enough to see."""
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     stubs = made_stubs()
     missing = ("grenade", "targets", "firework_types", "catherine_wheel", "screen_rotation")
     for module in (*missing, "display"):
@@ -84,9 +82,7 @@ def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
 
 def test_what_is_not_written_is_said(tmp_path: Path) -> None:
     stubs = tmp_path / "ch04_particle_engine"
-    shutil.copytree(
-        ROOT / "solutions/ch04_particle_engine", stubs, ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions/ch04_particle_engine", stubs)
     source = (stubs / "display.py").read_text(encoding="utf-8")
     left = source.replace(
         "    if is_over(display):\n        return False",
@@ -95,11 +91,7 @@ def test_what_is_not_written_is_said(tmp_path: Path) -> None:
     assert left != source
     (stubs / "display.py").write_text(left, encoding="utf-8")
     for folder in ("ch02_vectors", "ch03_laws_of_motion"):
-        shutil.copytree(
-            ROOT / "solutions" / folder,
-            tmp_path / folder,
-            ignore=shutil.ignore_patterns("__pycache__"),
-        )
+        copy_tree(ROOT / "solutions" / folder, tmp_path / folder)
     done = play("fireworks", "--engine", str(tmp_path), "--out", str(tmp_path / "out"))
     assert done.returncode == 1
     assert "fireworks: not played, not written yet: Exercise P4.1" in done.stdout
@@ -210,6 +202,23 @@ def test_a_bridge_and_a_cloth_that_explode_stop_say_so_and_start_anew(window: An
 def test_keys_set_the_frame_rate_of_the_cloth(window: Any) -> None:
     assert window("cloth", ("down",), ("down",), ("up",)).rate == 120
     assert window("cloth", *[("down",)] * 20).rate == 30
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_one_rope_of_rods_stretches_and_another_does_not(window: Any) -> None:
+    """A rod a frame passes a pull on by a link a frame; one solve for all rods leaves no such lag.
+
+    The lower limit is a tenth of a link, the upper one a millionth of the rope.
+    """
+    demo = window("ropes", ("up",), ("down",), ("r",))
+    assert demo.count == 5
+    for _ in range(120):
+        demo.update(demos.FRAME)
+    by_frame, by_substeps, solved = demo.too_long()
+    assert by_frame > 10.0 * by_substeps
+    assert by_frame > 0.01
+    assert abs(solved) < 0.5e-6
+    assert window("ropes", *[("up",)] * 9).count == demo.COUNTS[-1]
 
 
 @pytest.mark.filterwarnings("ignore:Animation was deleted")

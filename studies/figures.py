@@ -1,0 +1,113 @@
+"""Draw the pictures of the chapters' READMEs anew, with the reference: `make figures`.
+
+They are plots of `make plot` and demos of `make demo`, in fewer colours, and the demos smaller and
+with fewer pictures a second: a page should load at once.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+from pathlib import Path
+
+from matplotlib import pyplot
+from PIL import Image, ImageSequence
+
+from autograder.manifest import ROOT
+from studies import demo, plot
+from studies.plot import shown
+
+PLOTS = (
+    "ch02_vectors/cross_product",
+    "ch03_laws_of_motion/damping_comparison",
+    "ch04_particle_engine/fireworks",
+    "ch05_forces/orbit",
+    "ch06_springs/stability_map",
+    "ch07_constraints/bounce_heights",
+    "ch08_mass_aggregate/mass_ratios",
+    "ch09_rotations/drift_of_first_order",
+)
+# For how many seconds each demo is played.
+ANIMATIONS = {
+    "ch04_particle_engine/fireworks": 6.0,
+    "ch05_forces/sniper": 11.0,
+    "ch06_springs/cloth": 7.0,
+    "ch07_constraints/ropes": 6.0,
+    "ch08_mass_aggregate/trebuchet": 5.5,
+    "ch09_rotations/spin": 4.5,
+}
+COLORS_OF_PLOT, COLORS_OF_ANIMATION = 256, 48
+WIDTH = 480  # px, of an animation
+PICTURE_TIME = 100  # ms, of an animation
+TIME_LIMIT = 600.0  # seconds for one plot: the reference has no endless loop, only a slow machine
+
+
+def main(arguments: list[str]) -> int:
+    """Draw all pictures into their places; return 1 where one could not be drawn."""
+    parser = argparse.ArgumentParser(prog="python -m studies figures", description=__doc__)
+    parser.add_argument("--engine", default="solutions", help="the folder to draw with")
+    parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
+    options = parser.parse_args(arguments)
+    plot.use_engine(parser, options.engine)
+    pyplot.switch_backend("Agg")  # whether or not there is a display: demos go into files
+    work = ROOT / "build" / "figures"
+    done = []
+    for name in PLOTS:
+        folder = work / Path(name).parent
+        folder.mkdir(parents=True, exist_ok=True)
+        plots = importlib.import_module(f"{Path(name).parent}.plots")
+        done.append(plot.draw(getattr(plots, Path(name).name), folder, TIME_LIMIT))
+        if done[-1]:
+            with Image.open(work / f"{name}.png") as drawn:
+                _write(
+                    [_palette(drawn.convert("RGB"), COLORS_OF_PLOT)], options.out / f"{name}.png"
+                )
+        pyplot.close("all")
+    for name, seconds in ANIMATIONS.items():
+        folder = work / Path(name).parent
+        played = [Path(name).name, "--engine", options.engine]
+        done.append(demo.main([*played, "--seconds", str(seconds), "--out", str(folder)]) == 0)
+        if done[-1]:
+            _write(_shrunk(work / f"{name}.gif"), options.out / f"{name}.gif")
+        pyplot.close("all")
+    print(f"{sum(done)} of {len(done)} pictures drawn by {options.engine}")
+    return 0 if all(done) else 1
+
+
+def _shrunk(animation: Path) -> list[Image.Image]:
+    """Return the pictures of an animation every PICTURE_TIME, WIDTH px wide."""
+    pictures: list[Image.Image] = []
+    time = 0.0
+    with Image.open(animation) as frames:
+        size = (WIDTH, round(WIDTH * frames.height / frames.width))
+        for frame in ImageSequence.Iterator(frames):
+            small = frame.convert("RGB").resize(size, Image.Resampling.LANCZOS)
+            time += frame.info["duration"]  # equal pictures are one, that is shown for longer
+            while len(pictures) * PICTURE_TIME < time:
+                pictures.append(small)
+    # One palette for all, from four of them: what does not move then stays as it is.
+    strip = Image.new("RGB", (4 * size[0], size[1]))
+    for i in range(4):
+        strip.paste(pictures[i * (len(pictures) - 1) // 3], (i * size[0], 0))
+    few = _palette(strip, COLORS_OF_ANIMATION)
+    return [picture.quantize(palette=few, dither=Image.Dither.NONE) for picture in pictures]
+
+
+def _palette(picture: Image.Image, count: int) -> Image.Image:
+    """Return a picture in so many colours, chosen for the widest range of them.
+
+    By how often they occur, the many greys at the edges of letters would have most of the palette,
+    and the few coloured lines none.
+    """
+    return picture.quantize(count, method=Image.Quantize.MAXCOVERAGE, kmeans=1)
+
+
+def _write(pictures: list[Image.Image], place: Path) -> None:
+    """Write a picture, or several as an animation without an end, and say where and how large."""
+    place.parent.mkdir(parents=True, exist_ok=True)
+    if len(pictures) == 1:
+        pictures[0].save(place, optimize=True)
+    else:
+        rest, time = pictures[1:], PICTURE_TIME
+        pictures[0].save(place, save_all=True, append_images=rest, duration=time, loop=0)
+    print(f"  into {shown(place)}, {place.stat().st_size // 1000} kB")

@@ -1,0 +1,97 @@
+"""Every chapter's README has pictures, and `make figures` draws all of them."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from matplotlib import pyplot
+from PIL import Image, ImageColor
+
+from autograder.manifest import ROOT, Chapter, load_chapters
+from ch02_vectors import plots
+from studies import figures
+from studies.drawing import BLUE, GREEN, ORANGE, RED
+
+LARGEST = 300_000  # bytes, so that a page loads at once
+MADE = {f"{name}.png" for name in figures.PLOTS} | {f"{name}.gif" for name in figures.ANIMATIONS}
+
+
+@pytest.mark.parametrize("chapter", load_chapters(), ids=lambda chapter: chapter.name)
+def test_a_readme_has_pictures_that_load_at_once_and_say_what_they_show(chapter: Chapter) -> None:
+    readme = (ROOT / "chapters" / chapter.name / "README.md").read_text(encoding="utf-8")
+    shown = re.findall(r"!\[([^\]]*)\]\(([^)]+)\)", readme)
+    assert shown
+    for words, name in shown:
+        assert len(words.split()) >= 15, "what is to be seen, for one who does not see it"
+        picture = ROOT / "chapters" / chapter.name / name
+        assert 10_000 < picture.stat().st_size < LARGEST
+        with Image.open(picture) as image:
+            assert image.width >= 480
+            assert getattr(image, "n_frames", 1) > 10 or picture.suffix == ".png"
+            assert image.convert("RGB").getpixel((3, 3)) == (255, 255, 255), "as white as the page"
+    made = {Path(name).name for name in MADE if Path(name).parent.name == chapter.name}
+    assert {name for _, name in shown} == made, "what is shown is what is drawn"
+
+
+def test_no_picture_lies_there_that_nothing_draws() -> None:
+    there = [*ROOT.glob("chapters/*/*.png"), *ROOT.glob("chapters/*/*.gif")]
+    assert {path.relative_to(ROOT / "chapters").as_posix() for path in there} == MADE
+
+
+def test_figures_draws_a_plot_and_an_animation_and_says_where(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(figures, "PLOTS", ("ch02_vectors/cross_product",))
+    monkeypatch.setattr(figures, "ANIMATIONS", {"ch05_forces/sniper": 2.0})
+    monkeypatch.setattr(figures, "ROOT", tmp_path)
+    assert figures.main(["--out", str(tmp_path / "chapters")]) == 0
+    told = capfd.readouterr().out
+    assert "chapters/ch02_vectors/cross_product.png, " in told
+    assert "chapters/ch05_forces/sniper.gif, " in told
+    assert "2 of 2 pictures drawn by solutions" in told
+    with Image.open(tmp_path / "chapters/ch05_forces/sniper.gif") as animation:
+        time = 0.0
+        for i in range(animation.n_frames):
+            animation.seek(i)
+            time += animation.info["duration"]
+    assert time == 2000.0  # ms: as long as it was played
+    with Image.open(tmp_path / "chapters/ch02_vectors/cross_product.png") as picture:
+        assert picture.size == (1100, 550)
+        assert all(is_in(color, picture) for color in (BLUE, ORANGE))
+
+
+def test_an_animation_in_few_colours_still_tells_its_lines_apart() -> None:
+    with Image.open(ROOT / "chapters/ch09_rotations/spin.gif") as animation:
+        animation.seek(animation.n_frames - 1)
+        assert all(is_in(color, animation) for color in (BLUE, RED, GREEN))
+
+
+def is_in(color: str, picture: Image.Image) -> bool:
+    """Say whether a picture has a colour, or one that is hardly another."""
+    wanted = ImageColor.getrgb(color)
+    colors = [color for _, color in picture.convert("RGB").getcolors(1 << 20) or []]
+    return min(max(map(abs, map(int.__sub__, c, wanted))) for c in colors) <= 16
+
+
+def test_a_picture_that_cannot_be_drawn_is_said_and_the_older_one_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    older = tmp_path / "ch02_vectors/cross_product.png"
+    older.parent.mkdir()
+    older.write_text("an older picture", encoding="utf-8")
+
+    def cross_product() -> None:
+        raise ArithmeticError("no such product")
+
+    monkeypatch.setattr(plots, "cross_product", cross_product)
+    monkeypatch.setattr(figures, "PLOTS", ("ch02_vectors/cross_product",))
+    monkeypatch.setattr(figures, "ANIMATIONS", {})
+    monkeypatch.setattr(figures, "ROOT", tmp_path)
+    assert figures.main(["--out", str(tmp_path)]) == 1
+    told = capfd.readouterr().out
+    assert "cross_product: not drawn, ArithmeticError: no such product" in told
+    assert "0 of 1 pictures drawn" in told
+    assert older.read_text(encoding="utf-8") == "an older picture"
+    pyplot.close("all")

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import importlib.util
-import io
 import sys
+from pathlib import Path
 
 from autograder.check import check
+from autograder.commands import command as line_of
+from autograder.commands import prepare
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters, select_chapters, split_given
 from autograder.runner import GraderError
 
@@ -25,15 +26,8 @@ def main() -> int:
     if instructor is not None:
         instructor.add_commands(commands)
     arguments = parser.parse_args()
-    if importlib.util.find_spec("pytest") is None:
-        here = "without make: python3 autograder/make_venv.py, then .venv/bin/python"
-        print(
-            f"this Python lacks what the autograder needs: run make setup ({here})", file=sys.stderr
-        )
+    if not prepare():
         return 2
-    for stream in (sys.stdout, sys.stderr):  # a console of another encoding shows ? and goes on
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")
     try:
         return int(arguments.run(arguments))
     except (ValueError, OSError, GraderError) as error:
@@ -45,24 +39,33 @@ def main() -> int:
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the student's commands: check and hint."""
-    command = commands.add_parser("check", help="check your work")
-    command.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
-    command.add_argument("--exercise", help="one exercise, such as 2.5 or B2.3")
-    command.add_argument(
+    """Add the student's commands: check, watch, hint and reset."""
+    check_command = commands.add_parser("check", help="check your work")
+    check_command.add_argument("--exercise", help="one exercise, such as 2.5 or B2.3")
+    check_command.add_argument(
         "--only",
         action="store_true",
         help="with --exercise: its own checks decide, and not those of what it builds on",
     )
-    command.add_argument("--engine", default="chapters", help="the folder to check")
-    command.add_argument("--given", default="", help="chapters to take from the reference, as 2")
-    command.add_argument("--seed", default="1", help="seed of the numbers that checks draw")
-    command.set_defaults(run=run_check)
+    check_command.set_defaults(run=run_check)
+    watch_command = commands.add_parser("watch", help="check what you work on at every save")
+    watch_command.set_defaults(run=run_watch)
+    for command in (check_command, watch_command):
+        command.add_argument("--chapter", default="", help="chapters as 2 or 2-4 (default: all)")
+        command.add_argument("--engine", default="chapters", help="the folder to check")
+        command.add_argument("--given", default="", help="chapters to take from the reference")
+        command.add_argument("--seed", default="1", help="seed of the numbers that checks draw")
 
     command = commands.add_parser("hint", help="show hints for an exercise")
     command.add_argument("exercise", help="such as 2.5 or B2.3")
     command.add_argument("--count", type=int, default=1, help="how many hints (default: 1)")
     command.set_defaults(run=run_hint)
+
+    command = commands.add_parser("reset", help="put the stub of an exercise back")
+    command.add_argument("exercise", help="such as 2.5 or B2.3")
+    command.add_argument("--engine", default="chapters", help="the folder with your work")
+    command.add_argument("--whole", action="store_true", help="put the whole of its file back")
+    command.set_defaults(run=run_reset)
 
 
 def run_check(arguments: argparse.Namespace) -> bool:
@@ -74,12 +77,37 @@ def run_check(arguments: argparse.Namespace) -> bool:
         chapters = [chapter]
     elif arguments.only:
         raise ValueError("--only goes with --exercise")
-    # What students do not edit, such as plots, stands in chapters/ alone.
-    engine = [ROOT / folder for folder in dict.fromkeys((arguments.engine, "chapters"))]
-    if not engine[0].is_dir():
-        raise ValueError(f"engine must be a folder of chapters, got {arguments.engine!r}")
+    engine = find_engine(arguments.engine)
     given, chapters = split_given(chapters, arguments.given)
     return not check(chapters, exercise, engine, arguments.seed, given, only=arguments.only)
+
+
+def run_watch(arguments: argparse.Namespace) -> int:
+    """Check the current exercise at every save."""
+    from autograder.watch import watch  # what it needs is loaded here: check must be fast
+
+    engine = find_engine(arguments.engine)
+    given, chapters = split_given(select_chapters(arguments.chapter), arguments.given)
+    watch(chapters, engine, arguments.seed, given)
+    return 0
+
+
+def run_reset(arguments: argparse.Namespace) -> int:
+    """Put the stub of an exercise back."""
+    from autograder.reset import reset
+
+    chapter, exercise = find_exercise(arguments.exercise, load_chapters())
+    print(reset(chapter, exercise, find_engine(arguments.engine)[0], whole=arguments.whole))
+    return 0
+
+
+def find_engine(folder: str) -> list[Path]:
+    """Return the folders of an engine, the first on top. Raises ValueError without the folder."""
+    # What students do not edit, such as plots, stands in chapters/ alone.
+    engine = [ROOT / name for name in dict.fromkeys((folder, "chapters"))]
+    if not engine[0].is_dir():
+        raise ValueError(f"engine must be a folder of chapters, got {folder!r}")
+    return engine
 
 
 def run_hint(arguments: argparse.Namespace) -> int:
@@ -90,7 +118,8 @@ def run_hint(arguments: argparse.Namespace) -> int:
     for number, text in enumerate(shown, 1):
         print(f"  {number}. {text}")
     if left := len(exercise.hints) - len(shown):
-        print(f"  {left} more; the next: make hint EX={exercise.id} N={len(shown) + 1}")
+        following = line_of("hint", EX=exercise.id, N=str(len(shown) + 1))
+        print(f"  {left} more; the next: {following}")
     return 0
 
 

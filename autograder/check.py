@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -14,7 +16,7 @@ from autograder.given import (
     with_given,
 )
 from autograder.manifest import Chapter, Exercise
-from autograder.runner import GraderError, run_checks, with_needs
+from autograder.runner import GraderError, Verdict, run_checks, with_needs
 from autograder.scores import results_of
 from autograder.screen import ProgressBar, Report, print_report
 
@@ -31,29 +33,47 @@ def check(
     """Check the chapters, or one exercise and what it needs; print it all; return success.
 
     With ``only``, what an exercise needs is checked, but neither shown nor asked for success. The
-    ``given`` chapters are the reference's. A check that an earlier chapter fails, and not this
-    one, is shown as inherited.
+    ``given`` chapters are the reference's.
     """
     reports = []
+    run = partial(run_checks, seed=seed)
     with with_given(given, engine) as folders, ProgressBar() as progress:
         for chapter in chapters:
-            progress.title = f"chapter {chapter.number}"
-            wanted = with_needs(chapter, [exercise.id] if exercise else None)
-            told = [exercise.id] if exercise and only else wanted
-            below = below_and_not_given(chapter, given)
-            first = run_checks(
-                chapter, folders, seed=seed, exercises=wanted, on_verdict=progress.show
-            )
-            run = partial(run_checks, seed=seed)
-            try:
-                again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
-            except GraderError:  # the first run stands
-                again = []
-            verdicts = told_on_given(mark_inherited(first, again), again)
-            results, better = (
-                [result for result in results_of(chapter, outcome) if result.exercise.id in told]
-                for outcome in (verdicts, again)
-            )
-            doubtful = [] if again else suspects(first, folders, below, run)
-            reports.append(Report(chapter, results, better if again else [], doubtful))
+            report = report_on(chapter, exercise, folders, given, run, progress)
+            if exercise and only:
+                told, better = (
+                    [result for result in results if result.exercise.id == exercise.id]
+                    for results in (report.results, report.on_reference)
+                )
+                report = replace(report, results=told, on_reference=better)
+            reports.append(report)
     return print_report(progress.console, reports, exercise, engine, given)
+
+
+def report_on(
+    chapter: Chapter,
+    exercise: Exercise | None,
+    folders: list[Path],
+    given: list[Chapter],
+    run: Callable[..., list[Verdict]],
+    progress: ProgressBar,
+) -> Report:
+    """Return what becomes of a chapter, or of one exercise and what it needs, as ``run`` tells.
+
+    A check that an earlier chapter fails, and not this one, is inherited.
+    """
+    progress.title = f"chapter {chapter.number}"
+    wanted = with_needs(chapter, [exercise.id] if exercise else None)
+    below = below_and_not_given(chapter, given)
+    first = run(chapter, folders, exercises=wanted, on_verdict=progress.show)
+    try:
+        again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
+    except GraderError:  # the first run stands
+        again = []
+    verdicts = told_on_given(mark_inherited(first, again), again)
+    results, better = (
+        [result for result in results_of(chapter, outcome) if result.exercise.id in wanted]
+        for outcome in (verdicts, again)
+    )
+    doubtful = [] if again else suspects(first, folders, below, run)
+    return Report(chapter, results, better if again else [], doubtful)

@@ -14,9 +14,9 @@ from autograder.stubs import make_stubs
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py arrange.py check.py definitions.py explain.py "
-        "faults.py given.py in_process.py make_venv.py manifest.py missing.py places.py "
-        "runner.py scores.py screen.py verdicts.py"
+        "__init__.py __main__.py answers.py arrange.py check.py commands.py definitions.py "
+        "explain.py faults.py given.py in_process.py keys.py make_venv.py manifest.py missing.py "
+        "places.py reset.py runner.py scores.py screen.py stubs.py verdicts.py watch.py"
     ),
     "studies": (
         "__init__.py __main__.py constraints.py demo.py drawing.py links.py mass_aggregate.py "
@@ -29,11 +29,14 @@ README = """\
 # Game physics: {titles}
 
 Write a part of a game physics engine, in the files under `chapters/`, and have it checked at once.
-You need Python 3.11 or newer and make; the first command sets up everything else.
+You need Python 3.11 or newer; with make, the first command sets up everything else. Without make,
+as on most Windows, [chapters/README.md](chapters/README.md) has the same commands for Python.
 
+    make watch          the exercise you are at, checked whenever you save its file
     make check          every exercise with its state, and the first thing to repair
     make check EX={example}  one exercise and what it builds on
     make hint EX={example}   a nudge; N=2 shows the second hint too
+    make reset EX={example}  its stub back, and a copy of what you had
     make plot           pictures of what your own functions do, under build/plots/
 {demo}
 Each chapter's README maps the book's sections to the functions that you write. Written questions,
@@ -65,7 +68,8 @@ def make_handout(
     for chapter in [*chapters, *given]:
         source = root / "chapters" / chapter.name
         complete = [source / name for name in ("README.md", *chapter.complete)]
-        _copy([*complete, *source.glob("*.png")], out / "chapters" / chapter.name)
+        pictures = [*source.glob("*.png"), *source.glob("*.gif")]
+        _copy([*complete, *pictures], out / "chapters" / chapter.name)
     for chapter in chapters:
         folder = f"chapters/{chapter.name}"
         _copy([root / folder / "chapter.toml"], out / folder)

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.answers import answered
+from autograder.commands import command
 from autograder.manifest import ROOT, Chapter, Exercise, chapters_below
 from autograder.places import next_place
 from autograder.scores import Result, place_on_chart, shown, total
@@ -82,8 +83,8 @@ def print_report(
 ) -> bool:
     """Print the chapters one below the other, then the first failure; return whether all pass."""
     for report in reports:
-        _print_chapter(console, report, engine)
-        _print_inherited(console, report, exercise, engine)
+        print_chapter(console, report, engine)
+        print_inherited(console, report, exercise, engine)
     on_given = f" on the reference's {_named(given)}" if given else ""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
@@ -91,11 +92,11 @@ def print_report(
         console.print(f"Everything that can be checked passes{on_given}.", style="bold green")
         return True
     first = min(open_ones, key=lambda pair: URGENCY.get(pair[1].status, 0))
-    _print_failure(console, *first, engine)
+    print_failure(console, *first, engine)
     return False
 
 
-def _print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
+def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
     """Print the table of a chapter, its points, and what of the folder is not handed in."""
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
@@ -121,11 +122,11 @@ def _print_chapter(console: Console, report: Report, engine: list[Path]) -> None
         )
     console.print(table)
     earned, points = total(results)
-    filled = int(BAR * (earned or 0.0) / points) if points else 0
-    bar = "#" * filled + "." * (BAR - filled)
     answers = sum(result.exercise.points for result in results) - points
     more = f", and {answers} for written answers, which a person marks" if answers else ""
-    console.print(f"[{bar}] {shown(earned)} of {points} points{more}\n", markup=False)
+    console.print(
+        f"{bar(earned or 0.0, points)} {shown(earned)} of {points} points{more}\n", markup=False
+    )
     for result in results:
         if result.on_chart:
             exercise = result.exercise
@@ -141,7 +142,13 @@ def _print_chapter(console: Console, report: Report, engine: list[Path]) -> None
         )
 
 
-def _print_inherited(
+def bar(part: float, whole: float) -> str:
+    """Return a bar that is filled as far as the part is of the whole."""
+    filled = int(BAR * part / whole) if whole else 0
+    return f"[{'#' * filled}{'.' * (BAR - filled)}]"
+
+
+def print_inherited(
     console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
 ) -> None:
     """Say how many checks an earlier chapter fails, and the two ways to go on."""
@@ -170,7 +177,13 @@ def _print_inherited(
         )
 
 
-def _print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
+def print_failure(
+    console: Console,
+    chapter: Chapter,
+    result: Result,
+    engine: list[Path],
+    title: str = "First to repair",
+) -> None:
     """Print one failed check in full, and what to do next."""
     exercise = result.exercise
     failed = next((check for check in result.checks if check.status == result.status), None)
@@ -181,7 +194,7 @@ def _print_failure(console: Console, chapter: Chapter, result: Result, engine: l
     inherited = failed.status == "inherited"
     if inherited:  # the cause that a check of this chapter suggests is another
         message = re.sub(r"(?m)^(likely|read) .*\n?", "", message).strip()
-    heading = "Inherited, for example" if inherited else "First to repair"
+    heading = "Inherited, for example" if inherited else title
     console.print(f"{heading}: {exercise.id} {exercise.title}", style="bold")
     console.print(f"check     {failed.name}\n{message}\n", markup=False, soft_wrap=True)
     if inherited:
@@ -191,15 +204,16 @@ def _print_failure(console: Console, chapter: Chapter, result: Result, engine: l
     place = next_place(engine, chapter, exercise, failed)
     console.print(f"Next: open {place}", style="bold", markup=False, soft_wrap=True)
     unwritten = re.search(rf"{UNWRITTEN}: Exercise (B?\d+\.\w+)", failed.message)
-    console.print(f"A nudge: make hint EX={unwritten[1] if unwritten else exercise.id}")
+    nudge = command("hint", EX=unwritten[1] if unwritten else exercise.id)
+    console.print(f"A nudge: {nudge}", soft_wrap=True)
 
 
 def _command(engine: list[Path], **arguments: str) -> str:
     """Return the command that checks this engine again."""
     if engine[0] != ROOT / "chapters":
         inside = engine[0].is_relative_to(ROOT)
-        arguments["ENGINE"] = str(engine[0].relative_to(ROOT) if inside else engine[0])
-    return " ".join(["make check", *(f"{name}={value}" for name, value in arguments.items())])
+        arguments["ENGINE"] = (engine[0].relative_to(ROOT) if inside else engine[0]).as_posix()
+    return command("check", **arguments)
 
 
 def _named(chapters: list[Chapter]) -> str:

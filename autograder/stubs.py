@@ -30,8 +30,7 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
     for chapter in load_chapters(root):
         solution = root / "solutions" / chapter.name
         for name in chapter.edited_files:
-            source = (solution / name).read_text(encoding="utf-8")
-            stubs[f"chapters/{chapter.name}/{name}"] = stub_module(source, _messages(chapter, name))
+            stubs[f"chapters/{chapter.name}/{name}"] = stub_of(chapter, name, root)
         for name in chapter.data_files:  # its first line names the columns
             lines = (solution / name).read_text(encoding="utf-8").splitlines(keepends=True)
             stubs[f"chapters/{chapter.name}/{name}"] = lines[0]
@@ -40,6 +39,12 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
             text = answers.read_text(encoding="utf-8")
             stubs[f"chapters/{chapter.name}/answers.md"] = blank_answers(text)
     return stubs
+
+
+def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
+    """Return the stub of one module, such as vector.py. Raises OSError without its solution."""
+    source = (root / "solutions" / chapter.name / file).read_text(encoding="utf-8")
+    return stub_module(source, messages_of(chapter, file))
 
 
 def stub_hash(text: str) -> str:
@@ -101,16 +106,16 @@ def stub_module(source: str, messages: dict[str, str]) -> str:
     if missing := messages.keys() - defined.keys():
         raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")
     module = cst.parse_module(source)
-    stub = _without_bodies(module, messages)
+    stub = without_bodies(module, messages)
     while helpers := _helpers_of(defined, messages, _used_names(source) - _used_names(stub.code)):
         messages = messages | helpers
-        stub = _without_bodies(module, messages)
+        stub = without_bodies(module, messages)
     gone = _used_names(source) - _used_names(stub.code)
     kept = [statement for statement in stub.body if _private_constant(statement) not in gone]
     return _tidied(stub.with_changes(body=kept).code)
 
 
-def _messages(chapter: Chapter, file: str) -> dict[str, str]:
+def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
     """Return what the stub of each edited name in the file says."""
     prefix = file.removesuffix(".py") + "."
     return {
@@ -156,7 +161,7 @@ def _private_constant(statement: cst.CSTNode) -> str | None:
     return None
 
 
-def _without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
+def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
     """Return the module with a raise in place of each body that ``messages`` names."""
     bodies = {
         name: f"raise NotImplementedError({json.dumps(message)})"
@@ -174,12 +179,15 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
             return node.with_changes(body=node.body.with_changes(body=members))
         if not isinstance(node, cst.FunctionDef):
             return node
-        (name,) = functions(ast.parse(cst.Module([node]).code))
+        name = next(iter(functions(ast.parse(cst.Module([node]).code))), "")  # none: it is async
         if prefix + name not in bodies:
             return node
         body: list[Any] = [*cst.parse_module(bodies[prefix + name]).body]
         if node.get_docstring() is not None:
-            body.insert(0, node.body.body[0])
+            first = node.body.body[0]  # a line, or a part of the line of the def
+            line: Any = first if isinstance(first, cst.SimpleStatementLine) else node.body
+            docstring = line.body[0].with_changes(semicolon=cst.MaybeSentinel.DEFAULT)
+            body.insert(0, cst.SimpleStatementLine([docstring]))
         return node.with_changes(body=cst.IndentedBlock(body))
 
     return module.with_changes(body=[changed(node) for node in module.body])

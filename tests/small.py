@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
+from autograder.handout import STUDENT_TOOLS
 from autograder.manifest import ROOT
 
 MANIFEST = """
@@ -30,6 +31,14 @@ edit = ["small.quadruple"]
 needs = ["B90.1"]
 hints = ["double the double"]
 terms = []
+"""
+STUB = """
+def double(x):
+    raise NotImplementedError("Exercise B90.1: Double")
+
+
+def quadruple(x):
+    raise NotImplementedError("Exercise 90.1: Quadruple")
 """
 CHECKS = """
 import pytest
@@ -78,3 +87,20 @@ def make_root(folder: Path) -> Path:
     for name in ("pyproject.toml", "tests/conftest.py"):
         shutil.copyfile(ROOT / name, folder / name)
     return folder
+
+
+def make_students_root(folder: Path) -> Path:
+    """Make what a student has of it: the stub, the checks and the tools, and no reference."""
+    make_root(folder)
+    shutil.rmtree(folder / "solutions")
+    (folder / "chapters/ch90_small/small.py").write_text(STUB, encoding="utf-8")
+    (folder / "autograder").mkdir()
+    for name in STUDENT_TOOLS["autograder"].split():
+        shutil.copyfile(ROOT / "autograder" / name, folder / "autograder" / name)
+    return folder
+
+
+def hand_in(folder: Path, student: str, code: str) -> None:
+    """Put a student's code into the folder of a class."""
+    (folder / student / "ch90_small").mkdir(parents=True)
+    (folder / student / "ch90_small/small.py").write_text(code, encoding="utf-8")

@@ -4,10 +4,10 @@ SUBMISSIONS ?= sample_class
 HOSTILE := tests/autograder/test_hostile.py
 OURS := $(wildcard chapters/*/plots*.py chapters/*/demos*.py)
 
-.PHONY: grade handout classroom gradescope stubs test lint bench charts limits economy soak
+.PHONY: grade handout classroom gradescope stubs test lint bench charts limits economy soak figures
 
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3 GIVEN=2 CHECKS=hidden) into build/grades/
-	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(JOBS),--jobs "$(JOBS)")
+	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)")
 
 handout: $(READY) ## what students get (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
 	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/handout)" $(if $(GIVEN),--given "$(GIVEN)")
@@ -18,12 +18,20 @@ classroom: $(READY) ## a hand-out that GitHub Classroom marks (CHAPTERS=2 GIVEN=
 gradescope: $(READY) ## the autograder zip for Gradescope (CHAPTERS=2-3 GIVEN=... OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
 
+figures: $(READY) ## draw the pictures of the chapters' READMEs anew, in a minute or two
+	@$(RUN) -m studies figures
+
 stubs: $(READY) ## make chapters/ from solutions/ again
 	@$(RUN) -m autograder stubs
 
-test: lint ## run every test of the companion itself
+test: lint .venv/cluster ## run every test of the companion itself
 	@$(RUN) -m pytest -n auto --engine=solutions --engine=chapters --ignore=$(HOSTILE)
 	@$(RUN) -m pytest --engine=solutions --engine=chapters $(HOSTILE)
+
+.venv/cluster: $(READY) cluster.lock
+	@echo "Installing what grading over a cluster needs into .venv."
+	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r cluster.lock
+	@touch $@
 
 lint: $(READY) ## style and types
 	@$(RUN) -m ruff check . $(OURS)

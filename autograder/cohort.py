@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import fcntl
-import hashlib
 import json
 import os
-import platform
 import secrets
 import shutil
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from contextlib import contextmanager
+from contextlib import ExitStack, closing, contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -24,18 +23,17 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from autograder.arrange import Behind
+from autograder.cluster import connect, grade_over
 from autograder.grading import Assignment, digest_of, grade_submission
-from autograder.isolation.sandbox import Level
-from autograder.isolation.template import best_level
+from autograder.isolation.level import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.reports.marks import Marks, apply_marks, read_marks
 from autograder.reports.results import read_result, write_class, write_student
 from autograder.reports.texts import Report, replace_file
+from autograder.run_key import run_key
 from autograder.runner import TIME_LIMIT, GraderError, is_stopped, run_checks, stopping
 from autograder.scores import shown
 from autograder.submissions.find import Submission, file_name, find_submissions
-
-SAMPLE_CLASS = ROOT / "sample_class"
 
 
 def grade(
@@ -50,17 +48,21 @@ def grade(
     unsafe: bool = False,
     root: Path = ROOT,
     time_limit: float = TIME_LIMIT,
+    cluster: str | None = None,
 ) -> int:
     """Grade every submission in the folder; write the reports into out; return 1 for errors.
 
-    ``jobs`` submissions are graded at a time, by default one a core. ``hidden`` is a folder of
-    further checks, chNN_name/test_*.py. What is complete, of the same submission, checks, grader
+    ``jobs`` submissions are graded at a time, by default one a core; or the workers of a
+    ``cluster`` grade them, named by its scheduler's address. ``hidden`` is a folder of further
+    checks, chNN_name/test_*.py. What is complete, of the same submission, checks, grader
     and seed, is not graded again; without a seed, a run that was stopped goes on with its own, and
     a new run draws a new one. Raises ValueError for what cannot be graded so, OSError for what
     cannot be read or written.
     """
     if jobs is not None and jobs < 1:
         raise ValueError(f"--jobs must be at least 1, got {jobs}")
+    if jobs is not None and cluster:
+        raise ValueError("--jobs is of this machine: --nthreads of its workers is a cluster's")
     submissions, notes = find_submissions(folder)
     if out.resolve() == folder.resolve():
         raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
@@ -83,9 +85,15 @@ def grade(
         console = Console(highlight=False)
         for note in notes:
             console.print(note, markup=False)
-        class_run = _ClassRun(assignment, out, marks, _key(assignment), console)
-        with _temporary_files_in(out):
-            reports = class_run.grade_all(submissions, jobs or _cores())
+        class_run = _ClassRun(assignment, out, marks, run_key(assignment), console)
+        with _temporary_files_in(out), ExitStack() as stack:
+            if cluster:
+                client = stack.enter_context(connect(cluster, assignment, console))
+                over = partial(grade_over, client, assignment)
+                arriving = class_run.elsewhere(submissions, over)
+            else:
+                arriving = class_run.here(submissions, jobs or _cores())
+            reports = class_run.collect(submissions, arriving)
         moved = put_others_aside(out, everyone)
         places = write_class(out, chapters, reports)
         finished = all(report["status"] == "graded" for report in reports)
@@ -104,22 +112,6 @@ def grade(
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
     return int(any(report["status"] != "graded" for report in reports))
-
-
-def choose_level(folder: Path, *, unsafe: bool) -> Level:
-    """Return the walls that stand here. Raises ValueError where there are none, and must be."""
-    level = best_level()
-    if level.is_wall or folder.resolve() == SAMPLE_CLASS:
-        return level
-    if unsafe and os.geteuid() != 0:
-        return level
-    no_wall = (
-        "there is no wall here to put around a submission (it takes Linux with Landlock on x86-64, "
-        "or bubblewrap)"
-    )
-    if unsafe:
-        raise ValueError(f"{no_wall}, and student code is not run as root without one")
-    raise ValueError(f"{no_wall}; --unsafe-no-sandbox grades a class that you trust all the same")
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
@@ -191,8 +183,8 @@ class _ClassRun:
         self.console = console
         self.reused: list[str] = []
 
-    def grade_all(self, submissions: list[Submission], jobs: int) -> list[Report]:
-        """Grade the submissions, so many at a time, and return their reports in order."""
+    def collect(self, submissions: list[Submission], arriving: Generator[Report]) -> list[Report]:
+        """Show the reports that arrive, and return them in the order of the submissions."""
         columns = (
             TextColumn("{task.description}"),
             BarColumn(),
@@ -201,40 +193,73 @@ class _ClassRun:
         )
         reports: dict[str, Report] = {}
         with (
-            ThreadPoolExecutor(jobs) as pool,
+            closing(arriving),
             Progress(*columns, console=self.console, transient=True) as progress,
         ):
             task = progress.add_task("grading", total=len(submissions))
             try:
-                futures = [pool.submit(self.one, submission) for submission in submissions]
-                for future in as_completed(futures):
-                    report = future.result()
+                for report in arriving:
                     reports[report["student"]] = report
                     progress.update(task, advance=1, description=f"graded {report['student']}")
                     if not self.console.is_terminal:
                         line = f"{len(reports)}/{len(submissions)} {report['student']}"
                         self.console.print(line, markup=False)
             except BaseException:  # Ctrl-C above all: what has landed stays, the rest is dropped
-                with stopping():
-                    progress.stop()
-                    line = f"Stopping: {len(reports)} of {len(submissions)} are complete. "
-                    self.console.print(line + "The same command goes on from there.")
-                    pool.shutdown(cancel_futures=True)
+                progress.stop()
+                line = f"Stopping: {len(reports)} of {len(submissions)} are complete. "
+                self.console.print(line + "The same command goes on from there.")
                 raise
         return [reports[submission.student] for submission in submissions]
 
+    def here(self, submissions: list[Submission], jobs: int) -> Generator[Report]:
+        """Grade the submissions, so many at a time, and yield the reports that have landed."""
+        with ThreadPoolExecutor(jobs) as pool:
+            try:
+                futures = [pool.submit(self.one, submission) for submission in submissions]
+                for future in as_completed(futures):
+                    yield future.result()
+            except BaseException:  # that nobody wants any more is one, too
+                with stopping():
+                    pool.shutdown(cancel_futures=True)
+                raise
+
+    def elsewhere(
+        self,
+        submissions: list[Submission],
+        grade_over: Callable[[list[Submission]], Iterator[Report]],
+    ) -> Generator[Report]:
+        """Have the submissions graded by others, and yield the reports that have landed."""
+        left = []
+        for submission in submissions:
+            if report := self.earlier(submission):
+                yield self.land(report)
+            else:
+                left.append(submission)
+        for report in grade_over(left):
+            yield self.land(report | {"run": self.key})
+
     def one(self, submission: Submission) -> Report:
         """Return the report of one submission, an earlier one where it still holds."""
-        path = self.out / "results" / f"{file_name(submission.student)}.json"
-        report = read_result(path)
-        if report is None or not self.still_holds(report, submission):
+        report = self.earlier(submission)
+        if report is None:
             report = grade_submission(self.assignment, submission) | {"run": self.key}
             if is_stopped():
                 raise GraderError("the run was stopped")  # in the middle of this submission
-        else:
-            self.reused.append(submission.student)
+        return self.land(report)
+
+    def land(self, report: Report) -> Report:
+        """Write a report and all that is made of it, with the marks of a person; return it."""
         report = apply_marks(report, self.marks)
         write_student(self.out, report)
+        return report
+
+    def earlier(self, submission: Submission) -> Report | None:
+        """Return the report of an earlier run, where it still holds."""
+        path = self.out / "results" / f"{file_name(submission.student)}.json"
+        report = read_result(path)
+        if report is None or not self.still_holds(report, submission):
+            return None
+        self.reused.append(submission.student)
         return report
 
     def still_holds(self, report: Report, submission: Submission) -> bool:
@@ -242,38 +267,6 @@ class _ClassRun:
         if report["status"] != "graded" or report.get("run") != self.key:
             return False
         return bool(report.get("submission") == digest_of(self.assignment, submission))
-
-
-def _key(assignment: Assignment) -> dict[str, Any]:
-    """Return what must be the same for a report to hold, next to the submission itself."""
-    root = assignment.root
-    names = [chapter.name for chapter in load_chapters(root)]
-    checks = [*(root / "tests").glob("*.py")]
-    for name in names:
-        checks += [*(root / "tests" / name).glob("*.py"), *(root / "solutions" / name).glob("*.py")]
-        checks += [*(root / "chapters" / name).glob("*.toml")]
-        checks += [*(root / "chapters" / name).glob("*.py")]  # the complete ones are graded with
-    if assignment.hidden:
-        checks += assignment.hidden.rglob("*.py")
-    grader = Path(__file__).parent.rglob("*.py")
-    return {
-        "seed": assignment.seed,
-        "chapters": [chapter.number for chapter in assignment.chapters],
-        "given": [chapter.number for chapter in assignment.given],
-        "checks": _digest(checks),
-        "grader": _digest(grader),
-        "python": platform.python_version(),
-        "level": vars(assignment.level),
-        "time_limit": assignment.time_limit,
-    }
-
-
-def _digest(files: Iterator[Path] | list[Path]) -> str:
-    digest = hashlib.sha256()
-    for file in sorted(files):
-        content = file.read_bytes()
-        digest.update(f"{file.parent.name}/{file.name} {len(content)}\n".encode() + content)
-    return digest.hexdigest()
 
 
 def _seed(state: Path, seed: str | None) -> str:
@@ -295,7 +288,7 @@ def _only_run(out: Path) -> Iterator[Path]:
     if out.exists() and not out.is_dir():
         raise ValueError(f"--out must be a folder, got {str(out)!r}")
     out.mkdir(parents=True, exist_ok=True)
-    with (out / ".lock").open("w") as lock:
+    with (out / ".lock").open("w", encoding="utf-8") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:

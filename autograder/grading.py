@@ -6,7 +6,7 @@ import contextlib
 import tempfile
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -58,22 +58,33 @@ class Assignment:
     of_reference: dict[str, list[Result]] = field(default_factory=dict, compare=False)
 
 
-def grade_submission(assignment: Assignment, submission: Submission) -> Report:
-    """Grade one submission and return its report. Whatever goes wrong is told in the report."""
+def grade_submission(
+    assignment: Assignment, submission: Submission, fill: Callable[..., Staged] | None = None
+) -> Report:
+    """Grade one submission and return its report. Whatever goes wrong is told in the report.
+
+    ``fill`` takes the place of stage where the submission is on another machine.
+    """
     start = time.monotonic()
     try:
         with tempfile.TemporaryDirectory(prefix="submission-") as folder:
             box = Path(folder)
             chapters = load_chapters(assignment.root)
-            staged = stage(submission.path, chapters, box, assignment.root)
-            notes, digest = _notes(staged, chapters, box), staged.digest
+            staged = (fill or stage)(submission.path, chapters, box, assignment.root)
+            notes = _notes(staged, chapters, box)
             with with_given(assignment.given, [box], assignment.root) as engine:
                 pairs = _all_results(assignment, engine, staged, box)
+        report = _report(assignment, submission.student, pairs, notes)
+        report["submission"] = staged.digest
     except Exception as error:  # ours, whatever it is: the class goes on
-        failed = [_errors(chapter, repr(error)) for chapter in assignment.chapters]
-        pairs, notes, digest = [(results, results) for results in failed], [], ""
-    report = _report(assignment, submission.student, pairs, notes)
-    return report | {"submission": digest, "seconds": round(time.monotonic() - start, 3)}
+        report = report_of_failure(assignment, submission.student, repr(error))
+    return report | {"seconds": round(time.monotonic() - start, 3)}
+
+
+def report_of_failure(assignment: Assignment, student: str, reason: str) -> Report:
+    """Return the report on a submission that the grader failed on."""
+    pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
+    return _report(assignment, student, pairs, []) | {"submission": "", "seconds": 0.0}
 
 
 def _notes(staged: Staged, chapters: list[Chapter], box: Path) -> list[str]:

@@ -19,6 +19,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument("--jobs", type=int, help="submissions at a time (default: one a core)")
+    command.add_argument("--cluster", help="a Dask scheduler, tcp://host:port, to grade over")
     command.add_argument("--checks", type=Path, help="a folder of hidden checks: chNN_name/test_*")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
     command.set_defaults(run=run_grade)
@@ -65,6 +66,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
         jobs=arguments.jobs,
         hidden=arguments.checks,
         unsafe=arguments.unsafe_no_sandbox,
+        cluster=arguments.cluster,
     )
 
 

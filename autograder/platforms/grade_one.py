@@ -12,8 +12,8 @@ import sys
 import traceback
 from pathlib import Path
 
-from autograder.cohort import choose_level
 from autograder.grading import Assignment, grade_submission
+from autograder.isolation.level import choose_level
 from autograder.isolation.sandbox import Level, drop_privileges
 from autograder.isolation.template import best_level
 from autograder.manifest import ROOT, load_chapters

@@ -21,9 +21,11 @@ from typing import Any
 import pytest
 
 from autograder import cohort, grading
+from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
-from small import RIGHT, make_root
+from copies import copy_tree
+from small import RIGHT, hand_in, make_root
 
 HALF = RIGHT.replace("4 * x", "3 * x")
 HIDDEN = '''
@@ -66,11 +68,6 @@ def double_twice(x):
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
     return make_root(tmp_path / "root")
-
-
-def hand_in(folder: Path, student: str, code: str) -> None:
-    (folder / student / "ch90_small").mkdir(parents=True)
-    (folder / student / "ch90_small/small.py").write_text(code, encoding="utf-8")
 
 
 @pytest.fixture
@@ -280,7 +277,9 @@ def test_reports_of_others_are_moved_aside_and_not_lost(
     shutil.rmtree(submissions / "bob")
     grade(submissions, out, root)
     assert sorted(scores(out)) == ["ann", "cem"]
-    assert "bob" not in everything_in(out / "feedback") + (out / "index.html").read_text("utf-8")
+    assert "bob" not in everything_in(out / "feedback") + (out / "index.html").read_text(
+        encoding="utf-8"
+    )
     for name in ("results/bob.json", "feedback/bob.html", "gradescope/bob/results.json"):
         assert not (out / name).exists()
         assert (out / "earlier" / name).exists()
@@ -463,26 +462,22 @@ def _row_of(out: Path, student: str) -> str:
 def test_without_a_wall_only_the_sample_class_is_graded(
     submissions: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(cohort, "best_level", Level)
+    monkeypatch.setattr(level, "best_level", Level)
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     with pytest.raises(ValueError, match=r"no wall here .* --unsafe-no-sandbox grades a class"):
-        cohort.choose_level(submissions, unsafe=False)
-    assert not cohort.choose_level(ROOT / "sample_class", unsafe=False).is_wall
-    assert not cohort.choose_level(submissions, unsafe=True).is_wall
+        level.choose_level(submissions, unsafe=False)
+    assert not level.choose_level(ROOT / "sample_class", unsafe=False).is_wall
+    assert not level.choose_level(submissions, unsafe=True).is_wall
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     with pytest.raises(ValueError, match="not run as root without one"):
-        cohort.choose_level(submissions, unsafe=True)
+        level.choose_level(submissions, unsafe=True)
     wall = Level(landlock=True, seccomp=True)
-    monkeypatch.setattr(cohort, "best_level", lambda: wall)
-    assert cohort.choose_level(submissions, unsafe=False) == wall
+    monkeypatch.setattr(level, "best_level", lambda: wall)
+    assert level.choose_level(submissions, unsafe=False) == wall
 
 
 def test_the_command_takes_every_option(tmp_path: Path) -> None:
-    shutil.copytree(
-        ROOT / "sample_class/dina",
-        tmp_path / "class/dina",
-        ignore=shutil.ignore_patterns("__pycache__"),
-    )
+    copy_tree(ROOT / "sample_class/dina", tmp_path / "class/dina")
     command = "-m autograder grade class --out out --jobs 2 --seed 5 --chapters 2,3"
     done = subprocess.run(
         [sys.executable, *command.split(), "--unsafe-no-sandbox"],

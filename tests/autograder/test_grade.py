@@ -15,10 +15,12 @@ import pytest
 
 from autograder import cohort, grading
 from autograder.grading import Assignment, grade_submission
+from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.runner import GraderError, Verdict, run_checks
 from autograder.submissions.find import Submission
+from copies import copy_tree
 
 CHAPTER = load_chapters()[0]
 POSSIBLE = sum(exercise.points for exercise in CHAPTER.exercises if exercise.kind != "written")
@@ -56,7 +58,7 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
         report = result(graded[0], student)
         assert report["student"] == student
         assert report["seed"] == "7"
-        assert report["isolation"] == str(cohort.best_level())
+        assert report["isolation"] == str(level.best_level())
         assert report["points"] == POSSIBLE
         assert [e["id"] for e in report["exercises"]] == [e.id for e in CHAPTER.exercises]
         earned = sum(exercise["score"] or 0.0 for exercise in report["exercises"])
@@ -119,7 +121,7 @@ def test_the_screen_shows_the_class_and_how_it_was_isolated(graded: tuple[Path, 
     assert "B2.4: did not end within 3 seconds" in screen
     assert "cleo" in screen
     assert "book's listing sets x from z (E-14)" in screen
-    assert f"Seed 7. Isolation: {cohort.best_level()}" in screen
+    assert f"Seed 7. Isolation: {level.best_level()}" in screen
     assert "gradebook.csv" in screen
 
 
@@ -175,11 +177,7 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
     monkeypatch.setattr(grading, "run_checks", counted)
     assignment = Assignment(chapters, "1", Level())
     for student in ("ann", "bob"):
-        shutil.copytree(
-            ROOT / "solutions/ch02_vectors",
-            tmp_path / student / "ch02_vectors",
-            ignore=shutil.ignore_patterns("__pycache__"),
-        )
+        copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / student / "ch02_vectors")
         report = grade_submission(assignment, Submission(student, tmp_path / student))
         assert report["score"] == report["score_on_given"] == 43
         later = [e for e in report["exercises"] if e["chapter"] == 3]
@@ -207,7 +205,7 @@ def test_nothing_falls_back_on_the_work_in_this_repository(tmp_path: Path) -> No
     """An instructor who has solved chapters/ in place must not give away the points."""
     root = tmp_path / "root"
     for folder in ("chapters", "tests"):
-        shutil.copytree(ROOT / folder, root / folder, ignore=shutil.ignore_patterns("__pycache__"))
+        copy_tree(ROOT / folder, root / folder)
     shutil.copyfile(ROOT / "pyproject.toml", root / "pyproject.toml")
     for file in ("vector.py", "exercises.py"):
         shutil.copyfile(
@@ -237,22 +235,14 @@ def test_links_and_large_files_are_not_taken(tmp_path: Path) -> None:
 
 def test_complete_modules_are_ours_whatever_is_handed_in(tmp_path: Path) -> None:
     for name in ("ch02_vectors", "ch03_laws_of_motion"):
-        shutil.copytree(
-            ROOT / "solutions" / name,
-            tmp_path / "max" / name,
-            ignore=shutil.ignore_patterns("__pycache__"),
-        )
+        copy_tree(ROOT / "solutions" / name, tmp_path / "max" / name)
     own = tmp_path / "max/ch02_vectors/arguments.py"
     own.write_text("raise SystemExit('my own arguments')\n", encoding="utf-8")
     assert states(grade_one(tmp_path / "max", load_chapters()[1:2])) == {"passed"}
 
 
 def test_a_class_that_was_given_a_chapter_hands_in_the_next_alone(tmp_path: Path) -> None:
-    shutil.copytree(
-        ROOT / "solutions/ch03_laws_of_motion",
-        tmp_path / "max/ch03_laws_of_motion",
-        ignore=shutil.ignore_patterns("__pycache__"),
-    )
+    copy_tree(ROOT / "solutions/ch03_laws_of_motion", tmp_path / "max/ch03_laws_of_motion")
     given, graded = load_chapters()[:2]
     assert states(grade_one(tmp_path / "max", [graded], [given])) == {"passed"}
 

@@ -16,7 +16,7 @@ from typing import Any
 import jsonschema
 import pytest
 
-from autograder import cohort
+from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from autograder.platforms.grade_one import main, students
@@ -194,10 +194,10 @@ def test_where_the_grader_does_not_come_to_its_end_nothing_it_said_counts(
     tree: Path, script: str | None, sentence: str
 ) -> None:
     (tree / "results").mkdir()
-    (tree / "results/results.json").write_text('{"score": 81}')
+    (tree / "results/results.json").write_text('{"score": 81}', encoding="utf-8")
     python = tree.parent / "python"
     if script is not None:
-        python.write_text(f"#!/bin/sh\n{script}\n")
+        python.write_text(f"#!/bin/sh\n{script}\n", encoding="utf-8")
         python.chmod(0o755)
     results, printed = run(tree, str(python))
     assert "score" not in results
@@ -212,7 +212,7 @@ def test_without_a_wall_nothing_is_graded_and_the_results_say_why(
     settings = tree / "source/assignment.json"
     text = settings.read_text(encoding="utf-8").replace("true", "false")
     settings.write_text(text, encoding="utf-8")
-    monkeypatch.setattr(cohort, "best_level", Level)
+    monkeypatch.setattr(level, "best_level", Level)
     main(tree, tree / "source")
     results = json.loads(capsys.readouterr().out)
     jsonschema.Draft202012Validator(SCHEMA).validate(results)

@@ -61,13 +61,23 @@ def test_a_whole_environment_is_marked_as_ready(
     assert "Set up: .venv is ready." in capsys.readouterr().out
 
 
-def test_the_lock_pins_what_the_project_asks_for_with_hashes() -> None:
+@pytest.mark.parametrize(("name", "extras"), [("requirements", []), ("cluster", ["cluster"])])
+def test_a_lock_pins_what_the_project_asks_for_with_hashes(name: str, extras: list[str]) -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
-    for requirement in project["dependencies"]:
+    lock = (ROOT / f"{name}.lock").read_text(encoding="utf-8")
+    optional = [each for extra in extras for each in project["optional-dependencies"][extra]]
+    for requirement in [*project["dependencies"], *optional]:
         assert re.fullmatch(r"[a-z0-9-]+==[0-9.]+", requirement), "pinned exactly"
         assert re.search(rf"(?m)^{re.escape(requirement)} .*\\$", lock), requirement
     for package in re.split(r"(?m)^(?=[a-z])", lock)[1:]:
         assert "==" in package
         assert "--hash=sha256:" in package
     assert "://" not in lock, "the lock names packages, not where they come from"
+
+
+def test_the_cluster_is_locked_to_the_packages_of_everything_else() -> None:
+    pins, more = (
+        set(re.findall(r"(?m)^[a-z].*?==\S+", (ROOT / name).read_text(encoding="utf-8")))
+        for name in ("requirements.lock", "cluster.lock")
+    )
+    assert pins < more

@@ -1,0 +1,380 @@
+"""A class over a Dask cluster: what comes back, and when a worker dies or is another version.
+
+The clusters are local ones, of processes with nannies, as `dask worker` starts them.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from autograder import cluster as over_cluster
+from autograder import cohort
+from autograder.grading import Assignment
+from autograder.isolation import level
+from autograder.isolation.sandbox import Level
+from autograder.manifest import ROOT, load_chapters
+from autograder.submissions.find import find_submissions
+from small import RIGHT, hand_in, make_root
+
+distributed = pytest.importorskip("distributed")
+
+WALL = Level(landlock=True, seccomp=True)
+PATIENCE = 60.0  # seconds, and much for a busy machine
+HIDDEN = '''
+import pytest
+from ch90_small import small
+from ch90_small.hidden_probes import FACTOR
+
+
+@pytest.mark.exercise("90.1")
+def test_large():
+    """Quadruple must hold for large numbers."""
+    assert small.quadruple(1234) == FACTOR * 1234
+'''
+
+
+def start_cluster(workers: int) -> Any:
+    return distributed.LocalCluster(
+        n_workers=workers,
+        threads_per_worker=1,
+        processes=True,
+        host="127.0.0.1",
+        scheduler_port=0,
+        dashboard_address="127.0.0.1:0",  # None would take port 8787 for its web server
+    )
+
+
+@pytest.fixture(scope="module")
+def cluster() -> Iterator[Any]:
+    with start_cluster(2) as started:
+        yield started
+
+
+@pytest.fixture(scope="module")
+def without_workers() -> Iterator[Any]:
+    with start_cluster(0) as started:
+        yield started
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    return make_root(tmp_path / "root")
+
+
+@pytest.fixture
+def submissions(tmp_path: Path) -> Path:
+    """A class: one half right, a zip, a file that is no text, and nothing at all."""
+    folder = tmp_path / "class"
+    hand_in(folder, "bob", RIGHT.replace("4 * x", "3 * x"))
+    with zipfile.ZipFile(folder / "cem.zip", "w") as zipped:
+        zipped.writestr("my work/ch90_small/small.py", RIGHT)
+    hand_in(folder, "dee", RIGHT + "\0")
+    (folder / "eve").mkdir()
+    return folder
+
+
+def grade(submissions: Path, out: Path, root: Path, **options: Any) -> int:
+    chapters = load_chapters(root)
+    return cohort.grade(submissions, out, chapters, "1", root=root, unsafe=True, **options)
+
+
+def results(out: Path) -> dict[str, dict[str, Any]]:
+    reports = [json.loads(path.read_text(encoding="utf-8")) for path in out.glob("results/*.json")]
+    return {report["student"]: report for report in reports}
+
+
+def all_but_seconds(out: Path) -> dict[str, str]:
+    """Return every file of a run, without what differs between two runs on one machine as well.
+
+    These are the seconds taken, and addresses in memory, which pytest shows of a function.
+    """
+    texts = {path: path.read_text(encoding="utf-8") for path in out.rglob("*") if path.is_file()}
+    changing = r'0x[0-9a-f]+|"(seconds|execution_time)": [\d.]+'
+    return {str(path.relative_to(out)): re.sub(changing, "", text) for path, text in texts.items()}
+
+
+def test_a_cluster_gives_what_this_machine_gives(
+    cluster: Any, submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    hidden = tmp_path / "hidden"
+    (hidden / "ch90_small").mkdir(parents=True)
+    (hidden / "ch90_small/test_more.py").write_text(HIDDEN, encoding="utf-8")
+    (hidden / "ch90_small/hidden_probes.py").write_text("FACTOR = 4\n", encoding="utf-8")
+    here, there = tmp_path / "here", tmp_path / "there"
+    assert grade(submissions, here, root, hidden=hidden) == 0
+    capsys.readouterr()
+    assert grade(submissions, there, root, hidden=hidden, cluster=cluster.scheduler_address) == 0
+    said = capsys.readouterr().out
+    assert "Workers: 2. Submissions at a time: 2." in said
+    lines = re.findall(r"(?m)^(\d)/4 (\w+)$", said)
+    assert [place for place, _ in lines] == list("1234")
+    assert sorted(student for _, student in lines) == ["bob", "cem", "dee", "eve"]
+    wanted = {"bob": 4 + 2 / 3, "cem": 6.0, "dee": 0.0, "eve": 0.0}
+    assert {student: report["score"] for student, report in results(there).items()} == (
+        pytest.approx(wanted, abs=0.005)  # bob has one of three checks; scores have two decimals
+    )
+    assert all_but_seconds(there) == all_but_seconds(here)
+
+
+@pytest.mark.parametrize("allowed_failures", [3, 0])
+def test_what_a_killed_worker_was_at_is_done_by_another(
+    cluster: Any,
+    root: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    allowed_failures: int,
+) -> None:
+    """Dask gives it to another worker; where it may not, that is an error and never a zero."""
+    monkeypatch.setattr(cluster.scheduler, "allowed_failures", allowed_failures)
+    submissions, out = tmp_path / "class", tmp_path / "out"
+    hand_in(submissions, "ann", RIGHT)
+    assert grade(submissions, out, root, time_limit=2.0) == 0
+    ann = results(out)["ann"]
+    hand_in(submissions, "slow", RIGHT.replace("return x + x", "while True: pass"))
+    with distributed.Client(cluster.scheduler_address, set_as_default=False) as client:
+        client.wait_for_workers(2, timeout=PATIENCE)
+        folders = client.run(_pid_and_folder)
+    with ThreadPoolExecutor(1) as pool:
+        options = {"time_limit": 2.0, "cluster": cluster.scheduler_address}
+        running = pool.submit(grade, submissions, out, root, **options)
+        pid, folder = _who_runs_an_endless_loop(dict(folders.values()))
+        os.kill(pid, signal.SIGKILL)
+        assert "slow" not in results(out), "it was killed in the middle"
+        status = running.result(PATIENCE)
+    landed = results(out)
+    assert sorted(landed) == ["ann", "slow"]
+    assert landed["ann"] == ann, "down to the seconds that it took: it is not graded again"
+    said = capsys.readouterr().out
+    assert "1 of 2 were graded before, and not again." in said
+    assert said.count("/2 slow") == 1
+    assert _becomes_true(lambda: not folder.exists()), "nothing is left of it on its machine"
+    if allowed_failures:
+        assert status == 0
+        assert landed["slow"]["score"] == 2.0
+    else:
+        assert status == 1
+        assert landed["slow"]["status"] == "error, retry"
+        told = {check["message"] for e in landed["slow"]["exercises"] for check in e["checks"]}
+        assert told == {"every worker that graded it died, 1 in all"}
+
+
+def _pid_and_folder(dask_worker: Any) -> tuple[int, str]:
+    return os.getpid(), dask_worker.local_directory
+
+
+def _who_runs_an_endless_loop(folders: dict[int, str]) -> tuple[int, Path]:
+    """Return the worker, by its process and folder, that runs checks on such a submission."""
+    found: list[tuple[int, Path]] = []
+
+    def look() -> bool:
+        for pid, folder in folders.items():
+            files = Path(folder).glob("submission-*/ch90_small/small.py")
+            if any("while True" in _text(file) for file in files):
+                found.extend((pid, Path(folder)) for _ in Path(folder).glob("checks-*"))
+        return bool(found)
+
+    assert _becomes_true(look), "a worker runs the checks"
+    return found[0]
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except OSError:  # it has just been removed
+        return ""
+
+
+def _becomes_true(condition: Callable[[], bool]) -> bool:
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.01)
+    return True
+
+
+def test_ctrl_c_leaves_what_has_landed(cluster: Any, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    command = [sys.executable, "-m", "autograder", "grade", "sample_class", "--out", str(out)]
+    process = subprocess.Popen(
+        [*command, "--chapters", "2", "--cluster", cluster.scheduler_address],
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
+    )
+    _becomes_true(lambda: bool([*out.glob("results/*.json")]) or process.poll() is not None)
+    process.send_signal(signal.SIGINT)
+    told, complaint = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 130, complaint
+    assert "The same command goes on from there." in told
+    assert "grade: stopped" in complaint
+    assert "Traceback" not in complaint
+    landed = results(out)
+    assert 0 < len(landed) < 8
+    assert {report["status"] for report in landed.values()} == {"graded"}
+    assert not (out / ".temporary").exists()
+
+
+def test_a_worker_of_another_version_is_refused(
+    without_workers: Any, submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    other = tmp_path / "other"
+    shutil.copytree(ROOT / "autograder", other / "autograder")
+    with (other / "autograder/scores.py").open("a", encoding="utf-8") as file:
+        file.write("# another version\n")
+    with (
+        _worker_in(other, without_workers) as address,
+        pytest.raises(ValueError, match=r"cannot grade .* another version of autograder/$"),
+    ):
+        grade(submissions, tmp_path / "out", root, cluster=address)
+    assert results(tmp_path / "out") == {}
+
+
+def test_a_worker_without_the_repository_is_refused_whenever_it_comes(
+    without_workers: Any, submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    assignment = Assignment(load_chapters(root), "1", WALL, root=root)
+    with (
+        _worker_in(tmp_path, without_workers) as address,
+        distributed.Client(address, set_as_default=False) as client,
+    ):
+        with pytest.raises(ValueError, match=r"worker tcp://\S+ cannot load .*; start it in the"):
+            grade(submissions, tmp_path / "out", root, cluster=address)
+        with pytest.raises(ValueError, match=r"a worker that came later cannot load .*; start it"):
+            list(over_cluster.grade_over(client, assignment, find_submissions(submissions)[0]))
+
+
+@contextmanager
+def _worker_in(folder: Path, cluster: Any) -> Iterator[str]:
+    """Have a worker that was started in this folder, as by hand; yield the scheduler's address."""
+    address = cluster.scheduler_address
+    options = ["--nworkers", "1", "--nthreads", "1", "--no-dashboard", "--host", "127.0.0.1"]
+    with subprocess.Popen(
+        [sys.executable, "-m", "dask", "worker", address, *options],
+        cwd=folder,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    ) as process:
+        try:
+            yield address
+        finally:
+            process.terminate()
+    assert _becomes_true(lambda: not cluster.scheduler.workers)
+
+
+def test_other_walls_are_refused(
+    cluster: Any, submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    here = level.best_level()
+    monkeypatch.setattr(level, "best_level", lambda: replace(WALL, bubblewrap=not here.bubblewrap))
+    with pytest.raises(ValueError, match=r"cannot grade for this machine: .*(other|no) wall"):
+        grade(submissions, tmp_path / "out", root, cluster=cluster.scheduler_address)
+
+
+@pytest.fixture
+def work(root: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[over_cluster.Work]:
+    """What a worker is told by a machine with a wall; and it has one itself."""
+    over_cluster._level.cache_clear()
+    monkeypatch.setattr(level, "best_level", lambda: WALL)
+    yield over_cluster.Work.of(Assignment(load_chapters(root), "1", WALL, root=root))
+    over_cluster._level.cache_clear()
+
+
+def test_a_worker_grades_for_its_like(work: over_cluster.Work) -> None:
+    over_cluster.check_worker(work)
+
+
+def test_a_worker_without_a_wall_refuses(
+    work: over_cluster.Work, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(level, "best_level", Level)
+    with pytest.raises(ValueError, match="there is no wall here"):
+        over_cluster.check_worker(work)
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    trusting = replace(work, assignment=replace(work.assignment, level=Level()))
+    with pytest.raises(ValueError, match="not run as root without one"):
+        over_cluster.check_worker(trusting)
+
+
+def test_a_worker_tells_what_differs(
+    work: over_cluster.Work, root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    checks = root / "tests/ch90_small/test_small.py"
+    checks.write_text(checks.read_text(encoding="utf-8") + "\n# new\n", encoding="utf-8")
+    monkeypatch.setattr(platform, "python_version", lambda: "3.99.0")
+    differences = (
+        rf"Python 3\.99\.0 and not {re.escape(work.key['python'])}; another version of tests/"
+    )
+    with pytest.raises(ValueError, match=differences):
+        over_cluster.check_worker(work)
+    monkeypatch.setattr(over_cluster, "_GRADER", "what was loaded before git pull")
+    with pytest.raises(ValueError, match="since the worker was started: start it again"):
+        over_cluster.check_worker(work)
+
+
+def test_a_cluster_without_workers_is_told(
+    without_workers: Any,
+    submissions: Path,
+    root: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(over_cluster, "WORKERS_WITHIN", 0.2)
+    with pytest.raises(ValueError, match=r"had no workers within 0\.2 seconds; start it in"):
+        grade(submissions, tmp_path / "out", root, cluster=without_workers.scheduler_address)
+
+
+@pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "nowhere://host:1"])
+def test_an_address_that_nobody_answers_at_is_told(
+    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, address: str
+) -> None:
+    monkeypatch.setattr(over_cluster, "CONNECTED_WITHIN", 0.5)
+    with pytest.raises(ValueError, match=f"--cluster must be the address .* got '{address}'"):
+        grade(submissions, tmp_path / "out", root, cluster=address)
+
+
+def test_a_scheduler_that_goes_away_is_told(submissions: Path, root: Path) -> None:
+    assignment = Assignment(load_chapters(root), "1", WALL, root=root)
+    with (
+        start_cluster(0) as going,
+        distributed.Client(going.scheduler_address, set_as_default=False) as client,
+        ThreadPoolExecutor(1) as pool,
+    ):
+        arriving = over_cluster.grade_over(client, assignment, find_submissions(submissions)[0])
+        waiting = pool.submit(list, arriving)
+        assert _becomes_true(lambda: len(going.scheduler.tasks) == 4)
+        going.close()
+        with pytest.raises(ConnectionError, match="the scheduler of the cluster is gone"):
+            waiting.result(PATIENCE)
+
+
+def test_that_dask_is_not_installed_is_told(
+    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(ValueError, match=r"extra 'cluster', .*pip install -r cluster\.lock"):
+        grade(submissions, tmp_path / "out", root, cluster="tcp://127.0.0.1:1")
+
+
+def test_jobs_are_not_a_clusters(submissions: Path, root: Path, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="--jobs is of this machine"):
+        grade(submissions, tmp_path / "out", root, jobs=2, cluster="tcp://127.0.0.1:1")

@@ -114,13 +114,15 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> s
     Code that hangs may have written the stack itself: whatever it says, there is a sentence.
     """
     message = f"did not end within {time_limit:g} seconds: an endless loop?"
+    folders = [folder.resolve() for folder in engine_folders]
     for file, line, name in STACK_LINE.findall(stack):
-        try:
-            file, name = _unescaped(file), _unescaped(name)
-            if is_inside(file, engine_folders):
-                return clean(f"{message}\nwhere     {Frame(short(file), int(line), name)}")
-        except (ValueError, OSError):
-            continue  # no file of any system has such a name
+        for path in (file, _unescaped(file)):  # a folder of Windows such as \xfaces looks escaped
+            try:
+                if is_inside(path, folders):
+                    frame = Frame(short(path), int(line), _unescaped(name))
+                    return clean(f"{message}\nwhere     {frame}")
+            except (ValueError, OSError):
+                continue  # no file of any system has such a name
     return message
 
 

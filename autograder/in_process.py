@@ -21,7 +21,7 @@ class InProcess:
     def __init__(self, engine: list[str], time_limit: float, stack_file: str) -> None:
         self.engine = [Path(folder).resolve() for folder in engine]
         self.time_limit = time_limit
-        self.stack_file = Path(stack_file).open("w")  # noqa: SIM115 - lives as long as we
+        self.stack_file = Path(stack_file).open("wb")  # noqa: SIM115 - lives as long as we
 
     def open(self, modules: list[str], broken: dict[str, str], tell: Tell) -> None:
         """Import the student's modules before any check does, so that a bad one stops no other."""

@@ -7,6 +7,7 @@ It keeps to what Python 3.6 understands, so that an old Python can say that it i
 import os
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -20,13 +21,28 @@ def stop(sentence: str) -> None:
     sys.exit(f"Cannot set up: {sentence}")
 
 
+def python_of_venv() -> Path:
+    """Return where the Python of .venv is on this system; Python 3.11 knows."""
+    return Path(sysconfig.get_path("scripts", "venv", {"base": str(VENV)})) / "python"
+
+
+def shown_python() -> str:
+    """Return the Python of .venv as commands name it, from the working folder if it is below."""
+    try:
+        return str(python_of_venv().relative_to(Path.cwd()))
+    except ValueError:
+        return str(python_of_venv())
+
+
 def check_python() -> None:
     """Refuse a Python that is too old, or has no venv module."""
     version = ".".join(str(part) for part in sys.version_info[:2])
     if sys.version_info < (3, 11):  # noqa: UP036 - this is where an old Python is told
+        newer = "py -3.12" if os.name == "nt" else "python3.12"
         stop(
             f"{sys.executable} is Python {version}, and the companion needs 3.11 or newer; "
-            "install one and name it: make setup PYTHON=python3.12"
+            f"install one and name it: make setup PYTHON=python3.12 (without make: {newer} "
+            "autograder/make_venv.py)"
         )
     try:
         import ensurepip  # noqa: F401 - Debian and Ubuntu leave it out of python3
@@ -46,7 +62,7 @@ def install(python: str) -> str:
     command += ["--timeout", "30", "--require-hashes", "-r", str(LOCK)]
     output, fetched = "", 0
     with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace"
     ) as pip:
         for line in pip.stdout or []:
             output += line
@@ -66,11 +82,11 @@ def main() -> None:
         [sys.executable, "-m", "venv", "--clear", str(VENV)],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
-        universal_newlines=True,
+        errors="replace",
     )
     if made.returncode:
         stop(f"python -m venv failed: {made.stdout.strip()}")
-    failure = install(str(VENV / ("Scripts" if os.name == "nt" else "bin") / "python"))
+    failure = install(str(python_of_venv()))
     if any(word in failure.lower() for word in NETWORK_WORDS):
         stop(
             "the package index (PyPI) cannot be reached; check the network or proxy settings "
@@ -79,7 +95,7 @@ def main() -> None:
     if failure:
         stop(f"pip could not install requirements.lock; its last words:\n{failure[-1500:]}")
     (VENV / "ready").write_text("made from requirements.lock\n", encoding="utf-8")
-    print("Set up: .venv is ready.")
+    print(f"Set up: .venv is ready. Without make: {shown_python()} -m autograder check")
 
 
 if __name__ == "__main__":

@@ -74,7 +74,7 @@ def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | No
 def _read(file: Path) -> ast.Module | None:
     """Return what a file says, None where it is missing or cannot be read."""
     try:
-        return ast.parse(file.read_text(encoding="utf-8"))
+        return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors begin with a mark
     except (OSError, SyntaxError, ValueError):
         return None
 

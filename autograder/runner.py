@@ -160,7 +160,8 @@ class _Run:
     def one_process(self) -> None:
         """Start a process for the checks that have no verdict yet, and follow it to its end."""
         self.silent = False
-        with tempfile.TemporaryDirectory(prefix="checks-") as folder:
+        # Windows holds on to the files of a process for a moment after its end.
+        with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as folder:
             stack_file = Path(folder) / "stack.txt"
             stack_file.touch()
             config = Path(folder) / "config.json"  # it may be longer than a command line

@@ -24,10 +24,7 @@ def main(arguments: list[str]) -> int:
     """Run both scenes at every rate and say how each went; return 1 where one has failed."""
     parser = argparse.ArgumentParser(prog="python -m studies soak", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the folder to run")
-    parser.add_argument("--minutes", type=int, default=MINUTES, help="for how long, simulated")
     options = parser.parse_args(arguments)
-    if options.minutes < 1:
-        parser.error(f"--minutes must be 1 or more, got {options.minutes!r}")
     use_engine(parser, options.engine)
     from ch08_mass_aggregate.bridge import Bridge
     from ch08_mass_aggregate.tilting_platform import TiltingPlatform
@@ -42,9 +39,9 @@ def main(arguments: list[str]) -> int:
                 return mechanical_energy(scene.world.particles)
 
             name = f"{kind.__name__} at {rate} Hz"
-            well, told = soak(name, scene.step, energy, rate, options.minutes)
+            well, told = soak(name, scene.step, energy, rate, MINUTES)
             verdict = "well" if well else "FAILED"
-            print(f"{name}, {options.minutes} minutes: {verdict}, {told}", flush=True)
+            print(f"{name}, {MINUTES} minutes: {verdict}, {told}", flush=True)
             failed += not well
     print(f"{failed} of {2 * len(RATES)} runs failed")
     return 1 if failed else 0

@@ -20,6 +20,8 @@ from typing import Literal
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from autograder.make_venv import shown_python
+
 Timer = Callable[[], float]  # in seconds
 Figure = Callable[[], float]  # of a round: a ratio of two times, or what else a line says
 Statements = dict[str, dict[str, str]]  # of a library, by operation; its "setup" comes first
@@ -177,7 +179,7 @@ def against_peers(
     for peer, title, target in peers:
         if importlib.util.find_spec(peer) is None:
             console.print(
-                f"{peer} is not installed: .venv/bin/python -m pip install -r studies/peers.txt"
+                f"{peer} is not installed: {shown_python()} -m pip install -r studies/peers.txt"
             )
             continue
         theirs = statements[peer]

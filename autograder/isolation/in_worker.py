@@ -133,7 +133,9 @@ class InWorker:
 
     def _on_hang(self) -> NoReturn:
         """Leave the stack where the runner looks for it, and end: it goes on in a new process."""
-        self.stack_file.write_text(self.template.stack() or "it did not say where")
+        self.stack_file.write_text(
+            self.template.stack() or "it did not say where", encoding="utf-8"
+        )
         os._exit(1)  # the template ends with us, and its worker with it
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import ROOT, load_chapters, select_chapters
+from copies import copy_tree
 
 SAMPLES = "sample_class"
 SQUARES = "math.sqrt(self.x**2 + self.y**2 + self.z**2)"
@@ -24,11 +24,7 @@ def autograder(*arguments: str) -> subprocess.CompletedProcess[str]:
 @pytest.fixture
 def engine(tmp_path: Path) -> Path:
     """The reference's chapter 2 in a folder to be edited."""
-    shutil.copytree(
-        ROOT / "solutions/ch02_vectors",
-        tmp_path / "ch02_vectors",
-        ignore=shutil.ignore_patterns("__pycache__"),
-    )
+    copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / "ch02_vectors")
     return tmp_path
 
 
@@ -168,7 +164,7 @@ def test_a_python_without_the_packages_is_told_what_to_do() -> None:
     command = [sys.executable, "-S", "-m", "autograder", "check"]  # -S: no installed packages
     done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 2
-    assert "this Python lacks what the autograder needs: run make setup" in done.stderr
+    assert "this Python lacks what the companion needs: run make setup" in done.stderr
     assert "Traceback" not in done.stderr
 
 

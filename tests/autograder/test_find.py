@@ -126,5 +126,5 @@ def test_file_names_are_safe_short_and_each_students_own(names: list[str]) -> No
 def test_a_file_of_that_name_can_be_written(name: str) -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / (file_name(name) + ".json.tmp")
-        path.write_text("x")
+        path.write_text("x", encoding="utf-8")
         assert list(Path(folder).iterdir()) == [path]

@@ -26,6 +26,7 @@ from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, select_chapters
 from autograder.runner import GraderError, Verdict, run_checks
 from autograder.submissions.find import Submission
+from copies import copy_tree
 
 CH02, CH03 = select_chapters("2-3")
 REFERENCE = [ROOT / "solutions", ROOT / "chapters"]
@@ -42,11 +43,7 @@ def check(
 def engine(tmp_path: Path) -> Path:
     """The reference's chapters 2 and 3 in a folder to be edited."""
     for chapter in (CH02, CH03):
-        shutil.copytree(
-            ROOT / "solutions" / chapter.name,
-            tmp_path / chapter.name,
-            ignore=shutil.ignore_patterns("__pycache__"),
-        )
+        copy_tree(ROOT / "solutions" / chapter.name, tmp_path / chapter.name)
     return tmp_path
 
 
@@ -227,12 +224,7 @@ def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:
     make_handout([CH02, CH03], [], tmp_path / "out")
     for chapter in ("ch02_vectors", "ch03_laws_of_motion"):
         source = ROOT / "sample_class/hana" / chapter
-        shutil.copytree(
-            source,
-            tmp_path / "out/chapters" / chapter,
-            dirs_exist_ok=True,
-            ignore=shutil.ignore_patterns("__pycache__"),
-        )
+        copy_tree(source, tmp_path / "out/chapters" / chapter)
     done = check("chapters", "--chapter", "3", root=tmp_path / "out")
     assert done.returncode == 1
     assert "GIVEN" not in done.stdout
@@ -272,9 +264,7 @@ def test_a_hand_out_without_the_earlier_chapter_says_what_to_bring(
 def test_an_earlier_chapter_of_ones_own_that_cannot_be_read_is_named(tmp_path: Path) -> None:
     make_handout([CH03], [], tmp_path / "out")
     own = tmp_path / "out/chapters/ch02_vectors"
-    shutil.copytree(
-        ROOT / "sample_class/dina/ch02_vectors", own, ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "sample_class/dina/ch02_vectors", own)
     shutil.copy(ROOT / "chapters/ch02_vectors/arguments.py", own)  # each student's folder has it
     done = check("chapters", "--chapter", "3", root=tmp_path / "out")
     assert done.returncode == 1

@@ -261,7 +261,7 @@ def snapshot(world: World) -> dict[str, str]:
 def shared_memory() -> str:
     """Return the table of shared memory, with keys as other tools write them."""
     with contextlib.suppress(OSError):
-        rows = Path("/proc/sysvipc/shm").read_text().splitlines()[1:]
+        rows = Path("/proc/sysvipc/shm").read_text(encoding="utf-8").splitlines()[1:]
         return " ".join(f"0x{int(row.split()[0]) & 0xFFFFFFFF:08x}" for row in rows)
     return ""
 
@@ -271,7 +271,9 @@ def descendants() -> set[int]:
     parents: dict[int, int] = {}
     for path in Path("/proc").glob("[0-9]*/stat"):
         with contextlib.suppress(OSError):
-            parents[int(path.parent.name)] = int(path.read_text().rpartition(")")[2].split()[1])
+            parents[int(path.parent.name)] = int(
+                path.read_text(encoding="utf-8").rpartition(")")[2].split()[1]
+            )
     found = {os.getpid()}
     while new := {pid for pid, parent in parents.items() if parent in found} - found:
         found |= new
@@ -291,7 +293,7 @@ def bearing_the_mark_of(world: World) -> set[int]:
 def process_name(pid: int) -> str:
     """Return what a process is; nothing where it has ended."""
     with contextlib.suppress(OSError):
-        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+        state = Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0]
         command = Path(f"/proc/{pid}/cmdline").read_bytes().replace(b"\0", b" ")
         return "" if state == "Z" else f"{pid} {command[:200]!r}"
     return ""

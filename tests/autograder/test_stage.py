@@ -21,6 +21,7 @@ import pytest
 from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.stage import LARGEST_FILE, stage
 from autograder.submissions.zips import LARGEST_ZIP
+from copies import copy_tree
 
 CHAPTERS = load_chapters()[:2]
 EDITED = [f"{chapter.name}/{file}" for chapter in CHAPTERS for file in chapter.edited_files]
@@ -239,7 +240,7 @@ def test_another_user_can_read_the_box_whatever_the_umask(hand_in: HandIn) -> No
 
 
 def test_a_box_that_cannot_be_filled_is_the_graders_fault(hand_in: HandIn, tmp_path: Path) -> None:
-    (tmp_path / "box").write_text("a file")
+    (tmp_path / "box").write_text("a file", encoding="utf-8")
     with pytest.raises(OSError, match="box"):
         stage(hand_in({VECTOR: CODE}), CHAPTERS, tmp_path / "box")
 
@@ -375,9 +376,7 @@ def public() -> Iterator[Path]:
     """A folder, with our complete modules, in which a test runs without the rights of root."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        shutil.copytree(
-            ROOT / "chapters", folder / "chapters", ignore=shutil.ignore_patterns("__pycache__")
-        )
+        copy_tree(ROOT / "chapters", folder / "chapters")
         folder.chmod(0o777)
         user = os.geteuid()
         if user == 0:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import pytest
 
 from autograder.handout import make_handout
 from autograder.manifest import ROOT, load_chapter, load_chapters
+from copies import copy_tree
 from made import made_stubs
 
 CH02, CH03 = load_chapters()[:2]
@@ -76,12 +78,7 @@ def test_the_stubs_are_made_anew_and_no_solution_goes_along(tmp_path: Path) -> N
         ROOT, root, ignore=shutil.ignore_patterns(".venv", ".git", "build", "__pycache__")
     )
     solved = root / "chapters/ch02_vectors"
-    shutil.copytree(
-        ROOT / "solutions/ch02_vectors",
-        solved,
-        dirs_exist_ok=True,
-        ignore=shutil.ignore_patterns("__pycache__"),
-    )
+    copy_tree(ROOT / "solutions/ch02_vectors", solved)
     shutil.copyfile(solved / "vector.py", solved / "vector_old.py")
     make_handout([CH02], [], out, root)
     names = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
@@ -106,11 +103,19 @@ def test_every_check_comes_with_what_it_imports(tmp_path: Path) -> None:
         assert there == {file.name for file in tests.glob("*.py")}
 
 
+def test_the_links_and_pictures_of_the_readmes_are_there(tmp_path: Path) -> None:
+    make_handout(load_chapters()[1:], load_chapters()[:1], tmp_path / "out")
+    for chapter in load_chapters():
+        folder = tmp_path / "out/chapters" / chapter.name
+        targets = re.findall(r"\]\(([^)#:]+)\)", (folder / "README.md").read_text(encoding="utf-8"))
+        assert [target for target in targets if not (folder / target).exists()] == []
+
+
 def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> None:
     """A later chapter is handed out on top of chapter 2, which is given."""
     root = tmp_path / "root"
     for folder in ("chapters", "solutions", "tests", "autograder", "studies"):
-        shutil.copytree(ROOT / folder, root / folder, ignore=shutil.ignore_patterns("__pycache__"))
+        copy_tree(ROOT / folder, root / folder)
     for name in ["Makefile", "pyproject.toml", "requirements.lock", "LICENSE", ".gitignore"]:
         shutil.copyfile(ROOT / name, root / name)
     for name in ("glossary.md", "errata.md"):
@@ -118,9 +123,9 @@ def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> Non
     later = "ch99_later"
     for folder in ("chapters", "solutions", "tests"):
         (root / folder / later).mkdir()
-    (root / "chapters" / later / "chapter.toml").write_text(LATER_MANIFEST)
-    (root / "solutions" / later / "twice.py").write_text(LATER_SOLUTION)
-    (root / "tests" / later / "test_twice.py").write_text(LATER_CHECK)
+    (root / "chapters" / later / "chapter.toml").write_text(LATER_MANIFEST, encoding="utf-8")
+    (root / "solutions" / later / "twice.py").write_text(LATER_SOLUTION, encoding="utf-8")
+    (root / "tests" / later / "test_twice.py").write_text(LATER_CHECK, encoding="utf-8")
     chapters = [load_chapter(root / "chapters" / name) for name in (CH02.name, later)]
     out = tmp_path / "out"
     make_handout(chapters[1:], chapters[:1], out, root)
@@ -131,7 +136,7 @@ def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> Non
     assert before.returncode == 1, before.stderr
     assert "Chapter 99" in before.stdout
     assert "Chapter 2:" not in before.stdout
-    (out / "chapters" / later / "twice.py").write_text(LATER_SOLUTION)
+    (out / "chapters" / later / "twice.py").write_text(LATER_SOLUTION, encoding="utf-8")
     assert "1 of 1 points" in check(out).stdout
 
 
@@ -141,12 +146,7 @@ def test_a_chapter_on_a_given_one_can_be_checked_and_drawn(tmp_path: Path) -> No
     assert (out / "chapters/ch02_vectors/arguments.py").exists()
     assert "] 0 of 35 points" in check(out, "--chapter", "3").stdout
     second = ROOT / "tests/ch03_laws_of_motion/second"
-    shutil.copytree(
-        second,
-        out / "chapters/ch03_laws_of_motion",
-        dirs_exist_ok=True,
-        ignore=shutil.ignore_patterns("__pycache__"),
-    )
+    copy_tree(second, out / "chapters/ch03_laws_of_motion")
     assert "35 of 35 points" in check(out, "--chapter", "3").stdout
     command = [sys.executable, "-P", "-m", "studies", "plot", "--chapter", "3"]
     environment = {"PYTHONPATH": ".", "MPLBACKEND": "Agg", "SYSTEMROOT": "C:\\Windows"}
@@ -160,7 +160,7 @@ def test_a_chapter_on_a_given_one_can_be_checked_and_drawn(tmp_path: Path) -> No
 def test_a_folder_with_something_in_it_and_a_chapter_named_twice_are_refused(
     tmp_path: Path,
 ) -> None:
-    (tmp_path / "notes.txt").write_text("mine")
+    (tmp_path / "notes.txt").write_text("mine", encoding="utf-8")
     with pytest.raises(ValueError, match="is not empty"):
         make_handout([CH02], [], tmp_path)
     with pytest.raises(ValueError, match="cannot be both"):

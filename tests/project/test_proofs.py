@@ -6,7 +6,6 @@ Both ways: beside the checks, as students run them, and in workers, as a class i
 from __future__ import annotations
 
 import ast
-import shutil
 from pathlib import Path
 
 import pytest
@@ -17,6 +16,7 @@ from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.places import next_place
 from autograder.runner import Verdict, run_checks, with_needs
 from autograder.scores import results_of, total
+from copies import copy_tree
 from made import made_stubs
 from walls import behind_walls
 from warm import run_checks_warm
@@ -100,7 +100,7 @@ def test_the_second_solution_earns_every_point(
     seed, behind = seed_and_behind
     second = ROOT / "tests" / chapter.name / "second"
     assert {file.name for file in second.glob("*.py")} == set(chapter.edited_files)
-    shutil.copytree(second, tmp_path / chapter.name, ignore=shutil.ignore_patterns("__pycache__"))
+    copy_tree(second, tmp_path / chapter.name)
     engine = engine_with(tmp_path)
     assert lost(run_checks(chapter, engine, seed=seed, behind=behind)) == {}
 

@@ -14,6 +14,7 @@ from autograder.definitions import functions
 from autograder.manifest import ROOT, load_chapters
 from autograder.stubs import make_stubs, read_lock, stale_stubs, stub_hash, stub_module, write_stubs
 from autograder.tables import with_table
+from copies import copy_tree
 
 STUBS = make_stubs()
 
@@ -177,9 +178,7 @@ def test_a_name_that_the_solution_does_not_have_is_an_error() -> None:
 def copy(tmp_path: Path) -> Path:
     """A copy of what make stubs reads and writes."""
     for folder in ("chapters", "solutions"):
-        shutil.copytree(
-            ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("__pycache__")
-        )
+        copy_tree(ROOT / folder, tmp_path / folder)
     shutil.copyfile(ROOT / "stubs.lock", tmp_path / "stubs.lock")
     for path, text in STUBS.items():
         (tmp_path / path).write_text(text, encoding="utf-8")

@@ -17,7 +17,6 @@ ONE = Quaternion()
 # So small that every sum and product below is a whole number that a float holds: no tolerances.
 number = st.integers(-1000, 1000)
 whole = st.tuples(number, number, number, number).map(lambda four: Quaternion(*four))
-whole_vector = st.tuples(number, number, number).map(lambda three: Vector3(*three))
 
 share = st.floats(-1.0, 1.0)
 axis = (

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import itertools
 import math
-import shutil
 from pathlib import Path
 
 import pytest
 
 from autograder.manifest import ROOT
+from copies import copy_tree
 from drawn_plots import plot, table
 from made import made_stubs
 
@@ -262,9 +262,7 @@ def test_a_ground_of_springs_throws_the_higher_the_stiffer_it_is(reference: Path
 
 
 def test_where_no_watch_is_written_an_explosion_is_drawn_all_the_same(tmp_path: Path) -> None:
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     with (tmp_path / "engine/ch06_springs/integrators.py").open("a", encoding="utf-8") as file:
         file.write("\n\ndef watched(*_):\n    raise NotImplementedError('Exercise B6.10')\n")
     done = plot(tmp_path / "engine", tmp_path, "6")
@@ -272,9 +270,7 @@ def test_where_no_watch_is_written_an_explosion_is_drawn_all_the_same(tmp_path: 
 
 
 def test_springs_that_are_not_written_are_said(tmp_path: Path) -> None:
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     for module in ("springs", "integrators", "own_step", "closed_form"):
         path = f"ch06_springs/{module}.py"
         text = made_stubs()[f"chapters/{path}"]
@@ -289,9 +285,7 @@ def test_springs_that_are_not_written_are_said(tmp_path: Path) -> None:
 def test_steps_that_do_nothing_or_return_nonsense_give_pictures(
     result: str, tmp_path: Path
 ) -> None:
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     folder = tmp_path / "engine/ch06_springs"
     with (folder / "integrators.py").open("a", encoding="utf-8") as file:
         file.write(f"\n\nexplicit_euler = velocity_verlet = lambda *_: {result}\n")
@@ -330,9 +324,7 @@ def test_a_wrong_engine_gives_a_wrong_picture(reference: Path, tmp_path: Path) -
 
 def test_a_wrong_difference_is_seen_in_the_projection(reference: Path, tmp_path: Path) -> None:
     folder = tmp_path / "engine/ch02_vectors"
-    shutil.copytree(
-        ROOT / "solutions/ch02_vectors", folder, ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions/ch02_vectors", folder)
     with (folder / "vector.py").open("a", encoding="utf-8") as file:
         file.write("\n\nVector3.__sub__ = lambda self, v: v + -self\n")
     assert plot(tmp_path / "engine", tmp_path).returncode == 0
@@ -343,9 +335,7 @@ def test_a_wrong_difference_is_seen_in_the_projection(reference: Path, tmp_path:
 @pytest.mark.parametrize("result", ["None", "Vector3(math.nan, math.inf, 0.0)", "'text'"])
 def test_an_engine_that_returns_nonsense_still_gives_a_picture(result: str, tmp_path: Path) -> None:
     folder = tmp_path / "engine/ch02_vectors"
-    shutil.copytree(
-        ROOT / "solutions/ch02_vectors", folder, ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions/ch02_vectors", folder)
     with (folder / "vector.py").open("a", encoding="utf-8") as file:
         file.write(f"\n\nVector3.__add__ = lambda self, v: {result}\n")
         file.write(f"\n\nVector3.cross = lambda self, v: {result}\n")

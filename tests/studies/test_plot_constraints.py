@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-import shutil
 from pathlib import Path
 
 import pytest
 
 import drawn_plots
 from autograder.manifest import ROOT
+from copies import copy_tree
 from made import made_stubs
 
 CHAPTER = "ch07_constraints"
@@ -22,9 +22,7 @@ def table(out: Path, name: str) -> list[list[str]]:
 
 def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
     """Return a copy of the reference with a line added to some modules of the chapter."""
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     for module, line in wrong.items():
         with (tmp_path / "engine" / CHAPTER / module).open("a", encoding="utf-8") as file:
             file.write(f"\n\n{line}\n")
@@ -131,9 +129,7 @@ def test_the_table_of_drops_is_the_reference_s(reference: Path) -> None:
 
 
 def test_stubs_are_said(tmp_path: Path) -> None:
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     for path, text in made_stubs().items():
         _, chapter, name = path.split("/")
         if chapter == CHAPTER:
@@ -148,7 +144,9 @@ def test_stubs_are_said(tmp_path: Path) -> None:
 
 def test_without_drops_of_one_s_own_the_sample_is_drawn(tmp_path: Path) -> None:
     engine = copied(tmp_path, {})
-    (engine / CHAPTER / "drops.csv").write_text("material,initial_height,bounce_height\n")
+    (engine / CHAPTER / "drops.csv").write_text(
+        "material,initial_height,bounce_height\n", encoding="utf-8"
+    )
     done = drawn_plots.plot(engine, tmp_path, "7")
     assert done.returncode == 0, done.stdout
     rows = table(tmp_path, "restitution_of_materials")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections import defaultdict
 from itertools import pairwise
 from pathlib import Path
@@ -11,6 +10,7 @@ import pytest
 
 import drawn_plots
 from autograder.manifest import ROOT
+from copies import copy_tree
 from made import made_stubs
 from studies.ropes import catenary_sag, polygon_sag
 
@@ -122,9 +122,7 @@ def test_bonds_break_and_heal(reference: Path) -> None:
 
 
 def test_stubs_are_said(tmp_path: Path) -> None:
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     for path, text in made_stubs().items():
         _, chapter, name = path.split("/")
         if chapter == CHAPTER:

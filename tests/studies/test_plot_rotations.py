@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import shutil
 from collections import defaultdict
 from itertools import pairwise
 from pathlib import Path
@@ -12,6 +11,7 @@ import pytest
 
 import drawn_plots
 from autograder.manifest import ROOT
+from copies import copy_tree
 from made import made_stubs
 from studies.drawing import dot
 
@@ -25,9 +25,7 @@ def table(out: Path, name: str) -> list[list[str]]:
 
 def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
     """Return a copy of the reference with lines added to some modules of the chapter."""
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     for module, lines in wrong.items():
         with (tmp_path / "engine" / CHAPTER / module).open("a", encoding="utf-8") as file:
             file.write(f"\n\n{lines}\n")
@@ -154,9 +152,7 @@ def test_the_box_balances_on_unequal_masses(reference: Path) -> None:
 
 
 def test_stubs_are_said(tmp_path: Path) -> None:
-    shutil.copytree(
-        ROOT / "solutions", tmp_path / "engine", ignore=shutil.ignore_patterns("__pycache__")
-    )
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
     for path, text in made_stubs().items():
         _, chapter, name = path.split("/")
         if chapter == CHAPTER:

@@ -107,11 +107,13 @@ def all_submissions() -> list[Submission]:
 
 
 def _from_source(path: Path) -> Submission:
-    tries, _, rest = (ast.get_docstring(ast.parse(path.read_text())) or "").partition("\n\n")
+    tries, _, rest = (
+        ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+    ).partition("\n\n")
     words = dict(line.split(": ", 1) for line in rest.splitlines())
 
     def build(at: Path, world: World) -> None:
-        write(at / "ch90_sums/sums.py", with_places(path.read_text(), world))
+        write(at / "ch90_sums/sums.py", with_places(path.read_text(encoding="utf-8"), world))
 
     kind, name = path.parent.name, path.stem
     says, student = words.get("says", ""), f"{kind}-{name}"
@@ -139,7 +141,7 @@ def with_places(text: str, world: World) -> str:
 
 def _line(path: Path) -> int:
     """Return the number of the first line with a token."""
-    lines = enumerate(path.read_text().splitlines(), 1)
+    lines = enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
     return next(number for number, line in lines if "TOKEN-" in line)
 
 

@@ -1,0 +1,228 @@
+"""What a student runs is the same on Linux, macOS and Windows, with make and without."""
+
+from __future__ import annotations
+
+import ast
+import codecs
+import os
+import re
+import shlex
+import subprocess
+import sys
+import sysconfig
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from autograder import make_venv
+from autograder.handout import STUDENT_TOOLS, make_handout
+from autograder.manifest import ROOT, load_chapters
+from autograder.runner import Verdict, run_checks
+from copies import copy_tree
+from small import RIGHT, make_root
+
+# Modules that Python's documentation offers on POSIX alone.
+POSIX_ONLY = {"curses", "fcntl", "grp", "posix", "pty", "pwd", "readline", "resource"}
+POSIX_ONLY |= {"syslog", "termios", "tty"}
+STUDENTS_COMMANDS = {"check", "watch", "hint", "reset", "plot", "demo"}
+
+
+def run(*command: str, cwd: Path = ROOT, **variables: str) -> subprocess.CompletedProcess[str]:
+    environment = os.environ | variables
+    return subprocess.run(
+        command, cwd=cwd, env=environment, capture_output=True, encoding="utf-8", check=False
+    )
+
+
+def imported_at_once(body: list[ast.stmt]) -> Iterator[str]:
+    """Yield what a module imports whenever it is imported: not in functions, nor behind a guard."""
+    for node in body:
+        if isinstance(node, ast.Import):
+            yield from (alias.name.split(".")[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            yield node.module.split(".")[0]
+        elif isinstance(node, ast.ClassDef | ast.With):
+            yield from imported_at_once(node.body)
+
+
+def test_a_hand_out_imports_what_every_system_has(tmp_path: Path) -> None:
+    make_handout(load_chapters(), [], tmp_path / "out")
+    files = [*(tmp_path / "out").rglob("*.py")]
+    assert len(files) > 100
+    for file in files:
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        assert POSIX_ONLY.isdisjoint(imported_at_once(tree.body)), file
+
+
+def test_the_students_tools_call_nothing_that_windows_lacks(tmp_path: Path) -> None:
+    """As the type checker knows Python's library there: os.killpg, say, only behind a guard."""
+    modules = [
+        f"{folder}.{file.removesuffix('.py')}"
+        for folder in ("autograder", "studies")
+        for file in STUDENT_TOOLS[folder].split()
+        if file != "__init__.py"
+    ]
+    options = ("--platform", "win32", "--follow-imports", "silent", "--cache-dir", str(tmp_path))
+    named = [word for module in modules for word in ("-p", module)]
+    done = run(sys.executable, "-m", "mypy", *options, *named)
+    assert done.stdout == f"Success: no issues found in {len(modules)} source files\n"
+
+
+def test_every_text_file_says_its_encoding() -> None:
+    """That of the system is not UTF-8 on Windows. Hostile submissions run on Linux alone."""
+    for folder in ("autograder", "studies", "chapters", "solutions", "tests"):
+        for file in (ROOT / folder).rglob("*.py"):
+            if file.parent.parent.name == "hostile":
+                continue
+            for call in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+                if isinstance(call, ast.Call) and _opens_a_text(call):
+                    named = {keyword.arg for keyword in call.keywords}
+                    assert "encoding" in named, f"{file}:{call.lineno}"
+
+
+def _opens_a_text(call: ast.Call) -> bool:
+    """Say whether a call reads or writes a text. What a path's open takes first is a mode."""
+    function = call.func
+    if isinstance(function, ast.Attribute) and function.attr in ("read_text", "write_text"):
+        return True
+    if isinstance(function, ast.Attribute) and function.attr == "open":
+        mode = call.args[0] if call.args else ast.Constant("r")
+    elif isinstance(function, ast.Name) and function.id == "open":
+        mode = call.args[1] if len(call.args) > 1 else ast.Constant("r")
+    else:
+        return False
+    return isinstance(mode, ast.Constant) and "b" not in str(mode.value)
+
+
+def test_the_python_of_an_environment_is_where_this_system_puts_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(make_venv, "VENV", tmp_path / ".venv")
+    assert run(sys.executable, "-m", "venv", "--without-pip", make_venv.VENV).returncode == 0
+    monkeypatch.chdir(tmp_path)
+    done = run(make_venv.shown_python(), "-c", "import sys; print(sys.prefix)", cwd=tmp_path)
+    assert Path(done.stdout.strip()).samefile(tmp_path / ".venv")
+
+
+@pytest.mark.parametrize(("system", "scheme"), [("Windows_NT", "nt_venv"), ("", "posix_venv")])
+def test_make_takes_the_python_of_the_environment(system: str, scheme: str) -> None:
+    folder = sysconfig.get_path("scripts", scheme, {"base": ".venv"}).replace("\\", "/")
+    assert would_run("check", system).startswith(f"{folder}/python -m autograder check ")
+
+
+def would_run(arguments: str, system: str = "") -> str:
+    """Return the last line that make would run."""
+    done = run("make", "--dry-run", *arguments.split(), f"OS={system}")
+    assert done.returncode == 0, done.stderr
+    return done.stdout.splitlines()[-1]
+
+
+def test_the_commands_without_make_are_those_that_make_runs() -> None:
+    page = (ROOT / "chapters/README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"(?m)^\| `make (.+?)` \| `(.+?)` \|$", page)
+    assert {make.split()[0] for make, _ in rows} == STUDENTS_COMMANDS
+    for make, python in rows:
+        words = shlex.split(would_run(make))
+        at = words.index("--engine") if "--engine" in words else len(words)
+        assert words[at + 1 : at + 2] in ([], ["chapters"]), "what Python takes of itself"
+        assert sorted(words[:at] + words[at + 2 :]) == sorted(python.split())
+
+
+def test_every_chapter_leads_to_the_commands_without_make() -> None:
+    for chapter in load_chapters():
+        text = (ROOT / "chapters" / chapter.name / "README.md").read_text(encoding="utf-8")
+        assert "](../README.md#without-make)" in text
+    assert "\n## Without make\n" in (ROOT / "chapters/README.md").read_text(encoding="utf-8")
+
+
+def test_where_there_is_no_make_the_screen_names_commands_that_run(tmp_path: Path) -> None:
+    no_make = {"PATH": str(tmp_path)}
+    done = run(sys.executable, "-m", "autograder", "check", "--exercise", "B2.5", **no_make)
+    nudge = re.search(r"(?m)^A nudge: (.+)$", done.stdout)
+    assert nudge, done.stdout
+    for _ in range(2):  # the hint names the next one
+        python, *words = nudge[1].split()
+        assert python == make_venv.shown_python()
+        done = run(sys.executable, *words, **no_make)
+        assert done.returncode == 0, done.stderr
+        nudge = re.search(r"the next: (.+)$", done.stdout)
+        assert nudge, done.stdout
+    engine = ("--engine", "sample_class/hana", "--chapter", "3")
+    done = run(sys.executable, "-m", "autograder", "check", *engine, **no_make)
+    onward = re.search(r"(?m)^Or go on: +(\S+) (.+)$", done.stdout)
+    assert onward, done.stdout
+    done = run(sys.executable, *onward[2].split(), **no_make)
+    assert done.returncode in (0, 1), done.stderr
+    assert "Chapter 3" in done.stdout
+
+
+@pytest.mark.parametrize("command", ["plot --chapter 2", "demo fireworks"])
+def test_a_drawing_command_without_the_packages_says_what_to_do(command: str) -> None:
+    done = run(sys.executable, "-S", "-m", "studies", *command.split())  # no installed packages
+    assert done.returncode == 2
+    assert "run make setup (without make: " in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_console_that_lacks_a_character_stops_no_plot(tmp_path: Path) -> None:
+    """Where the code page has no sign for infinity, as on Windows."""
+    (tmp_path / "ch02_vectors").mkdir()
+    wrong = tmp_path / "ch02_vectors/vector.py"
+    wrong.write_text("raise ValueError('\u221e metres')\n", encoding="utf-8")
+    options = ("--chapter", "2", "--engine", str(tmp_path), "--out", str(tmp_path / "out"))
+    drawn = run(
+        sys.executable, "-m", "studies", "plot", *options, PYTHONIOENCODING="cp1252", PYTHONUTF8="0"
+    )
+    assert drawn.stdout.startswith("chapter 2 cannot be drawn: ValueError: ? metres ("), drawn
+
+
+def hanging(root: Path, engine: Path) -> list[Verdict]:
+    """Return the verdicts of the small chapter whose second body hangs, on an engine there."""
+    folder = engine / "ch90_small"
+    folder.mkdir(parents=True)
+    endless = RIGHT.replace("return 4 * x", "while True: pass")
+    (folder / "small.py").write_text(endless, encoding="utf-8")
+    (chapter,) = load_chapters(root)
+    return run_checks(chapter, [engine], seed="1", root=root, time_limit=0.5)
+
+
+@pytest.mark.parametrize("name", [r"C:\xfaces\u00e9t\games", "Spiele für mich", "\u5b66\u751f"])
+def test_an_endless_loop_is_placed_whatever_the_folder_is_called(name: str, tmp_path: Path) -> None:
+    """The stack of a process has other letters escaped, and backslashes as they are."""
+    verdicts = hanging(make_root(tmp_path / "root"), tmp_path / name)
+    assert "where     ch90_small/small.py, line 7, in quadruple" in verdicts[-1].message
+
+
+def test_an_endless_loop_is_placed_in_a_folder_that_is_a_link(tmp_path: Path) -> None:
+    """As /tmp on macOS, and a mapped drive on Windows."""
+    (tmp_path / "disk").mkdir()
+    (tmp_path / "drive").symlink_to(tmp_path / "disk", target_is_directory=True)
+    verdicts = hanging(make_root(tmp_path / "root"), tmp_path / "drive/engine")
+    assert "where     ch90_small/small.py, line 7, in quadruple" in verdicts[-1].message
+
+
+def test_files_as_editors_on_windows_save_them_are_taken(tmp_path: Path) -> None:
+    """With two characters at the end of a line, and a mark before the first."""
+    out = tmp_path / "out"
+    make_handout(load_chapters()[:1], [], out)
+    folder = out / "chapters/ch02_vectors"
+
+    def as_on_windows() -> None:
+        for file in [*folder.glob("*.py"), folder / "answers.md"]:
+            text = file.read_bytes().removeprefix(codecs.BOM_UTF8).replace(b"\r\n", b"\n")
+            file.write_bytes(codecs.BOM_UTF8 + text.replace(b"\n", b"\r\n"))
+
+    command = (sys.executable, "-P", "-m", "autograder", "check", "--chapter", "2")
+    copy_tree(ROOT / "tests/ch02_vectors/second", folder)
+    as_on_windows()
+    done = run(*command, cwd=out, PYTHONPATH=".")
+    assert done.returncode == 0, done.stdout
+    assert "43 of 43 points" in done.stdout
+    with (folder / "vector.py").open("a", encoding="utf-8", newline="\r\n") as file:
+        file.write("\nVector3.invert = lambda self: None\n")
+    done = run(*command, cwd=out, PYTHONPATH=".")
+    place = re.search(r"Next: open .+vector\.py:(\d+)", done.stdout)
+    assert place, done.stdout
+    lines = (folder / "vector.py").read_text(encoding="utf-8-sig").splitlines()
+    assert "def invert(self)" in lines[int(place[1]) - 1]

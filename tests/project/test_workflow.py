@@ -1,0 +1,67 @@
+"""The workflow runs commands that there are, on the systems and Pythons that are promised."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import tomllib
+from typing import Any
+
+import pytest
+import yaml
+
+from autograder.manifest import ROOT
+
+JOBS = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))["jobs"]
+STEPS = [step for job in JOBS.values() for step in job["steps"]]
+LINES = [line for step in STEPS for line in step.get("run", "").splitlines()]
+COMMANDS = re.findall(r"-m (autograder|studies) (\w+)(.*)", "\n".join(LINES))
+
+
+def test_it_runs_on_three_systems_with_the_pythons_of_the_readme() -> None:
+    linux, students = JOBS["everything"], JOBS["student"]
+    systems = [linux["runs-on"], *(s["name"] for s in students["strategy"]["matrix"]["system"])]
+    assert [re.sub(r"-[\d.]+$", "", name) for name in systems] == ["ubuntu", "macos", "windows"]
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    promised = re.findall(r"3\.\d+", re.search(r"Python (3\..+?)\. ", readme)[1])
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["requires-python"] == f">={promised[0]}"
+    for job in (linux, students):
+        assert job["strategy"]["matrix"]["python"] == promised
+
+
+def test_every_action_is_pinned() -> None:
+    actions = [step["uses"] for step in STEPS if "uses" in step]
+    assert actions
+    assert all(re.fullmatch(r"[\w/-]+@v\d+\.\d+\.\d+", action) for action in actions), actions
+
+
+def test_linux_runs_the_test_command_of_the_readme() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    (line,) = [step["run"] for step in JOBS["everything"]["steps"] if "run" in step]
+    assert f"\n    {line}\n" in readme
+
+
+def test_students_systems_run_each_of_their_commands() -> None:
+    assert {name for _, name, _ in COMMANDS} == {"check", "hint", "reset", "plot", "demo"}
+    assert "python autograder/make_venv.py" in LINES
+    assert (ROOT / "autograder/make_venv.py").is_file()
+    assert not any(
+        line.startswith("make") for step in JOBS["student"]["steps"] for line in _of(step)
+    )
+
+
+def _of(step: dict[str, Any]) -> list[str]:
+    return step.get("run", "").splitlines()
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "rest"), COMMANDS, ids=[f"{module} {name}" for module, name, _ in COMMANDS]
+)
+def test_a_command_and_its_options_are_there(module: str, name: str, rest: str) -> None:
+    command = [sys.executable, "-m", module, name, "--help"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stderr
+    for option in re.findall(r"--\w+", rest):
+        assert f"{option} " in done.stdout

@@ -6,7 +6,7 @@ A quaternion is a tuple (r, i, j, k), a matrix of three rows one of nine numbers
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from random import Random
 from typing import Any
 
@@ -89,6 +89,26 @@ def applied(m: Sequence[float], v: Sequence[float]) -> Components:
     return x, y, z
 
 
+def joined(linear: Nine, move: Components) -> Nine:
+    """Return the twelve numbers of a Matrix4."""
+    return (*linear[0:3], move[0], *linear[3:6], move[1], *linear[6:9], move[2])
+
+
+def added(v: Components, w: Components) -> Components:
+    """Return the sum of two vectors."""
+    return v[0] + w[0], v[1] + w[1], v[2] + w[2]
+
+
+def subtracted(v: Components, w: Components) -> Components:
+    """Return the difference of two vectors."""
+    return v[0] - w[0], v[1] - w[1], v[2] - w[2]
+
+
+def moved(linear: Nine, move: Components, v: Components) -> Components:
+    """Return where a point is taken."""
+    return added(applied(linear, v), move)
+
+
 def determinant(m: Sequence[float]) -> float:
     """Return the determinant, by the rule of Sarrus."""
     a, b, c, d, e, f, g, h, i = m
@@ -111,6 +131,42 @@ def draw_matrix(rng: Random) -> Nine:
     for place in (0, 4, 8):
         m[place] = rng.choice((-1.0, 1.0)) * positive_number(rng, 5.0, 9.0)
     return tuple(m)
+
+
+def named(
+    got: Any,
+    cause: str,
+    slips: Mapping[str, float | Sequence[float]],
+    wanted: Sequence[float] = (),
+) -> str:
+    """Return the cause, and before it the name of the slip that gives the very numbers of got.
+
+    ``slips`` has what likely mistakes come to. Where none of them does, and one or two numbers of
+    the three rows of a matrix differ from those ``wanted``, the places of these are named.
+    """
+    for name, value in slips.items():
+        if _same(got, value):
+            return f"this is {name}: {cause}"
+    if not wanted or not isinstance(got, tuple) or len(got) != len(wanted):
+        return cause
+    columns, scale = len(wanted) // 3, max(map(abs, wanted))
+    wrong = [
+        f"row {place // columns + 1}, column {place % columns + 1}"
+        for place, (g, w) in enumerate(zip(got, wanted, strict=True))
+        if not _same(g, w, scale)
+    ]
+    return f"all is right but {' and '.join(wrong)}: {cause}" if len(wrong) in (1, 2) else cause
+
+
+def _same(got: Any, value: float | Sequence[float], scale: float = 0.0) -> bool:
+    """Say whether these are numbers, and those of a mistake: draws make no others as near."""
+    numbers, given = ((x,) if isinstance(x, (int, float)) else x for x in (got, value))
+    if not isinstance(numbers, (tuple, list)) or len(numbers) != len(given):
+        return False
+    near = 1e-9 * (scale or max(map(abs, given)))
+    return all(
+        type(n) in (int, float) and abs(n - g) <= near for n, g in zip(numbers, given, strict=True)
+    )
 
 
 def same_sign(got: Any, wanted: Sequence[float]) -> Any:

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import first_order_drift, integrate_rotation, velocity_of_point
 from ch09_rotations.probes import steps
 from ch09_rotations.quaternion import Quaternion
-from draw import components, number, positive_number
+from draw import Components, components, number, positive_number
 from expect import (
     expect_close,
     expect_error,
@@ -20,9 +20,20 @@ from expect import (
     expect_unchanged,
     xyz,
 )
-from turning import TIGHT, draw_quad, hamilton, quad, rijk, same_sign
+from turning import (
+    TIGHT,
+    Quad,
+    added,
+    draw_quad,
+    hamilton,
+    named,
+    quad,
+    rijk,
+    same_sign,
+    subtracted,
+)
 
-POINT = "book 9.5, Eq. 9.6"
+POINT = "book 9.3.1, Eq. 9.6"
 STEP = "the docstring of integrate_rotation"
 DRIFT = "the docstring of first_order_drift, and E-31"
 
@@ -30,11 +41,17 @@ DRIFT = "the docstring of first_order_drift, and E-31"
 @pytest.mark.exercise("B9.18")
 def test_a_point_of_what_turns() -> None:
     read = POINT
-    call = "velocity_of_point of (1, 0, 0), turning about (0, 0, 0) by (0, 0, 2) rad/s"
-    cause = "w x (q - p): counter-clockwise about Z, so that a point on X moves along Y"
+    call = "velocity_of_point(q, p, p', w), with q = Vector3(1, 0, 0), p and p' = Vector3(), "
+    call += "w = Vector3(0, 0, 2)"
+    cause = "it is w x (q - p), counter-clockwise about Z, so that a point on X moves along Y"
     args = [Vector3(1, 0, 0), Vector3(), Vector3(), Vector3(0, 0, 2)]
     got = xyz(velocity_of_point(*args))
-    expect_close(call, got, (0.0, 2.0, 0.0), cause=cause, read=read)
+    slips = {
+        "the other way round, (q - p) x w or w x (p - q)": (0.0, -2.0, 0.0),
+        "no turning at all": (0.0, 0.0, 0.0),
+        "the angular velocity itself": (0.0, 0.0, 2.0),
+    }
+    expect_close(call, got, (0.0, 2.0, 0.0), cause=named(got, cause, slips), read=read)
 
 
 @pytest.mark.exercise("B9.18")
@@ -45,11 +62,20 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     call = f"velocity_of_point(Vector3{point}, Vector3{place}, Vector3{v}, Vector3{w})"
     cause = "w x (q - p) + p': the arm is from the position to the point"
     got = xyz(velocity_of_point(*given))
-    x, y, z = (a - b for a, b in zip(point, place, strict=True))
-    turning = (w[1] * z - w[2] * y, w[2] * x - w[0] * z, w[0] * y - w[1] * x)
-    wanted = [a + b for a, b in zip(turning, v, strict=True)]
+    # Of two vectors, (0, w) times (0, arm) has the vector product as its last three.
+    turning, about_world = (
+        hamilton((0.0, *w), (0.0, *arm))[1:] for arm in (subtracted(point, place), point)
+    )
+    wanted = added(turning, v)
+    slips = {
+        "the turning alone, without the velocity": turning,
+        "what comes of turning about the world's origin": added(about_world, v),
+        "the turning and the velocity, one subtracted from the other": subtracted(turning, v),
+        "the velocity alone": v,
+    }
+    why = named(got, cause, slips)
     # Two products of up to 200.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-11)
     names = ("point", "position", "velocity", "angular_velocity")
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
         expect_unchanged(call, name, xyz(now), before, read=read)
@@ -84,6 +110,29 @@ def test_a_point_that_is_nowhere_is_refused() -> None:
             )
 
 
+def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str, Quad]:
+    """Return what likely mistakes make of the orientation in a step."""
+    mean = tuple(0.5 * (a + b) for a, b in zip(old, new, strict=True))
+    change = hamilton((0.0, *new), q)
+    longer = tuple(a + 0.5 * h * b for a, b in zip(q, change, strict=True))
+    size = math.hypot(*new)
+    return {
+        "a turn by the old w": hamilton(quad(old, h * math.hypot(*old)), q),
+        "a turn by the mean of the old w and the new one": hamilton(
+            quad(mean, h * math.hypot(*mean)), q
+        ),
+        "a step of Eq. 9.5, normalised, and right to the first order only": tuple(
+            component / math.hypot(*longer) for component in longer
+        ),
+        "a step of Eq. 9.5, not normalised (E-31)": longer,
+        "a turn by w', without the duration": hamilton(quad(new, size), q),
+        "a turn about an axis of the object, and not of the world": hamilton(
+            q, quad(new, h * size)
+        ),
+        "q as it was, but it turns in place": q,
+    }
+
+
 @pytest.mark.exercise("B9.18")
 def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     read = STEP
@@ -94,13 +143,20 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     cause = "w' = w + alpha h, in place"
     returned = integrate_rotation(orientation, velocity, acceleration, h)
     new = tuple(p + h * r for p, r in zip(w, a, strict=True))
-    expect_close(f"{call}w", xyz(velocity), new, cause=cause, read=read, tolerance=TIGHT)
+    got = xyz(velocity)
+    slips = {
+        "w as it was, where another vector may have been made and lost": w,
+        "w and alpha, without the duration": added(w, a),
+        "alpha h, without the old w": subtracted(new, w),
+    }
+    why = named(got, cause, slips)
+    expect_close(f"{call}w", got, new, cause=why, read=read, tolerance=TIGHT)
     wanted = hamilton(quad(new, h * math.hypot(*new)), q)
-    cause = (
-        "first w' = w + alpha h, then turn by w' h with rotate_by: not by the old w, not by Eq. 9.5"
-    )
+    cause = "first w' = w + alpha h, then turn by w' h with rotate_by"
     got = same_sign(rijk(orientation), wanted)
-    expect_close(f"{call}q", got, wanted, cause=cause, read=read, tolerance=TIGHT)
+    slips = {name: same_sign(slip, wanted) for name, slip in step_slips(q, w, new, h).items()}
+    why = named(got, cause, slips)
+    expect_close(f"{call}q", got, wanted, cause=why, read=read, tolerance=TIGHT)
     expect_unchanged(call, "the acceleration", xyz(acceleration), a, read=read)
     cause = "what changes in place returns nothing"
     expect_exactly(f"{call}what it returns", returned, None, cause=cause, read=read)
@@ -135,7 +191,8 @@ def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
     for off in (1.001, 1.0 + 5e-7):
         q = tuple(off * component for component in draw_quad(rng))
         orientation = Quaternion(*q)
-        call = f"q = Quaternion{q}; integrate_rotation(q, w, alpha, 0.1); the length of q"
+        call = f"q = Quaternion{q}; integrate_rotation(q, Vector3(1, 2, 3), Vector3(), 0.1); "
+        call += "the length of q"
         integrate_rotation(orientation, Vector3(1.0, 2.0, 3.0), Vector3(), 0.1)
         got = math.hypot(*rijk(orientation))
         expect_close(call, got, 1.0, cause=cause, read=read, tolerance=TIGHT)
@@ -148,14 +205,14 @@ def test_a_step_from_rest(rng: Random) -> None:
     for acceleration in ((0.0, 0.0, 0.0), a):
         orientation, velocity = Quaternion(*q), Vector3()
         call = f"q, w = Quaternion{q}, Vector3(); "
-        call += f"integrate_rotation(q, w, Vector3{acceleration}, {h}); "
+        call += f"integrate_rotation(q, w, Vector3{acceleration}, {h})"
         cause = "what does not turn has no axis, and is left where it is; what gains speed turns"
         integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
         new = tuple(h * component for component in acceleration)
-        expect_close(f"{call}w", xyz(velocity), new, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(f"{call}; w", xyz(velocity), new, cause=cause, read=read, tolerance=TIGHT)
         wanted = hamilton(quad(new, h * math.hypot(*new)), q) if any(new) else q
         got = same_sign(rijk(orientation), wanted)
-        expect_close(f"{call}q", got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(f"{call}; q", got, wanted, cause=cause, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.18", weight=0.5)
@@ -234,6 +291,29 @@ def drift_of(speed: float, duration: float, count: int) -> tuple[float, float]:
     return abs(point), speed * duration - turned
 
 
+def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
+    """Return what likely mistakes make of the length."""
+    turn = abs(speed) * duration / count
+    growth = 1.0 + 0.25 * turn * turn
+    return {
+        "the squared length, without its root": growth**count,
+        "the length after one step": math.sqrt(growth),
+        "what comes of adding up the growth of the steps": 1.0 + count * (math.sqrt(growth) - 1.0),
+        "only the first term, 1 + steps (w h)^2 / 8": 1.0 + 0.125 * count * turn * turn,
+        "what comes of w h in place of w h / 2": (1.0 + turn * turn) ** (0.5 * count),
+    }
+
+
+def lag_slips(right: float, turn: float) -> dict[str, float]:
+    """Return what likely mistakes make of the angle that is missing, of a whole turn."""
+    return {
+        "half of it, that of the quaternion's components": 0.5 * right,
+        "the angle it has turned by, not what is missing": turn - right,
+        "right but for the sign": -right,
+        "an angle in degrees": math.degrees(right),
+    }
+
+
 @pytest.mark.exercise("B9.19")
 def test_a_turn_a_second_in_sixty_frames() -> None:
     read = DRIFT
@@ -241,10 +321,12 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
     cause = "each step multiplies the length by the root of 1 + (w h / 2)^2"
     length, lag = first_order_drift(math.tau, 1.0, 60)
     # Four decimals, of the known figure of E-31.
-    expect_close(f"{call}, length", length, 1.0856, cause=cause, read=read, tolerance=5e-5)
+    why = named(length, cause, length_slips(math.tau, 1.0, 60))
+    expect_close(f"{call}, length", length, 1.0856, cause=why, read=read, tolerance=5e-5)
     cause = "each step turns by 2 atan(w h / 2) in place of w h"
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
-    expect_close(f"{call}, angle", lag, wanted, cause=cause, read=read, tolerance=TIGHT)
+    why = named(lag, cause, lag_slips(wanted, math.tau))
+    expect_close(f"{call}, angle", lag, wanted, cause=why, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.19")
@@ -258,9 +340,11 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
         wanted, missing = drift_of(speed, duration, steps_)
         # Rounding of 500 steps.
         near = 1e-10 * wanted
-        expect_close(f"{call}, length", length, wanted, cause=cause, read=read, tolerance=near)
+        why = named(length, cause, length_slips(speed, duration, steps_))
+        expect_close(f"{call}, length", length, wanted, cause=why, read=read, tolerance=near)
         cause = "w t less what the steps turn by, which is less: negative for a negative speed"
-        expect_close(f"{call}, angle", lag, missing, cause=cause, read=read, tolerance=1e-10)
+        why = named(lag, cause, lag_slips(missing, speed * duration))
+        expect_close(f"{call}, angle", lag, missing, cause=why, read=read, tolerance=1e-10)
 
 
 @pytest.mark.exercise("B9.19")

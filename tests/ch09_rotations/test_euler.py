@@ -15,9 +15,11 @@ from expect import (
     expect_error,
     expect_finite_numbers,
     expect_unchanged,
+    expect_vector,
     xyz,
 )
 from turning import (
+    IDENTITY,
     TIGHT,
     X_AXIS,
     Y_AXIS,
@@ -26,9 +28,11 @@ from turning import (
     applied,
     entries,
     hamilton,
+    named,
     quad,
     rijk,
     same_sign,
+    transposed,
     turned,
 )
 
@@ -54,6 +58,14 @@ def map_of(_x: float, y: float, z: float) -> tuple[float, ...]:
     return tuple(column[row] for row in range(3) for column in columns)
 
 
+def map_to_own(x: float, y: float, z: float) -> tuple[float, ...]:
+    """Return the axes of the three angles as the object has them, as columns."""
+    r, *back = in_order(x, y, z)
+    world = map_of(x, y, z)
+    columns = [turned((r, *(-c for c in back)), world[column::3]) for column in range(3)]
+    return tuple(column[row] for row in range(3) for column in columns)
+
+
 @pytest.mark.exercise("B9.17")
 def test_one_turn_after_another(rng: Random) -> None:
     read = ANGLES
@@ -66,7 +78,19 @@ def test_one_turn_after_another(rng: Random) -> None:
         call = f"euler_to_quaternion{angles}"
         wanted = in_order(*angles)
         got = same_sign(rijk(euler_to_quaternion(*angles)), wanted)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        about = [quad(axis, t) for axis, t in zip((X_AXIS, Y_AXIS, Z_AXIS), angles, strict=True)]
+        slips = {
+            f"the product {' '.join(names)} of the turns about these axes, not Z Y X": same_sign(
+                hamilton(hamilton(*(about["XYZ".index(name)] for name in names[:2])), last), wanted
+            )
+            for names in ("XYZ", "XZY", "YXZ", "YZX", "ZXY")
+            for last in [about["XYZ".index(names[2])]]
+        }
+        slips["the angles with the wrong sign"] = same_sign(in_order(*(-t for t in angles)), wanted)
+        slips["made of degrees"] = same_sign(in_order(*map(math.radians, angles)), wanted)
+        slips["about Z by x, and about X by z"] = same_sign(in_order(*angles[::-1]), wanted)
+        why = named(got, cause, slips)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.17")
@@ -79,7 +103,17 @@ def test_what_the_rates_make(rng: Random) -> None:
         call = f"rate_map({x}, {y}, {z})"
         cause = "a column for each angle's axis: Z stays, Y is turned by z, X by y and then by z"
         got = entries(rate_map(x, y, z))
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        slips = {
+            "the identity, as if the rates were the angular velocity": IDENTITY,
+            "the axes as rows, and they are the columns": transposed(wanted),
+            "the map to axes of the object, not of the world": map_to_own(x, y, z),
+            "the map with the last angle's axis first": [
+                wanted[3 * row + column] for row in range(3) for column in (2, 1, 0)
+            ],
+            "the map of y and z exchanged": map_of(x, z, y),
+        }
+        why = named(got, cause, slips, wanted)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.17")
@@ -87,19 +121,27 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
     read = BACK
     w = components(rng)
     velocity = Vector3(*w)
-    cause = "what the inverse of the rate map makes of the angular velocity, beyond a quarter turn "
-    cause += "too: only where |cos y| is next to nothing there is none"
-    for y in (2.5, -2.5, 4.0):
-        angles = (0.4, y, 0.7)
-        call = f"euler_rates{(*angles, f'Vector3{w}')}"
+    drawn = draw_angles(rng)  # first, for a plain message, and last, for what follows the loop
+    for angles in (drawn, (0.4, 2.5, 0.7), (0.4, -2.5, 0.7), (0.4, 4.0, 0.7), drawn):
+        x, y, z = angles
+        call = f"euler_rates({x}, {y}, {z}, Vector3{w})"
+        cause = "only where |cos y| is next to nothing there are no rates"
+        if math.cos(y) < 0.0:
+            cause += f": beyond a quarter turn too there are some, and cos y is {math.cos(y):.3g}"
         rates = xyz(euler_rates(*angles, velocity))
-        got = applied(map_of(*angles), rates) if isinstance(rates, tuple) else rates
-        expect_close(call, got, w, cause=cause, read=read, tolerance=1e-11)
-    angles = draw_angles(rng)
-    call = f"euler_rates{(*angles, f'Vector3{w}')}"
-    cause = "what the inverse of the rate map makes of the angular velocity"
-    rates = xyz(euler_rates(*angles, velocity))
-    expect_close(call, applied(map_of(*angles), rates), w, cause=cause, read=read, tolerance=1e-11)
+        cause = "the rates are the inverse of the rate map times the angular velocity"
+        there = map_of(*angles)
+        slips = {
+            "the angular velocity as it was": w,
+            "the rate map itself times it": applied(there, w),
+            "the transpose times it, which is the inverse of rotations only": applied(
+                transposed(there), w
+            ),
+        }
+        cause = named(rates, cause, slips)
+        got = applied(there, rates) if isinstance(rates, tuple) and len(rates) == 3 else rates
+        name = f"{call}: the angular velocity that these rates make"
+        expect_close(name, got, w, cause=cause, read=read, tolerance=1e-11)
     expect_unchanged(call, "angular_velocity", xyz(velocity), w, read=read)
     step = 1e-6
     x, y, z = (angle + step * rate for angle, rate in zip(angles, rates, strict=True))
@@ -117,9 +159,15 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
     read = BACK
     x, z = number(rng, 0.3, 2.9), number(rng, 0.3, 2.9)
     w = components(rng)
+    quarter = 0.5 * math.pi
+    for off in (1e-6, -1e-6, 5e-13, -5e-13):
+        call = f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{w})"
+        cause = f"this is near gimbal lock, and not in it: |cos y| is {abs(off)}, above SINGULAR, "
+        cause += "1e-13"
+        rates = euler_rates(x, quarter + off, z, Vector3(*w))
+        expect_vector(call, rates, cause=cause, read=read)
     cause = "at a quarter turn two axes are one: ask abs(cos y) > SINGULAR. Matrix3.inverse "
     cause += "compares with the lengths of the rows, which may shrink with it"
-    quarter = 0.5 * math.pi
     for y, turn in (
         (quarter, z),
         (-quarter, z),

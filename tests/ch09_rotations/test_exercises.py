@@ -33,6 +33,7 @@ from turning import (
     Quad,
     draw_quad,
     hamilton,
+    named,
     quad,
     rijk,
     same_sign,
@@ -56,6 +57,13 @@ def test_two_turns_end_where_two_others_do() -> None:
     a, b = two_other_turns()
     both = hamilton(quad(X_AXIS, math.radians(b)), quad(Z_AXIS, math.radians(a)))
     cause = "fixed axes, right-handed, in degrees: take a book, and follow its axes through both"
+    slips = {
+        "a and b exchanged": (90.0, -90.0),
+        "right but for the sign of a": (90.0, 90.0),
+        "right but for the sign of b": (-90.0, -90.0),
+        "in radians": (-0.5 * math.pi, 0.5 * math.pi),
+    }
+    cause = named((a, b), cause, slips)
     for name, axis, wanted in (
         ("X", X_AXIS, (0.0, 0.0, -1.0)),
         ("Y", Y_AXIS, (1.0, 0.0, 0.0)),
@@ -72,8 +80,10 @@ def test_two_turns_end_where_two_others_do() -> None:
 def test_the_angles_are_within_half_a_turn() -> None:
     read = "the docstring of two_other_turns"
     call, cause = "two_other_turns()", "degrees from -180 to 180: 270 is -90"
-    got = tuple(two_other_turns())
-    expect_close(call, got, (0.0, 0.0), cause=cause, read=read, tolerance=180.0)
+    for letter, angle in zip("ab", two_other_turns(), strict=True):
+        name = f"{call}, {letter}, which is {angle}: is it from -180 to 180"
+        allowed = isinstance(angle, (int, float)) and abs(angle) <= 180.0
+        expect_exactly(name, allowed, True, cause=cause, read=read)
 
 
 # 9.2 One turn back to the reference
@@ -91,6 +101,10 @@ def way_back(q: Quad) -> tuple:
     length = math.hypot(*unit)
     expect_close(f"{call}, the axis's length", length, 1.0, cause=cause, read=read, tolerance=TIGHT)
     cause = "from -pi to pi: a turn by more is one by less about the opposite axis"
+    turn = math.degrees(2.0 * math.atan2(math.hypot(*q[1:]), abs(q[0])))
+    slips = {"an angle in degrees, not in radians": turn, "an angle in degrees": -turn}
+    if angle:
+        cause = named(angle, cause, slips)
     name = f"{call}: is its angle, {angle}, from -pi to pi"
     allowed = isinstance(angle, (int, float)) and abs(angle) <= math.pi + 1e-12
     expect_exactly(name, allowed, True, cause=cause, read=read)
@@ -101,13 +115,19 @@ def way_back(q: Quad) -> tuple:
 def test_one_turn_leads_back(rng: Random) -> None:
     read = BACK
     axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
-    cause = "the turn that undoes it is its conjugate: the same axis, the opposite angle"
+    cause = "the turn that undoes it is its conjugate, about the same axis by the opposite angle"
     drawn = [draw_quad(rng), quad(axis, small), quad(axis, large), quad(axis, -small)]
     for q in ((0.5, 0.5, 0.5, 0.5), *drawn):
         unit, angle = way_back(q)
-        call = f"back_to_reference(Quaternion{q}): after this turn the object is at"
-        got = same_sign(hamilton(quad(unit, angle), q), (1.0, 0.0, 0.0, 0.0))
-        expect_close(call, got, (1.0, 0.0, 0.0, 0.0), cause=cause, read=read, tolerance=TIGHT)
+        call = f"back_to_reference(Quaternion{q}): after a turn by {angle} about {unit} it is at"
+        reference = (1.0, 0.0, 0.0, 0.0)
+        got = same_sign(hamilton(quad(unit, angle), q), reference)
+        slips = {
+            "where the turn there, made once more, leads": same_sign(hamilton(q, q), reference),
+            "where half the angle leads": same_sign(quad(q[1:], math.acos(q[0])), reference),
+        }
+        why = named(got, cause, slips)
+        expect_close(call, got, reference, cause=why, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.2")
@@ -170,14 +190,19 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     read = PLANE
     (r, i), (s, j) = ((number(rng), number(rng)) for _ in range(2))
     call = f"product_without_j_and_k(Quaternion({r}, {i}, 0, 0), Quaternion({s}, {j}, 0, 0))"
-    cause = "i i is -1: the scalar part is r r' - i i', beside i stands r i' + i r'"
+    cause = "the scalar part is r r' - i i', since i i is -1, and beside i stands r i' + i r'"
     a, b = Quaternion(r, i, 0.0, 0.0), Quaternion(s, j, 0.0, 0.0)
     got = rijk(product_without_j_and_k(a, b))
     product = complex(r, i) * complex(s, j)
     wanted = (product.real, product.imag, 0.0, 0.0)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
     expect_unchanged(call, "a", rijk(a), (r, i, 0.0, 0.0), read=read)
     expect_unchanged(call, "b", rijk(b), (s, j, 0.0, 0.0), read=read)
+    slips = {
+        "what comes of i i = 1": (r * s + i * j, product.imag, 0.0, 0.0),
+        "component times component": (r * s, i * j, 0.0, 0.0),
+    }
+    why = named(got, cause, slips)
+    expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
     name = f"{call}: multiplications, where more than four are made"
     cause = "a * b makes sixteen: leave out what is zero"
     got = max(4, multiplications((r, i), (s, j)))
@@ -226,9 +251,22 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         orientation = Quaternion(*q)
         call = f"turned_by_sense(Quaternion{q}, {rate}, {duration})"
         cause = "one turn by rate times duration about the world's X, on the left of the product"
-        wanted = hamilton(quad(X_AXIS, rate * duration), q)
+        if rate == 0.0:
+            cause = "a rate of 0 turns nothing, about any axis: the axis is X, and the angle is 0"
+        turn = quad(X_AXIS, rate * duration)
+        wanted = hamilton(turn, q)
         got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        slips = {
+            "the turn on the right of the product, about the object's own X": hamilton(q, turn),
+            "the turn alone, without the orientation before it": turn,
+            "a turn by half the angle": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
+            "a turn by the rate, whatever the duration": hamilton(quad(X_AXIS, rate), q),
+            "a turn the other way round": hamilton(quad(X_AXIS, -rate * duration), q),
+            "one step of Eq. 9.5, and not a turn": stepped(q, rate, duration, 1),
+        }
+        slips = {name: same_sign(slip, wanted) for name, slip in slips.items()}
+        why = named(got, cause, slips)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
         expect_unchanged(call, "orientation", rijk(orientation), q, read=read)
     call = f"q = Quaternion{q}; turned_by_sense(q, 0, 1), which is changed then; q"
     cause = "a new one, where nothing turns too"
@@ -258,10 +296,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         rate, duration = sign * positive_number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
         orientation = Quaternion(*q)
         call = f"turned_by_steps(Quaternion{q}, {rate}, {duration}, {steps})"
-        cause = (
-            "add_scaled in steps of duration / steps on a copy; normalise that before its error "
-        )
-        cause += "is asked for"
+        cause = "add_scaled in steps of duration / steps, on a copy, which is normalised at the end"
         if steps == 1:
             call = f"turned_by_steps(Quaternion{q}, {rate}, {duration})"
             result, error = turned_by_steps(orientation, rate, duration)
@@ -270,12 +305,31 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         wanted = stepped(q, rate, duration, steps)
         got = same_sign(rijk(result), wanted)
         name = f"{call}, the orientation"
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        half = 0.5 * rate * duration / steps
+        size = (1.0 + half * half) ** (0.5 * steps)
+        slips = {
+            "what comes of steps that are as long as the whole duration": stepped(
+                q, rate, duration * steps, steps
+            ),
+            "what comes of one step of the whole duration": stepped(q, rate, duration, 1),
+            "not normalised": [size * component for component in wanted],
+            "the exact turn, not that of Eq. 9.5": hamilton(quad(X_AXIS, rate * duration), q),
+            "the orientation as it was": q,
+        }
+        slips = {label: same_sign(slip, wanted) for label, slip in slips.items()}
+        why = named(got, cause, slips)
+        expect_close(name, got, wanted, cause=why, read=read, tolerance=TIGHT)
         turn = abs(rate * duration)
         missing = turn - 2.0 * steps * math.atan(0.5 * turn / steps)
         cause = "the angle of the turn from the one to the other, in radians and not negative"
         name = f"{call}, the error"
-        expect_close(name, error, missing, cause=cause, read=read, tolerance=1e-11)
+        slips = {
+            "half the angle": 0.5 * missing,
+            "the angle with its sign": -missing,
+            "an angle in degrees": math.degrees(missing),
+        }
+        why = named(error, cause, slips)
+        expect_close(name, error, missing, cause=why, read=read, tolerance=1e-11)
         expect_unchanged(call, "orientation", rijk(orientation), q, read=read)
 
 

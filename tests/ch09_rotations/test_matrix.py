@@ -9,7 +9,7 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix import Matrix3, Matrix4
-from draw import components
+from draw import Components, components
 from expect import expect_close, expect_error, expect_unchanged, xyz
 from turning import (
     IDENTITY,
@@ -19,12 +19,21 @@ from turning import (
     determinant,
     draw_matrix,
     entries,
+    named,
     times,
     transposed,
 )
 
-TIMES = "book 9.4.1"
-INVERSE = "book 9.4.2, and the docstring of Matrix3.inverse"
+TIMES = "book 9.4.2"
+INVERSE = "book 9.4.3, and the docstring of Matrix3.inverse"
+
+
+def in_place(m: Nine, a: Components) -> Components:
+    """Return what comes of a vector that is written to while it is read."""
+    x, y, z = a
+    x = m[0] * x + m[1] * y + m[2] * z
+    y = m[3] * x + m[4] * y + m[5] * z
+    return x, y, m[6] * x + m[7] * y + m[8] * z
 
 
 @pytest.mark.exercise("B9.4")
@@ -36,8 +45,13 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     cause = "each row of the matrix times the vector, like a scalar product"
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
+    slips = {
+        "each column times the vector, so the transpose": applied(transposed(m), a),
+        "what comes of y and z made from the new x and y": in_place(m, a),
+    }
+    why = named(got, cause, slips)
     # Three products of numbers up to 90.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-11)
     expect_unchanged(call, "v", xyz(v), a, read=read)
     call = f"Matrix3{m} @ Vector3{a}, which calls Matrix3.transform"
     got = xyz(Matrix3(*m) @ v)
@@ -52,7 +66,15 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     cause = "each row of self times each column of m: the order matters"
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))
-    expect_close(call, got, times(m, n), cause=cause, read=read, tolerance=1e-11)
+    slips = {
+        "the product in the other order": times(n, m),
+        "number times number": [p * q for p, q in zip(m, n, strict=True)],
+        "rows times rows": times(m, transposed(n)),
+        "columns times columns": times(transposed(m), n),
+        "the transpose of the product": transposed(times(m, n)),
+    }
+    why = named(got, cause, slips, times(m, n))
+    expect_close(call, got, times(m, n), cause=why, read=read, tolerance=1e-11)
     expect_unchanged(call, "the first", entries(first), m, read=read)
     expect_unchanged(call, "the second", entries(second), n, read=read)
     call = f"Matrix3{m} @ Matrix3{n}, which calls Matrix3.product"
@@ -94,7 +116,9 @@ def test_rows_become_columns(rng: Random) -> None:
     call = f"Matrix3{m}.transpose()"
     cause = "what stands in row i and column j comes to stand in row j and column i"
     got = entries(matrix.transpose())
-    expect_close(call, got, transposed(m), cause=cause, read=read, tolerance=0.0)
+    slips = {"the matrix as it was": m, "turned over the other diagonal": transposed(m)[::-1]}
+    why = named(got, cause, slips, transposed(m))
+    expect_close(call, got, transposed(m), cause=why, read=read, tolerance=0.0)
     expect_unchanged(call, "the matrix", entries(matrix), m, read=read)
 
 
@@ -106,9 +130,42 @@ def ring_and_swap() -> tuple[Nine, Nine]:
     )
 
 
+def determinant_slips(m: Nine) -> dict[str, float]:
+    """Return what likely mistakes make of a determinant."""
+    a, b, c, d, e, f, g, h, i = m
+    right = determinant(m)
+    products = {
+        "+ a e i": a * e * i,
+        "+ b f g": b * f * g,
+        "+ c d h": c * d * h,
+        "- c e g": -c * e * g,
+        "- b d i": -b * d * i,
+        "- a f h": -a * f * h,
+    }
+    products |= {
+        "+ a (e i - f h)": a * (e * i - f * h),
+        "- b (d i - f g)": -b * (d * i - f * g),
+        "+ c (d h - e g)": c * (d * h - e * g),
+    }
+    signs = {
+        f"right but for one sign, which is {name} (rows a b c, d e f, g h i)": right - 2.0 * product
+        for name, product in products.items()
+    }
+    return signs | {
+        "the determinant without its sign, or with the wrong one": -right,
+        "the product of the diagonal alone": a * e * i,
+        "all six products with a plus": a * e * i
+        + b * f * g
+        + c * d * h
+        + c * e * g
+        + b * d * i
+        + a * f * h,
+    }
+
+
 @pytest.mark.exercise("B9.5")
 def test_the_determinant(rng: Random) -> None:
-    read = "book 9.4.2"
+    read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
     cause = "first . (second x third), of the rows: a mirrored one is negative"
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
@@ -116,7 +173,9 @@ def test_the_determinant(rng: Random) -> None:
         call = f"Matrix3{n}.determinant()"
         got = Matrix3(*n).determinant()
         # Six products of up to 700.
-        expect_close(call, got, determinant(n), cause=cause, read=read, tolerance=1e-10)
+        why = named(got, cause, determinant_slips(n))
+        expect_close(call, got, determinant(n), cause=why, read=read, tolerance=1e-10)
+    cause += "; a zero on the diagonal makes no determinant zero"
     for n in ring_and_swap():
         call = f"Matrix3{n}.determinant()"
         got = Matrix3(*n).determinant()
@@ -132,15 +191,40 @@ def test_the_determinant(rng: Random) -> None:
 def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     read = INVERSE
     m = draw_matrix(rng)
-    swapped = "rows and columns are easily swapped here: the columns are second x third, and so on"
+    plain = "the columns are second x third, third x first, first x second, each / determinant"
     small = "what is small is not singular: SINGULAR is a share of the product of the rows' lengths"
-    for scale, cause in ((1.0, swapped), (1e-7, small), (1e7, small)):
-        n = tuple(number * scale for number in m)
+    mirrored = (*m[3:6], *m[0:3], *m[6:9])  # its determinant has the other sign
+    for rows, scale, how in (
+        (m, 1.0, plain),
+        (mirrored, 1.0, plain),
+        (m, 1e-7, small),
+        (m, 1e7, small),
+    ):
+        n = tuple(number * scale for number in rows)
         matrix = Matrix3(*n)
         call = f"m = Matrix3{n}; m times m.inverse()"
+        cause = f"its determinant is {determinant(n):.4g}, and not 0: it has an inverse"
+        if scale != 1.0:
+            cause = small
         got = entries(matrix.inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
-        expect_close(call, product, IDENTITY, cause=cause, read=read, tolerance=TIGHT)
+        slips = {
+            "what comes of an inverse that is not divided by the determinant": [
+                determinant(n) * one for one in IDENTITY
+            ],
+            "what comes of dividing by the determinant twice": [
+                one / determinant(n) for one in IDENTITY
+            ],
+            "what comes of the sign of the determinant lost": [-one for one in IDENTITY],
+            "m times its transpose": times(n, transposed(n)),
+            "m times m": times(n, n),
+        }
+        if product is not got and all(type(number) in (int, float) for number in got):
+            back = times(n, transposed(got))
+            if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
+                slips["what comes of rows and columns swapped in the inverse"] = product
+        why = named(product, how, slips)
+        expect_close(call, product, IDENTITY, cause=why, read=read, tolerance=TIGHT)
         expect_unchanged(call, "m", entries(matrix), n, read=read)
     cause = "a zero on the diagonal, or rows of all sizes, make no matrix singular"
     for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):

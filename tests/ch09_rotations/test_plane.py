@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from random import Random
 
@@ -11,24 +12,34 @@ from ch09_rotations.plane import angle_to_vector, center_of_mass, rotate_point, 
 from ch09_rotations.plane_probes import masses_after
 from draw import number, positive_number
 from expect import expect_close, expect_error, expect_finite_numbers, expect_unchanged
-from turning import TIGHT
+from turning import TIGHT, named
 
+Point = tuple[float, float]
 WRAP = "book 9.1.1, and the docstring of wrap_angle"
-POINT = "book 9.1.2, Eq. 9.2"
+POINT = "book 9.1, Eq. 9.2"
 MASS = "book 9.1.3, and the docstring of center_of_mass"
 
 
 @pytest.mark.exercise("B9.1")
 def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
     read = WRAP
-    cause = "take off whole turns, 2 pi each, or add them, until it lies above -pi and up to pi"
+    cause = "take off whole turns, 2 pi each in radians, or add them: above -pi and up to pi"
     for turns in (0, 1, -1, 7, -12):
         for low, high in ((0.01, 1.5), (1.6, 3.1)):
             size = positive_number(rng, low, high)
             for angle in (size, -size):
-                call = f"wrap_angle({angle} + {turns} * 2 pi)"
+                whole = f" + {turns} * 2 pi" if turns else ""
+                call = f"wrap_angle({angle}{whole})"
                 got = wrap_angle(angle + turns * math.tau)
-                expect_close(call, got, angle, cause=cause, read=read, tolerance=TIGHT)
+                slips = {
+                    "an angle from 0 to 2 pi": angle % math.tau,
+                    "the angle as it came": angle + turns * math.tau,
+                    "one turn taken off, and no more": angle + (turns - 1) * math.tau,
+                    "one turn added, and no more": angle + (turns + 1) * math.tau,
+                    "an angle in degrees": math.degrees(angle),
+                }
+                why = named(got, cause, slips)
+                expect_close(call, got, angle, cause=why, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.1", weight=0.5)
@@ -77,7 +88,34 @@ def test_the_direction_of_an_angle(rng: Random) -> None:
         call = f"angle_to_vector({t})"
         got = angle_to_vector(t)
         wanted = (math.cos(t), math.sin(t))
-        expect_close(call, got, wanted, cause=cause, read=read)
+        taken = math.radians(t)
+        slips = {
+            "sine and cosine swapped": (math.sin(t), math.cos(t)),
+            "the angle taken for degrees": (math.cos(taken), math.sin(taken)),
+            "the sine with the wrong sign": (math.cos(t), -math.sin(t)),
+            "the cosine with the wrong sign": (-math.cos(t), math.sin(t)),
+        }
+        expect_close(call, got, wanted, cause=named(got, cause, slips), read=read)
+
+
+def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
+    """Return what likely mistakes make of a point that is to be turned and moved."""
+    start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
+    ends = {
+        "clockwise": place + start / turn,
+        "moved first, and then turned": (start + place) * turn,
+        "turned, and not moved": start * turn,
+        "moved, and not turned": place + start,
+        "turned about the origin, as if the point were one of the world": place
+        + (start - place) * turn,
+        "the angle taken for degrees": place + start * cmath.rect(1.0, math.radians(angle)),
+    }
+    # A component that is changed before the other has read it.
+    x = turn.real * point[0] - turn.imag * point[1]
+    ends["y made from the new x, and not from the old"] = place + complex(
+        x, turn.imag * x + turn.real * point[1]
+    )
+    return {name: (end.real, end.imag) for name, end in ends.items()}
 
 
 @pytest.mark.exercise("B9.2")
@@ -86,6 +124,7 @@ def test_the_headlight_of_the_book() -> None:
     call = "rotate_point((1.5, -0.75), 3 pi / 8, (4, 3.85))"
     cause = "turn the point counter-clockwise about its own origin, then add the car's position"
     got = rotate_point((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85))
+    cause = named(got, cause, slips_of((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85)))
     # The book's two decimals.
     expect_close(call, got, (5.27, 4.95), cause=cause, read=read, tolerance=0.006)
 
@@ -99,6 +138,7 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
         call = f"rotate_point(({x}, {y}), {angle}, ({across}, {up}))"
         cause = "x goes to x cos t - y sin t, y to x sin t + y cos t; then add origin"
         got = rotate_point((x, y), angle, (across, up))
+        cause = named(got, cause, slips_of((x, y), angle, (across, up)))
         end = complex(across, up) + complex(x, y) * complex(math.cos(angle), math.sin(angle))
         expect_close(call, got, (end.real, end.imag), cause=cause, read=read, tolerance=TIGHT)
 
@@ -118,10 +158,16 @@ def test_a_point_of_nothing_is_refused() -> None:
 @pytest.mark.exercise("B9.3")
 def test_the_centre_of_two_masses_is_nearer_to_the_larger() -> None:
     read = MASS
-    call = "center_of_mass([3, 1], [(0, 0), (4, 8)])"
+    call = "center_of_mass([6, 2], [(0, 0), (4, 8)])"
     cause = "each position counts by its mass: add up m x and m y, and divide by the sum of m"
-    got = center_of_mass([3.0, 1.0], [(0.0, 0.0), (4.0, 8.0)])
-    expect_close(call, got, (1.0, 2.0), cause=cause, read=read)
+    got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
+    slips = {
+        "the sum of m x and m y, not divided": (8.0, 16.0),
+        "the sum divided by how many there are": (4.0, 8.0),
+        "the mean of the places, whatever the masses": (2.0, 4.0),
+        "the other mass at each place": (3.0, 6.0),
+    }
+    expect_close(call, got, (1.0, 2.0), cause=named(got, cause, slips), read=read)
 
 
 @pytest.mark.exercise("B9.3")
@@ -137,11 +183,15 @@ def test_the_centre_of_many_masses(rng: Random) -> None:
         pairs = list(zip(masses, positions, strict=True))
         wanted = [math.fsum(m * p[axis] for m, p in pairs) / total for axis in (0, 1)]
         got = center_of_mass([*masses], [*positions])
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
-        call = f"center_of_mass({tuple(masses)}, {tuple(positions)})"
-        got = center_of_mass(tuple(masses), tuple(positions))
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
-        call = f"center_of_mass({masses}, {positions})"
+        last = dict(pairs)
+        slips = {
+            "rounded down, as // does": [math.floor(w) for w in wanted],
+            "right only if no two masses are equal": [
+                math.fsum(m * p[axis] for m, p in last.items()) / math.fsum(last) for axis in (0, 1)
+            ],
+        }
+        why = named(got, cause, slips)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
         after = masses_after(masses, positions)
         cause_lists = "the call must not change its lists: sort, or take from, a copy"
         for name, now, before in (
@@ -149,6 +199,9 @@ def test_the_centre_of_many_masses(rng: Random) -> None:
             ("positions", after[1], positions),
         ):
             expect_unchanged(call, name, now, before, cause=cause_lists, read=read)
+        call = f"center_of_mass({tuple(masses)}, {tuple(positions)})"
+        got = center_of_mass(tuple(masses), tuple(positions))
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.3")

@@ -11,11 +11,11 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 from draw import number
 from expect import expect_close, expect_error, expect_exactly, expect_unchanged
-from turning import Quad, draw_quad, hamilton, rijk
+from turning import Quad, draw_quad, hamilton, named, rijk
 
 LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
-NORMALIZE = "book 9.4.7, and the docstring of normalize"
-PRODUCT = "book 9.4.8"
+NORMALIZE = "book 9.4.8, and the docstring of normalize"
+PRODUCT = "book 9.4.9"
 ONLY_LOOKS = "it only asks, and must not change the quaternion: work on numbers of your own"
 
 
@@ -30,7 +30,13 @@ def test_the_length_of_four_components(rng: Random) -> None:
     cause = "the root of the sum of four squares: r is one of them"
     call = "Quaternion(1, -3, 5, 1).magnitude()"
     got = Quaternion(1.0, -3.0, 5.0, 1.0).magnitude()
-    expect_close(call, got, 6.0, cause=cause, read=read)
+    slips = {
+        "the sum of the squares, without the root": 36.0,
+        "the length of (i, j, k) alone, without r": math.sqrt(35.0),
+        "the sum of the four": 4.0,
+        "the sum of the four sizes": 10.0,
+    }
+    expect_close(call, got, 6.0, cause=named(got, cause, slips), read=read)
     q = draw_four(rng)
     call = f"Quaternion{q}.magnitude()"
     quaternion = Quaternion(*q)
@@ -43,7 +49,6 @@ def test_the_length_of_four_components(rng: Random) -> None:
 def test_near_which_length_it_is_a_turn(rng: Random) -> None:
     read = LENGTH
     q = draw_quad(rng)
-    cause = "within UNIT_TOLERANCE, 1e-6, on both sides of 1"
     for length, wanted in (
         (1.0, True),
         (1.0 + 9e-7, True),
@@ -57,6 +62,13 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
     ):
         scaled = tuple(component * length for component in q)
         call = f"Quaternion{scaled}.is_unit(), of length {abs(length)}"
+        cause = "within UNIT_TOLERANCE, 1e-6, on both sides of 1"
+        if 0.0 < abs(length - 1.0) < 1e-5:
+            cause += f": the length is off by {abs(length - 1.0):.2g} here, and its square, which "
+            cause += "is not to be compared, by twice as much"
+        elif not math.isfinite(length):
+            cause = "NaN compares false with everything: ask whether the length is near 1, and not "
+            cause += "whether it is far"
         quaternion = Quaternion(*scaled)
         got = quaternion.is_unit()
         expect_exactly(call, got, wanted, cause=cause, read=read)
@@ -84,7 +96,15 @@ def test_normalised_it_has_length_one(rng: Random) -> None:
         call = f"q = Quaternion{q}; q.normalize(); q"
         returned = quaternion.normalize()
         wanted = tuple(component / length for component in q)
-        expect_close(call, rijk(quaternion), wanted, cause=cause, read=read)
+        got = rijk(quaternion)
+        slips = {
+            "the quaternion as it was, where it must change in place": q,
+            "what comes of dividing by the squared length": [c / length**2 for c in q],
+        }
+        if length != 1.0 and abs(length - 1.0) < 1e-6:
+            slips = {"the quaternion as it was, which is_unit lets pass, but not this": q}
+            cause = "normalize divides whatever the length"
+        expect_close(call, got, wanted, cause=named(got, cause, slips), read=read)
     cause = "what changes in place returns nothing"
     call = f"Quaternion{q}.normalize(), what it returns"
     expect_exactly(call, returned, None, cause=cause, read=read)
@@ -126,8 +146,15 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     call = f"q = Quaternion{q}; q.conjugate()"
     cause = "r stays, and i, j and k change their signs, in a new quaternion"
     got = rijk(quaternion.conjugate())
-    wanted = (q[0], -q[1], -q[2], -q[3])
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.0)
+    r, i, j, k = q
+    wanted = (r, -i, -j, -k)
+    slips = {
+        "all four with their signs changed, which is the same orientation": (-r, -i, -j, -k),
+        "the sign of r changed, and not the three others": (-r, i, j, k),
+        "the quaternion as it was": q,
+    }
+    why = named(got, cause, slips)
+    expect_close(call, got, wanted, cause=why, read=read, tolerance=0.0)
     expect_unchanged(call, "q", rijk(quaternion), q, read=read)
 
 
@@ -141,12 +168,18 @@ def test_the_table_of_i_j_and_k() -> None:
         "k": (0.0, 0.0, 0.0, 1.0),
     }
     cause = "i j = k, j k = i and k i = j; the other way round the sign is turned; i i = -1"
+    products = []
     for first, a in units.items():
         for second, b in units.items():
             call = f"Quaternion{a} * Quaternion{b}, which is {first} {second}"
-            got = rijk(Quaternion(*a) * Quaternion(*b))
-            wanted = hamilton(a, b)
-            expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.0)
+            one, other = Quaternion(*a), Quaternion(*b)
+            products.append((call, a, b, rijk(one * other)))
+            expect_unchanged(call, "the first", rijk(one), a, read=read)
+            expect_unchanged(call, "the second", rijk(other), b, read=read)
+    if all(got == hamilton(b, a) for _, a, b, got in products):
+        cause = f"this is the product in the other order: {cause}"
+    for call, a, b, got in products:
+        expect_close(call, got, hamilton(a, b), cause=cause, read=read, tolerance=0.0)
 
 
 @pytest.mark.exercise("B9.8", weight=2)

@@ -10,31 +10,50 @@ import pytest
 from ch09_rotations.exercises import easy_inverse, read_off
 from ch09_rotations.matrix import Matrix3, Matrix4
 from draw import components
-from expect import expect_close, expect_error, expect_unchanged, xyz
-from turning import IDENTITY, TIGHT, applied, draw_quad, entries, matrix_of, transposed
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from turning import (
+    IDENTITY,
+    TIGHT,
+    applied,
+    draw_quad,
+    entries,
+    joined,
+    matrix_of,
+    moved,
+    named,
+    subtracted,
+    transposed,
+)
 
 OFF = "the docstring of read_off"
 EASY = "the docstring of easy_inverse"
-
-
-def placed(linear: tuple[float, ...], p: tuple[float, ...]) -> tuple[float, ...]:
-    """Return the twelve numbers of a Matrix4."""
-    return (*linear[0:3], p[0], *linear[3:6], p[1], *linear[6:9], p[2])
 
 
 @pytest.mark.exercise("9.5")
 def test_rotation_and_position_are_read_off(rng: Random) -> None:
     read = OFF
     m, p = matrix_of(draw_quad(rng)), components(rng)
-    twelve = placed(m, p)
+    twelve = joined(m, p)
     matrix = Matrix4(*twelve)
     call = f"read_off(Matrix4{twelve})"
     cause = "the rotation is the first three columns, as a Matrix3, the position the last one"
     rotation, position = read_off(matrix)
     name = f"{call}, the rotation"
-    expect_close(name, entries(rotation), m, cause=cause, read=read, tolerance=0.0)
+    got = entries(rotation)
+    slips = {"the transpose of the rotation": transposed(m), "the first nine entries": twelve[:9]}
+    why = named(got, cause, slips)
+    expect_close(name, got, m, cause=why, read=read, tolerance=0.0)
     name = f"{call}, the position"
-    expect_close(name, xyz(position), p, cause=cause, read=read, tolerance=0.0)
+    got = xyz(position)
+    x, y, z = applied(transposed(m), p)
+    slips = {
+        "the last row": twelve[8:11],
+        "the last three entries": twelve[9:],
+        "the first column": (m[0], m[3], m[6]),
+        "the position of the inverse": (-x, -y, -z),
+    }
+    why = named(got, cause, slips)
+    expect_close(name, got, p, cause=why, read=read, tolerance=0.0)
     expect_unchanged(call, "the matrix", entries(matrix), twelve, read=read)
 
 
@@ -42,7 +61,11 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
 def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     read = OFF
     m, p = matrix_of(draw_quad(rng)), components(rng)
-    good = placed(m, p)
+    good = joined(m, p)
+    near = tuple(n * (1.0 + 4e-6) for n in m)
+    call = f"read_off(Matrix4{joined(near, p)}): of how many parts"
+    cause = "its rows are of length 1 + 4e-6, which is_rotation() lets pass"
+    expect_exactly(call, len(read_off(Matrix4(*joined(near, p)))), 2, cause=cause, read=read)
     cause = "what should be a rotation is none: ask is_rotation()"
     for linear in (
         tuple(2.0 * n for n in m),
@@ -52,14 +75,14 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
         (2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0),
         (1.0, 0.3, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
     ):
-        twelve = placed(linear, p)
+        twelve = joined(linear, p)
         expect_error(
             f"read_off(Matrix4{twelve})",
             lambda twelve=twelve: read_off(Matrix4(*twelve)),
             ValueError,
             allowed=lambda: [
                 read_off(Matrix4(*good)),
-                read_off(Matrix4(*placed(tuple(n * (1.0 + 4e-6) for n in m), p))),
+                read_off(Matrix4(*joined(near, p))),
             ],
             cause=cause,
             read=read,
@@ -79,21 +102,34 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
 def test_the_easy_inverse(rng: Random) -> None:
     read = EASY
     m, p = matrix_of(draw_quad(rng)), components(rng)
-    twelve = placed(m, p)
+    twelve = joined(m, p)
     matrix = Matrix4(*twelve)
     call = f"easy_inverse(Matrix4{twelve})"
-    cause = "the transpose T of the rotation, and -T p in place of the position p: not T p, not -p"
+    cause = "the transpose T of the rotation, and -T p in place of the position p"
     got = entries(easy_inverse(matrix))
-    x, y, z = applied(transposed(m), p)
-    wanted = placed(transposed(m), (-x, -y, -z))
+    t = transposed(m)
+    x, y, z = applied(t, p)
+    wanted = joined(t, (-x, -y, -z))
+    turned_on = applied(m, p)
+    slips = {
+        "right but for the last column, which is -p": joined(t, subtracted((0.0, 0.0, 0.0), p)),
+        "right but for the last column, which is p": joined(t, p),
+        "right but for the last column, which is T p without its minus": joined(t, (x, y, z)),
+        "right but for the last column, which is turned on, not back": joined(
+            t, subtracted((0.0, 0.0, 0.0), turned_on)
+        ),
+        "right but for the rotation, which is not transposed": joined(m, (-x, -y, -z)),
+        "-p, and the rotation as it was": joined(m, subtracted((0.0, 0.0, 0.0), p)),
+    }
+    why = named(got, cause, slips)
     # Rounding of numbers up to 17.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+    expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
     expect_unchanged(call, "the matrix", entries(matrix), twelve, read=read)
 
 
 @pytest.mark.exercise("9.6", weight=0.5)
 def test_the_easy_inverse_of_something_else() -> None:
-    twelve = placed(IDENTITY, (1.0, 2.0, 3.0))
+    twelve = joined(IDENTITY, (1.0, 2.0, 3.0))
     for name, other in ((f"{twelve}", twelve), ("Matrix3(...)", Matrix3(*IDENTITY))):
         expect_error(
             f"easy_inverse({name})",
@@ -110,12 +146,15 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
     read = EASY
     m, p = tuple(2.0 * n for n in matrix_of(draw_quad(rng))), components(rng)
     for linear in (m, (0.0,) * 9):
-        twelve = placed(linear, p)
+        twelve = joined(linear, p)
         call = f"easy_inverse(Matrix4{twelve}), of what is no rotation"
-        cause = "nothing is looked for, and nothing divided by: the transpose, for any matrix"
+        cause = (
+            "a general inverse divides by the determinant. Here nothing is looked at and nothing "
+        )
+        cause += "divided by: the transpose, for any matrix"
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)
-        wanted = placed(transposed(linear), (-x, -y, -z))
+        wanted = joined(transposed(linear), (-x, -y, -z))
         # Rounding of numbers up to 33.
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
 
@@ -124,12 +163,11 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
 def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     read = EASY
     m, p, a = matrix_of(draw_quad(rng)), components(rng), components(rng)
-    twelve = placed(m, p)
-    there = tuple(x + y for x, y in zip(applied(m, a), p, strict=True))
+    twelve = joined(m, p)
+    there = moved(m, p, a)
     call = f"easy_inverse(Matrix4{twelve}), at {there}, where the matrix takes {a}"
     cause = "first the way back, and then the turn back"
     got = entries(easy_inverse(Matrix4(*twelve)))
     if isinstance(got, tuple) and len(got) == 12:
-        back = applied((*got[0:3], *got[4:7], *got[8:11]), there)
-        got = tuple(x + y for x, y in zip(back, (got[3], got[7], got[11]), strict=True))
+        got = moved((*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11]), there)
     expect_close(call, got, a, cause=cause, read=read, tolerance=1e-11)

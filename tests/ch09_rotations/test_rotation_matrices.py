@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import permutations
 from random import Random
 
@@ -20,9 +21,11 @@ from turning import (
     draw_quad,
     entries,
     matrix_of,
+    named,
     quad,
     rijk,
     same_sign,
+    transposed,
 )
 
 IS_ROTATION = "the docstring of is_rotation"
@@ -40,7 +43,9 @@ def expect_rotation(m: Nine, wanted: bool, cause: str) -> None:
 @pytest.mark.exercise("B9.6")
 def test_rotations_are_known(rng: Random) -> None:
     cause = "its rows have length 1, stand at right angles, and are right-handed: it is one"
-    for m in (IDENTITY, matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng))):
+    expect_rotation(IDENTITY, True, cause)
+    cause += ". Its numbers are rounded: ask whether a product is near, never whether it is equal"
+    for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng))):
         expect_rotation(m, True, cause)
 
 
@@ -75,11 +80,14 @@ def test_what_is_no_rotation(rng: Random) -> None:
 @pytest.mark.exercise("B9.6")
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
-    cause = "products of rows may be off by ROTATION_TOLERANCE, 1e-5"
+    limit = "products of rows may be off by ROTATION_TOLERANCE, 1e-5"
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
+        cause = f"{limit}: each row times itself is off by {2.0 * scale:.2g} here. The determinant"
+        cause += " has no such limit: it only has to be positive, which tells a turn from a mirror"
         expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted, cause)
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
         n = (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0)
+        cause = f"{limit}: the first row times the second is {angle:.2g} here, and should be 0"
         expect_rotation(n, wanted, cause)
 
 
@@ -93,11 +101,26 @@ def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
         expect_rotation(tuple(m), False, cause)
 
 
+def from_slips(q: Quad) -> dict[str, Nine]:
+    """Return what likely mistakes make of the matrix of a quaternion."""
+    m = matrix_of(q)
+    halves = [number if place in (0, 4, 8) else 0.5 * number for place, number in enumerate(m)]
+    diagonal = [0.5 * (1.0 + m[place]) if place in (0, 4, 8) else m[place] for place in range(9)]
+    return {
+        "the matrix as the book prints it, which is the transpose (E-11)": transposed(m),
+        "without the factor 2 beside the diagonal": halves,
+        "without the factor 2 of the squares on the diagonal": diagonal,
+        "without any factor 2": [
+            diagonal[place] if place in (0, 4, 8) else halves[place] for place in range(9)
+        ],
+    }
+
+
 @pytest.mark.exercise("B9.12")
 def test_ninety_degrees_about_each_axis() -> None:
     read = FROM
     half = math.sqrt(0.5)
-    cause = "the columns are where X, Y and Z go; the book prints the transpose (E-11)"
+    cause = "the columns are where X, Y and Z go"
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
         ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
@@ -105,7 +128,8 @@ def test_ninety_degrees_about_each_axis() -> None:
     ):
         call = f"Matrix3.from_quaternion(Quaternion{q}), 90 degrees about {axes}"
         got = entries(Matrix3.from_quaternion(Quaternion(*q)))
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        why = named(got, cause, from_slips(q), wanted)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.12")
@@ -119,7 +143,8 @@ def test_the_matrix_of_any_quaternion(rng: Random) -> None:
         got = entries(Matrix3.from_quaternion(quaternion))
         # A length that is 5e-7 off is let pass, and may be mended or not.
         near = TIGHT if abs(scale) == 1.0 else 1e-5
-        expect_close(call, got, matrix_of(q), cause=cause, read=read, tolerance=near)
+        why = named(got, cause, from_slips(q), matrix_of(q) if near == TIGHT else ())
+        expect_close(call, got, matrix_of(q), cause=why, read=read, tolerance=near)
         expect_unchanged(call, "q", rijk(quaternion), q, read=read)
 
 
@@ -152,12 +177,34 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
     )
 
 
+def half_turn(axis: Sequence[float]) -> Quad:
+    """Return half a turn about an axis, with an r of exactly 0."""
+    x, y, z = (component / math.hypot(*axis) for component in axis)
+    return 0.0, x, y, z
+
+
 def expect_back(q: Quad, cause: str) -> None:
     """Expect the quaternion, or its opposite, of this quaternion's matrix."""
     read = TO
     m = matrix_of(q)
     call = f"Matrix3{m}.to_quaternion()"
     got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
+    r, i, j, k = q
+    slips = {
+        "right but for the sign of r, or for those of i, j and k": (-r, i, j, k),
+        "right but for the signs, which are lost": [abs(component) for component in q],
+        "twice the quaternion": [2.0 * component for component in q],
+        "half the quaternion": [0.5 * component for component in q],
+    }
+    for place, letter in enumerate("ijk", start=1):
+        other = [-c if p == place else c for p, c in enumerate(q)]
+        slips[f"right but for the sign of {letter}"] = other
+    # An r of next to nothing does not tell the conjugate from the right one.
+    slips = {name: same_sign(tuple(slip), q) for name, slip in slips.items() if abs(r) > 1e-6}
+    signs = "h - f is 4 i r, c - g is 4 j r, d - b is 4 k r, whichever of them is divided by"
+    why = named(got, signs, slips)
+    if why != signs:
+        cause = why
     # Components of 1e-8 come from differences of entries of 1: they are right to 1e-16 / 1.
     expect_close(call, got, q, cause=cause, read=read, tolerance=TIGHT)
 
@@ -178,14 +225,15 @@ def test_back_from_a_half_turn(rng: Random) -> None:
     for longest in range(3):
         axis = [0.1 * component for component in components(rng)]
         axis[longest] = 10.0
-        for short in (0.0, 1e-3, 1e-9, -1e-9):
+        expect_back(half_turn(axis), cause)
+        for short in (1e-3, 1e-9, -1e-9):
             expect_back(quad(axis, math.pi - short), cause)
-    cause = "two or three components may be equally large: > on both sides takes neither"
+    cause = "some components are equally large here, and no other is larger: divide by any of them"
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
-        expect_back(quad(axis, math.pi), cause)
+        expect_back(half_turn(axis), cause)
     cause = "the largest of all four: each with each must be compared"
     for axis in permutations((0.0, 1e-6, 1.0)):
-        expect_back(quad(axis, math.pi), cause)
+        expect_back(half_turn(axis), cause)
 
 
 @pytest.mark.exercise("B9.13")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import accumulate
 from random import Random
 
 import pytest
@@ -12,7 +13,7 @@ from ch09_rotations.exercises import balance_offset, center_of_stones, masses_be
 from ch09_rotations.probes import entered_stones
 from draw import number, positive_number
 from expect import expect_close, expect_error, expect_exactly, expect_unchanged
-from turning import TIGHT
+from turning import TIGHT, named
 
 CENTER = "the docstring of center_of_stones"
 OFFSET = "the docstring of balance_offset"
@@ -48,6 +49,23 @@ def left_of(point: complex, angle: float) -> float:
     return (point * complex(math.cos(angle), -math.sin(angle))).imag
 
 
+def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
+    """Return what likely mistakes make of a centre of mass."""
+    swapped = middle(stones).imag, middle(stones).real
+    ends = {
+        "the mean of the places, whatever the masses": middle(
+            [(n, 1.0, x, y) for n, _, x, y in stones]
+        ),
+        "what comes of leaving out the first stone, or of one stone for each name": middle(
+            stones[1:] or stones
+        ),
+        "what comes of leaving out the last stone": middle(stones[:-1] or stones),
+        "the sum of mass times place, not divided": middle(stones)
+        * sum(m for _, m, _, _ in stones),
+    }
+    return {"x and y exchanged": swapped} | {name: (z.real, z.imag) for name, z in ends.items()}
+
+
 @pytest.mark.exercise("9.7")
 def test_the_centre_of_a_box_with_stones(rng: Random) -> None:
     read = CENTER
@@ -57,7 +75,27 @@ def test_the_centre_of_a_box_with_stones(rng: Random) -> None:
         call = f"center_of_stones({stones})"
         got = center_of_stones(stones)
         wanted = middle(stones)
-        expect_close(call, got, (wanted.real, wanted.imag), cause=cause, read=read, tolerance=TIGHT)
+        why = named(got, cause, center_slips(stones))
+        expect_close(call, got, (wanted.real, wanted.imag), cause=why, read=read, tolerance=TIGHT)
+
+
+def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
+    """Return what likely mistakes make of where the edge lies."""
+    center = middle(stones)
+    sides = sorted((left_of(complex(x, y), angle), mass) for _, mass, x, y in stones)
+    passed = accumulate(mass for _, mass in sides)
+    half = 0.5 * math.fsum(mass for _, mass in sides)
+    offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
+    return {
+        "the offset to the right, not to the left": -left_of(center, angle),
+        "the distance along the edge, not to the left of it": left_of(
+            center, angle - 0.5 * math.pi
+        ),
+        "what comes of the angle taken for degrees": left_of(center, math.radians(angle)),
+        "where the masses on both sides are as equal as they come, which is no balance (E-32)": (
+            offset
+        ),
+    }
 
 
 @pytest.mark.exercise("9.7")
@@ -67,14 +105,16 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     call = f"balance_offset({stones}, 0)"
     cause = "an edge along X, below the centre of mass: its y"
     got = balance_offset(stones, 0.0)
-    expect_close(call, got, middle(stones).imag, cause=cause, read=read, tolerance=TIGHT)
+    why = named(got, cause, offset_slips(stones, 0.0))
+    expect_close(call, got, middle(stones).imag, cause=why, read=read, tolerance=TIGHT)
     cause = "the centre of mass times (-sin, cos), as a scalar product: mind the sign"
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
         call = f"balance_offset({stones}, {angle})"
         wanted = left_of(middle(stones), angle)
         got = balance_offset(stones, angle)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        why = named(got, cause, offset_slips(stones, angle))
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
@@ -84,7 +124,14 @@ def test_it_balances_though_the_masses_differ() -> None:
     call = f"masses_beside({stones}, 0)"
     cause = "y is 0.5 at the edge: 1 kg lies beyond, on the left of an edge along X, and 3 kg here"
     got = masses_beside(stones, 0.0)
-    expect_close(call, got, (1.0, 3.0), cause=cause, read=read, tolerance=TIGHT)
+    slips = {
+        "equal masses, as the book has them, which is wrong (E-32)": (2.0, 2.0),
+        "left and right exchanged": (3.0, 1.0),
+        "the numbers of stones, not their masses": (1.0, 1.0),
+        "all on the left, as of a line through the corner, not the centre of mass": (4.0, 0.0),
+    }
+    why = named(got, cause, slips)
+    expect_close(call, got, (1.0, 3.0), cause=why, read=read, tolerance=TIGHT)
     call = f"masses_beside({stones}, pi / 2)"
     cause = "x is 0.3 at the edge: an edge along Y has the smaller x on its left"
     got = masses_beside(stones, 0.5 * math.pi)
@@ -130,6 +177,9 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
     got = tuple(masses_beside(stones, angle))
     expect_close(call, got, (0.7, 0.7), cause=cause, read=read, tolerance=TIGHT)
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
+        cause = (
+            f"within 1e-9 m is over the edge, and {off:.0e} m is {'less' if off < 1e-9 else 'more'}"
+        )
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
         call = f"masses_beside({stones}, 0), {off} m from the edge"
         got = tuple(masses_beside(stones, 0.0))

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 # Right answers worked out in another order differ by a few roundings, some 1e-16 of the numbers
@@ -182,6 +182,22 @@ def expect_finite_numbers(
             cause=cause,
             read=read,
         )
+
+
+def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) -> str:
+    """Return the cause, and before it the name of the slip that gives the very numbers of got.
+
+    ``slips`` has what likely mistakes come to. Draws are such that no two are as near by chance.
+    """
+    numbers = _as_tuple(got)
+    for name, value in slips.items():
+        given = _as_tuple(value)
+        near = 1e-9 * max(map(abs, given))
+        if _are_numbers(numbers, len(given)) and all(
+            abs(n - g) <= near for n, g in zip(numbers, given, strict=True)
+        ):
+            return f"this is {name}: {cause}"
+    return cause
 
 
 def _as_tuple(value: Any) -> tuple[Any, ...]:

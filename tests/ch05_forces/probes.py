@@ -56,8 +56,11 @@ class Recorder:
     __hash__ = None  # type: ignore[assignment]
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        (index,) = [i for i, known in enumerate(self.particles) if known is particle]
-        self.calls.append((index, self.index, duration))
+        for i, known in enumerate(self.particles):
+            if known is particle:
+                self.calls.append((i, self.index, duration))
+                return
+        raise TypeError(f"update_force takes a particle, and then the duration; got {particle!r}")
 
 
 def asked(immovable: Sequence[int], acts: Sequence[tuple]) -> list[Call]:

@@ -11,7 +11,15 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from draw import components
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import (
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    expect_vector,
+    named,
+    xyz,
+)
 
 ZERO = (0.0, 0.0, 0.0)
 # The sum of four components below 10, in whatever order, is off by a few roundings of 40.
@@ -45,8 +53,18 @@ def test_forces_add_up(rng: Random) -> None:
         call += f"; p.add_force(Vector3{force})"
         p.add_force(Vector3(*force))
         total = [total[i] + force[i] for i in range(3)]
+        name = "p.force_accumulator, once a force was added"
+        got = expect_vector(
+            name, p.force_accumulator, cause="it gives the sum back as a new Vector3", read=read
+        )
+        slips = {
+            "the newest force alone, in the place of the others": force,
+            "the sum divided by the mass": [part / 4.0 for part in total],
+            "minus the sum": [-part for part in total],
+            "no force, as where the sum is not kept in self._forces[0], or not read there": ZERO,
+        }
         name = f"{call}; p.force_accumulator"
-        got = xyz(p.force_accumulator)
+        cause = named(got, cause, slips)
         expect_close(name, got, total, cause=cause, read=read, tolerance=ROUNDED)
         expect_unmoved(call, p, "the force waits for the next step, and changes nothing else yet")
 
@@ -61,7 +79,10 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     p = Particle(acceleration=Vector3(0, -10, 0))
     expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
     call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
-    cause = "two forces that cancel add up to zero"
+    cause = (
+        "two forces that cancel add up to zero, and no force of another particle is in the sum: "
+    )
+    cause += "keep it in self"
     p.add_force(Vector3(*force))
     first = xyz(p.force_accumulator)
     p.add_force(Vector3(*opposite))
@@ -86,7 +107,7 @@ def test_a_force_is_only_read(rng: Random) -> None:
     p, f = Particle(), Vector3(*first)
     p.add_force(Vector3(*second))
     p.add_force(f)
-    expect_unchanged(call, "f", xyz(f), first, cause=cause, read=read)
+    expect_unchanged(call, "f", xyz(f), first, read=read)
     wanted = tuple(first[i] + second[i] for i in range(3))
     name = f"{call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
@@ -164,7 +185,7 @@ def expect_refusal(
         cause=cause,
         read=read,
     )
-    cause = "look at the force before anything is changed"
+    cause = "look at the force, and at the sum with it, before anything is kept"
     got = xyz(p.force_accumulator)
     expect_close(f"{call}; p.force_accumulator", got, so_far, cause=cause, read=read)
 

@@ -12,7 +12,7 @@ from ch05_forces.forces import Airbrake
 from ch05_forces.particle import Particle
 from ch05_forces.probes import braked
 from draw import components
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.2; the docstring of Airbrake"
@@ -44,6 +44,15 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         call += "; brake.update_force(p, 0.5)"
         brake.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
+        if wanted is pulled:
+            slips = {
+                "k v, a push along the motion": [-part for part in pulled],
+                "-v m / h, a full stop, which is the larger of the two": [
+                    -4.0 * part for part in v
+                ],
+                "-k |v| v, which is quadratic drag": [part * math.hypot(*v) for part in pulled],
+            }
+            cause = named(got, cause, slips)
         expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=read)
         p.clear_forces()
         call += "; p.clear_forces()"
@@ -65,8 +74,19 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
         brake_of(k, on=True).update_force(p, h)
         wanted = tuple(f[i] - k * v[i] for i in range(3))
         got = xyz(p.force_accumulator)
+        slips = {
+            "a brake cut off at -v / h, without the mass": [f[i] - v[i] / h for i in range(3)],
+            "a brake cut off at -v m, without the duration": [f[i] - v[i] * mass for i in range(3)],
+            "a brake cut off at -v m h, a product where -v m / h is a full stop": [
+                f[i] - v[i] * mass * h for i in range(3)
+            ],
+            "a brake cut off at half of a full stop": [
+                f[i] - 0.5 * v[i] * mass / h for i in range(3)
+            ],
+        }
+        why = named(got, cause, slips)
         # A few roundings of numbers up to 900.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-11)
 
 
 @pytest.mark.exercise("5.2")
@@ -82,10 +102,19 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
         p = Particle(velocity=Vector3(*v), mass=mass)
         brake_of(k, on=True).update_force(p, h)
         got = xyz(p.velocity)
-        expect_unchanged(call, "p.velocity before the step", got, v, read=read)
+        adds = "a generator adds a force, and leaves the velocity to the step"
+        expect_unchanged(call, "p.velocity before the step", got, v, cause=adds, read=read)
         p.integrate(h)
+        got = xyz(p.velocity)
+        slips = {
+            "v - k v h / m, turned round by -k v without a limit": [
+                part * (1.0 - share) for part in v
+            ],
+            "the velocity as it was, as where too hard a brake is let go": v,
+        }
+        why = named(got, cause, slips)
         # What FULL, or rounding, leaves of 10 m/s.
-        expect_close(call, xyz(p.velocity), ZERO, cause=cause, read=read, tolerance=1e-9)
+        expect_close(call, got, ZERO, cause=why, read=read, tolerance=1e-9)
 
 
 @pytest.mark.exercise("5.2")

@@ -10,7 +10,7 @@ import pytest
 
 from ch05_forces.closed_form import coasting_speed, quadratic_fall, terminal_speed
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly
+from expect import expect_close, expect_error, expect_exactly, named
 
 TERMINAL = "the docstring of terminal_speed"
 FALL = "the docstring of quadratic_fall"
@@ -35,6 +35,18 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
     cause = "v = (-k1 + sqrt(k1^2 + 4 k2 W)) / (2 k2) solves k1 v + k2 v^2 = W"
     call = "terminal_speed(2 * 9.81, 0.3, 0.05)"
     got = terminal_speed(2 * 9.81, 0.3, 0.05)
+    root, without_4 = math.sqrt(0.09 + 0.2 * 19.62), math.sqrt(0.09 + 0.05 * 19.62)
+    slips = {
+        "the other root, which is negative": (-0.3 - root) / 0.1,
+        "(-k1 + root) / k2, without the 2 below the line": (-0.3 + root) / 0.05,
+        "k1^2 + k2 W below the root, without the 4": (-0.3 + without_4) / 0.1,
+        "2 W / (k1 + root) with k1^2 + k2 W below the root, without the 4": 39.24
+        / (0.3 + without_4),
+        "the formula with k1 and k2 exchanged": 39.24 / (0.05 + math.sqrt(0.0025 + 1.2 * 19.62)),
+        "sqrt(W / k2), as where there is no k1": math.sqrt(19.62 / 0.05),
+        "W / k1, as where there is no k2": 19.62 / 0.3,
+    }
+    cause = named(got, cause, slips)
     # The last digit that is known of it.
     expect_close(call, got, 17.0349694, cause=cause, read=read, tolerance=1e-7)
     for weight, k1, k2 in (
@@ -122,7 +134,23 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     call = "quadratic_fall(2.0, 9.81, 0.05, 3.0)"
     got = quadratic_fall(2.0, 9.81, 0.05, 3.0)
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
-    expect_close(call, got, wanted, cause=cause, read=read)
+    v, x = wanted
+    u, light = math.sqrt(2.0 * 9.81 / 0.05), math.sqrt(9.81 / 0.05)
+    angle = 9.81 * 3.0 / light
+    slips = {
+        "distance and speed, in the wrong order": (x, v),
+        "the distance u t, as if it fell at the terminal speed from the start": (v, u * 3.0),
+        "the distance g t^2 / 2 of a free fall": (v, 9.81 * 4.5),
+        "the speed g t of a free fall": (9.81 * 3.0, x),
+        "the speed g t of a free fall, cut off at the terminal one": (min(9.81 * 3.0, u), x),
+        "a speed with tan, where tanh is meant": (u * math.tan(9.81 * 3.0 / u), x),
+        "a distance with the logarithm to base 10, where ln is math.log": (v, x / math.log(10.0)),
+        "a fall with u = sqrt(g / k2), a terminal speed without the mass": (
+            light * math.tanh(angle),
+            light * light / 9.81 * math.log(math.cosh(angle)),
+        ),
+    }
+    expect_close(call, got, wanted, cause=named(got, cause, slips), read=read)
     for time in (0.5, 1.0, 30.0):
         mass, g, k2 = (
             positive_number(rng, 0.5),
@@ -236,8 +264,22 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
         # From 1 / v + k2 / k1, which grows as e^(k1 t / m).
         wanted = 1.0 / ((1.0 / v + ratio) * math.exp(k1 * time / mass) - ratio)
         got = coasting_speed(v, k1, k2, mass, time)
+        s = k1 * time / mass
+        slips = {
+            "v e^-s, what k1 alone leaves": v * math.exp(-s),
+            "what k2 leaves of what k1 leaves, as if each acted alone": (
+                v * math.exp(-s) / (1.0 + k2 * v * time / mass)
+            ),
+            "the formula with s = k1 t, without the mass": (
+                v * math.exp(-s * mass) / (1.0 - ratio * v * math.expm1(-s * mass))
+            ),
+            "1 + k2 v (1 - e^-s) below the line, without / k1": (
+                v * math.exp(-s) / (1.0 - k2 * v * math.expm1(-s))
+            ),
+        }
+        why = named(got, cause, slips)
         # The difference below the line loses a digit or two.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10 * v)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-10 * v)
     half = coasting_speed(v, k1, k2, mass, time / 2.0)
     name = f"the same in two halves of {time} s, the second from coasting_speed() of the first"
     got = coasting_speed(half, k1, k2, mass, time / 2.0)

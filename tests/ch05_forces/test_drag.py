@@ -11,8 +11,8 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import Drag, drag_force
 from ch05_forces.particle import Particle
 from ch05_forces.probes import with_drag
-from draw import components
-from expect import expect_close, expect_unchanged, xyz
+from draw import Components, components
+from expect import expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5.2.4, Eq. 5.1"
@@ -20,6 +20,28 @@ READ = "book 5.2.4, Eq. 5.1"
 
 def draw_coefficient(rng: Random) -> float:
     return round(rng.uniform(0.2, 0.9), 3)
+
+
+def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
+    """Return what likely mistakes make of a drag that is -v (k1 + k2 |v|)."""
+    speed = math.hypot(*v)
+
+    def along(size: float) -> Components:
+        return v[0] * size, v[1] * size, v[2] * size
+
+    x, y, z = (-part * (k1 + k2 * abs(part)) for part in v)
+    return {
+        "a push along the motion, with the minus forgotten": along(k1 + k2 * speed),
+        "the drag with k1 and k2 exchanged": along(-(k2 + k1 * speed)),
+        "-v (k1 |v| + k2 |v|^2), with v in the place of its direction v^": along(
+            -speed * (k1 + k2 * speed)
+        ),
+        "the part with k1 alone": along(-k1),
+        "the part with k2 alone": along(-k2 * speed),
+        "-v (k1 + k2), with no speed in the part with k2": along(-(k1 + k2)),
+        "-v^ (k1 + k2), without the speed": along(-(k1 + k2) / speed),
+        "a drag for each axis by itself, where |v| is the speed": (x, y, z),
+    }
 
 
 @pytest.mark.exercise("B5.5")
@@ -32,7 +54,9 @@ def test_the_velocity_is_only_read(rng: Random) -> None:
     got = xyz(drag_force(velocity, 0.5, 0.25))
     expect_unchanged(call, "v", xyz(velocity), v, cause=cause, read=read)
     wanted = tuple(-v[i] * (0.5 + 0.25 * math.hypot(*v)) for i in range(3))
-    expect_close(call, got, wanted, cause="-v (k1 + k2 |v|)", read=read)
+    cause = named(got, "the drag is -v (k1 + k2 |v|)", drag_slips(v, 0.5, 0.25))
+    expect_close(call, got, wanted, cause=cause, read=read)
+    cause = "a generator adds a force, and leaves the velocity to the step"
     call = f"p = Particle(velocity=Vector3{v}); Drag(0.5, 0.25).update_force(p, 0.5)"
     p = Particle(velocity=Vector3(*v))
     Drag(0.5, 0.25).update_force(p, 0.5)
@@ -52,7 +76,9 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
     ):
         call = f"drag_force(Vector3{v}, {one}, {two})"
         wanted = tuple(-v[i] * (one + two * speed) for i in range(3))
-        expect_close(call, xyz(drag_force(Vector3(*v), one, two)), wanted, cause=cause, read=read)
+        got = xyz(drag_force(Vector3(*v), one, two))
+        cause = named(got, cause, drag_slips(v, one, two))
+        expect_close(call, got, wanted, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B5.5")
@@ -102,8 +128,17 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
     p.add_force(Vector3(*f))
     drag.update_force(p, 0.5)
-    wanted = tuple(f[i] - v[i] * (k1 + k2 * speed) for i in range(3))
+    force = [-v[i] * (k1 + k2 * speed) for i in range(3)]
+    wanted = tuple(f[i] + force[i] for i in range(3))
     got = xyz(p.force_accumulator)
+    slips = {
+        "the sum with the drag divided by the mass": [f[i] + force[i] / mass for i in range(3)],
+        "the sum with the drag times the duration": [f[i] + force[i] * 0.5 for i in range(3)],
+        "the sum with k1 and k2 exchanged": [f[i] - v[i] * (k2 + k1 * speed) for i in range(3)],
+        "the drag alone, without the other force": force,
+        "the other force alone; the drag is that of p.velocity": f,
+    }
+    cause = named(got, cause, slips)
     # A few roundings of numbers up to 150.
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
     call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, 0.5)"
@@ -182,5 +217,5 @@ def test_linear_drag_in_frames_just_inside_and_just_outside_its_limits() -> None
         for steps in (1, 2, frames):
             _, velocity = with_drag((3.0, 0.0, 0.0), k1, 0.0, mass, h, steps)
             wanted = 3.0 * (1.0 - share) ** steps
-            name = f"{call} after {steps} frames of drag.update_force(), p.integrate()"
+            name = f"{call} in the end; frames: {steps}, each of drag.update_force(), p.integrate()"
             expect_close(name, velocity[0], wanted, cause=cause, read=read, tolerance=1e-12)

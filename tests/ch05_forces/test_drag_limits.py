@@ -10,7 +10,7 @@ import pytest
 from ch05_forces.closed_form import drag_limits
 from ch05_forces.probes import with_drag
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly
+from expect import expect_close, expect_error, expect_exactly, named
 
 LIMITS = "the docstring of drag_limits"
 
@@ -34,7 +34,19 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     ):
         call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
-        expect_close(call, got, (1.0 / rate, 2.0 / rate), cause=cause, read=read)
+        wrong = {  # other ways to (k1 + k2 |v|) / m
+            "k1 + k2 |v|, without the mass": rate * mass,
+            "(k1 + k2 |v|) m, where the mass divides": rate * mass**2,
+            "(k1 + k2) / m, without the speed": (one + two) / mass,
+            "(k1 + k2) |v| / m, with the speed in the part with k1 too": (one + two) * speed / mass,
+            "(k1 + 2 k2 |v|) / m, the slope of the drag": (one + 2.0 * two * speed) / mass,
+        }
+        slips = {f"1 and 2 over {name}": (1.0 / a, 2.0 / a) for name, a in wrong.items()}
+        slips["the second limit first"] = (2.0 / rate, 1.0 / rate)
+        slips["the first limit twice"] = (1.0 / rate, 1.0 / rate)
+        slips["1 / rate and 1 / rate^2, where the second is 2 / rate"] = (1.0 / rate, rate**-2)
+        why = named(got, cause, slips)
+        expect_close(call, got, (1.0 / rate, 2.0 / rate), cause=why, read=read)
     cause = "a little drag has limits too: after a long time, and not never"
     got = drag_limits(1e-12, 0.0, 1.0, 1.0)
     expect_close("drag_limits(1e-12, 0.0, 1.0, 1.0)", got, (1e12, 2e12), cause=cause, read=read)

@@ -12,7 +12,7 @@ from ch05_forces.forces import Gravity
 from ch05_forces.particle import Particle
 from ch05_forces.probes import fall
 from draw import components
-from expect import expect_close, expect_unchanged, xyz
+from expect import expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 
@@ -30,7 +30,19 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
         gravity = Gravity(Vector3(*g))
         gravity.update_force(p, 0.5)
         wanted = tuple(mass * g[i] for i in range(3))
-        expect_close(call, xyz(p.force_accumulator), wanted, cause=cause, read=read)
+        slips = {
+            "g itself, an acceleration and no force yet": g,
+            "g / m": [g[i] / mass for i in range(3)],
+            "m g times the duration, which the step multiplies by anyway": [
+                mass * g[i] * 0.5 for i in range(3)
+            ],
+            "minus the weight; g has its direction already": [-mass * g[i] for i in range(3)],
+            "the upright part of it alone": (0.0, mass * g[1], 0.0),
+            "no force added to the particle": ZERO,
+        }
+        got = xyz(p.force_accumulator)
+        cause = named(got, cause, slips)
+        expect_close(call, got, wanted, cause=cause, read=read)
         cause = "a generator adds a force and changes nothing else"
         got = xyz(p.acceleration)
         expect_unchanged(call, "p.acceleration", got, (1, 2, 3), cause=cause, read=read)

@@ -12,7 +12,7 @@ from ch05_forces.forces import InverseSquareGravity
 from ch05_forces.particle import Particle
 from ch05_forces.probes import orbit
 from draw import Components, components, direction
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import expect_close, expect_error, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.4; the docstring of InverseSquareGravity"
@@ -41,6 +41,20 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         wanted = tuple(-size * way[i] for i in range(3))
         got = xyz(p.force_accumulator)
         name = f"{call}; p.force_accumulator"
+        x, y, z = xyz(place)
+        reach = math.hypot(x, y, z)
+        slips = {
+            "m mu / r: r for r^2, or the vector to the center where its unit vector is meant": [
+                part * distance for part in wanted
+            ],
+            "m mu / r^3 along the unit vector": [part / distance for part in wanted],
+            "a push away from the center": [-part for part in wanted],
+            "mu / r^2, without the mass": [part / mass for part in wanted],
+            "gravity towards (0, 0, 0), not towards the center": [
+                -mass * mu * part / reach**3 for part in (x, y, z)
+            ],
+        }
+        cause = named(got, cause, slips)
         # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
         expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12 * size)
         cause = "position and center are only read: -= and normalize work in place"
@@ -51,16 +65,16 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
 def test_at_the_center_there_is_no_finite_force() -> None:
     read = READ
     for x, mu, mass in (
-        (0.0, 0.0, 1.0),
         (0.0, 5.0, 1.0),
+        (0.0, 0.0, 1.0),
         (1e-200, 5.0, 1.0),
         (1e-160, 5.0, 2.0),
         (1e-5, 1e300, 1.0),
     ):
         call = f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3(1, 2, 3)); "
         call += f"InverseSquareGravity(Vector3(), {mu}).update_force(p, 0.5)"
-        cause = "mu / 0 is no force, and one that is too large for a float is none either: raise "
-        cause += "ArithmeticError, before anything is added"
+        cause = "where r is 0, whatever mu, or m mu / r^2 too large for a float, there is no force "
+        cause += "to add: raise ArithmeticError before anything is added"
         p = Particle(Vector3(x, 0, 0), mass=mass)
         p.add_force(Vector3(1, 2, 3))
         expect_error(

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import PointGravity
 from ch05_forces.particle import Particle
 from draw import Components, components, direction
-from expect import expect_close, expect_unchanged, xyz
+from expect import expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.3; the docstring of PointGravity"
@@ -39,6 +39,21 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         wanted = tuple(-mass * strength * way[i] for i in range(3))
         got = xyz(p.force_accumulator)
         name = f"{call}; p.force_accumulator"
+        reach = math.hypot(*xyz(place))
+        slips = {
+            "a push away from the center": [-part for part in wanted],
+            "m g times the vector to the center, which is no unit vector": [
+                part * distance for part in wanted
+            ],
+            "g, without the mass": [part / mass for part in wanted],
+            "a force that weakens with r^2, which is exercise 5.4": [
+                part / distance**2 for part in wanted
+            ],
+            "gravity towards (0, 0, 0), not towards the center": [
+                -mass * strength * part / reach for part in xyz(place)
+            ],
+        }
+        cause = named(got, cause, slips)
         expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
         cause = "position and center are only read: -= and normalize work in place"
         expect_unchanged(call, "p.position", xyz(p.position), xyz(place), cause=cause, read=read)

@@ -10,10 +10,11 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.sniper import SniperRange, hit_on_the_way, ring_points
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import expect_close, expect_error, expect_exactly, expect_unchanged, named, xyz
 
 SHOOT = "the docstring of shoot"
 WAY = "the docstring of hit_on_the_way"
+RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # as in sniper.py: radius and points
 # The targets of sniper.py, by their distance: x, y, distance and factor.
 TARGETS = {
     50.0: (-1.5, 1.5, 50.0, 1),
@@ -41,13 +42,37 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
             f"{call}; range.bullet is None", at.bullet is None, False, cause=cause, read=read
         )
         bullet: Any = at.bullet
-        cause = "elevation: sin for y, and cos is left along the ground; azimuth turns from Z to X"
+        cause = "sin(elevation) goes to y, cos(elevation) is left along the ground; the azimuth "
+        cause += "turns that from Z to X"
         wanted = (
             120.0 * math.cos(elevation) * math.sin(azimuth),
             120.0 * math.sin(elevation),
             120.0 * math.cos(elevation) * math.cos(azimuth),
         )
         got = xyz(bullet.velocity)
+        slips = {
+            "a shot with azimuth and elevation exchanged": (
+                120.0 * math.cos(azimuth) * math.sin(elevation),
+                120.0 * math.sin(azimuth),
+                wanted[2],
+            ),
+            "a shot with an azimuth that turns the other way, away from X": (
+                -wanted[0],
+                *wanted[1:],
+            ),
+            "a shot with sine and cosine of the azimuth exchanged": wanted[::-1],
+            "a shot with all of the speed along the ground, without cos(elevation)": (
+                120.0 * math.sin(azimuth),
+                wanted[1],
+                120.0 * math.cos(azimuth),
+            ),
+            "a shot whose angles are taken for degrees, and not for radians": (
+                120.0 * math.cos(math.radians(elevation)) * math.sin(math.radians(azimuth)),
+                120.0 * math.sin(math.radians(elevation)),
+                120.0 * math.cos(math.radians(elevation)) * math.cos(math.radians(azimuth)),
+            ),
+        }
+        cause = named(got, cause, slips)
         expect_close(f"{call}; range.bullet.velocity", got, wanted, cause=cause, read=read)
         cause = "MUZZLE, GRAVITY and BULLET_MASS stand at the head of the file; damping is 1"
         got = xyz(bullet.position)
@@ -86,14 +111,15 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     a, e = draw_angles(rng)
     call = f"range = SniperRange(1); range.shoot({a}, {e}); a frame of 1/60 s later"
     at = SniperRange(1)
-    cause = "the bullet has moved on by v h"
+    cause = "a frame moves the bullet on by v h, once"
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
     place = xyz(bullet.position)
     wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
     name = f"range.shoot({a}, {e}); range.update(1/60); x and y of range.bullet.position"
-    expect_close(name, place[:2], wanted, cause=cause, read=read, tolerance=1e-12)
+    way = "the docstring of update"
+    expect_close(name, place[:2], wanted, cause=cause, read=way, tolerance=1e-12)
     call += "; range.shoot(0.0, 0.0)"
     cause = "while a bullet is in flight none is fired, and the shot is not taken off"
     expect_exactly(call, at.shoot(0.0, 0.0), False, cause=cause, read=read)
@@ -184,7 +210,15 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
         for angle in (turn, turn + math.pi):
             x, y = away * math.cos(angle), away * math.sin(angle)
             call = f"ring_points({x!r}, {y!r}), {away} m from the middle"
-            expect_exactly(call, ring_points(x, y), points, cause=cause, read=read)
+            got = ring_points(x, y)
+            slips = {
+                "the points of all rings that it lies in": sum(
+                    points for radius, points in RINGS if away <= radius
+                ),
+                "the largest ring's points, where the smallest counts": RINGS[-1][1],
+            }
+            why = named(got, cause, slips)
+            expect_exactly(call, got, points, cause=why, read=read)
     cause = "one on the edge of a ring lies in it"
     for x, y, points in ((0.1, 0.0, 10), (0.0, -0.25, 5), (-0.5, 0.0, 2), (0.3, 0.4, 2)):
         call = f"ring_points({x}, {y})"
@@ -216,9 +250,21 @@ def expect_hole(
 ) -> None:
     read = WAY
     call, got = way_of(start, end, cause)
-    expect_exactly(f"{call} is None", got is None, False, cause=cause, read=read)
+    expect_exactly(f"{call}: is there a hole", got is not None, True, cause=cause, read=read)
     name = f"{call}: target (x, y, distance, factor), then x, y and points of the hole"
     distance, *hole = wanted
+    x, y, points = hole
+    middle, height, _, factor = TARGETS[distance]
+    slips = {
+        "a hole without the target's factor": (*TARGETS[distance], x, y, points / factor),
+        "a hole where it is in the world, not from the target's middle": (
+            *TARGETS[distance],
+            x + middle,
+            y + height,
+            points,
+        ),
+    }
+    cause = named(got, cause, slips)
     # Positions of 200 m, some roundings each.
     expect_close(name, got, (*TARGETS[distance], *hole), cause=cause, read=read, tolerance=1e-12)
 
@@ -228,13 +274,14 @@ def expect_no_hole(
 ) -> None:
     read = WAY
     call, got = way_of(start, end, cause)
-    expect_exactly(f"{call} is None", got is None, True, cause=cause, read=read)
+    expect_exactly(f"{call}: is there a hole", got is not None, False, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
-    cause = "its middle is taken off, and its rings' points are multiplied by its factor"
+    cause = "each target on the way is asked: x and y are seen from its middle, and its rings' "
+    cause += "points are multiplied by its factor"
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)
@@ -254,7 +301,11 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         ((-1.5, 1.5, 40.0), (-1.5, 1.5, 49.9), "it ends before the target"),
         ((-1.5, 1.5, 50.1), (-1.5, 1.5, 60.0), "it begins behind the target"),
         ((-1.5, 1.5, 51.0), (-1.5, 1.5, 49.0), "it comes from behind"),
-        ((-1.5, 1.5, 50.0), (-1.5, 1.5, 50.0), "it goes nowhere: nothing to divide by"),
+        (
+            (-1.5, 1.5, 50.0),
+            (-1.5, 1.5, 50.0),
+            "it goes nowhere: ask for start.z < distance before you divide",
+        ),
         (
             (3.5, 1.5, 49.0),
             (-1.5, 1.5, 51.0),

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces import probes
 from ch05_forces.particle import Particle
 from draw import Components, components
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import expect_close, expect_error, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 # Numbers up to 100, and a handful of roundings of each.
@@ -42,17 +42,30 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     v, f, mass, h = components(rng), components(rng), draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, ZERO, mass)
     call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
-    cause = "v' = v + (f / m) h: the force times the inverse mass is an acceleration (Eq. 3.2). If "
-    cause += "last_acceleration takes part in the step, it has to know the force that the step uses"
+    cause = "v' = v + (f / m) h, the force times the inverse mass is an acceleration (Eq. 3.2)"
     read = "book 5.1"
     p.add_force(Vector3(*f))
     p.integrate(h)
     wanted = tuple(v[i] + f[i] / mass * h for i in range(3))
     got = xyz(p.velocity)
+    slips = {
+        "the velocity as it was, where the force is cleared before it acts or never asked for (a "
+        "step that uses last_acceleration moves the sum on to self._forces[1] first)": v,
+        "v + f h, without the mass": [v[i] + f[i] * h for i in range(3)],
+        "v + f m h, the mass and not its inverse": [v[i] + f[i] * mass * h for i in range(3)],
+        "v + f / m, without the duration": [v[i] + f[i] / mass for i in range(3)],
+    }
+    cause = named(got, cause, slips)
     expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "the position moves with the velocity from before the step, as in chapter 3"
+    cause = "the position moves with the velocity from before the step, as in chapter 3 (E-17)"
+    read = "book 3.3.2, the docstring of integrate, errata.md"
+    slips = {
+        "v' h, the velocity from after the step": [wanted[i] * h for i in range(3)],
+        "v h + a h^2 / 2": [(v[i] + wanted[i]) / 2.0 * h for i in range(3)],
+    }
     wanted = tuple(v[i] * h for i in range(3))
     got = xyz(p.position)
+    cause = named(got, cause, slips)
     expect_close(f"{call}; p.position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 
@@ -67,10 +80,18 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     p.add_force(Vector3(*f))
     p.add_force(Vector3(*g))
     p.integrate(h)
-    wanted = tuple(v[i] + (a[i] + (f[i] + g[i]) / mass) * h for i in range(3))
+    sums = [(f[i] + g[i]) / mass for i in range(3)]
+    wanted = tuple(v[i] + (a[i] + sums[i]) * h for i in range(3))
     got = xyz(p.velocity)
+    slips = {
+        "v + (f / m) h, without the constant acceleration": [v[i] + sums[i] * h for i in range(3)],
+        "v + a h, without the forces": [v[i] + a[i] * h for i in range(3)],
+    }
+    cause = named(got, cause, slips)
     expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "the constant acceleration is as it was given: forces last for one step"
+    cause = "the constant acceleration stays as it was given, forces last for one step"
+    slips = {"a + f / m, which was lent for the step": [a[i] + sums[i] for i in range(3)]}
+    cause = named(xyz(p.acceleration), cause, slips)
     expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
 
 
@@ -80,12 +101,25 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
     words, p = moving(ZERO, v, a, mass, damping)
     call = f"{words}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    cause = "v' = (v + (a + f / m) h) d^h: the damping comes last (E-16)"
-    read = "the docstring of integrate, errata.md"
+    cause = "v' = (v + (a + f / m) h) d^h, the damping comes last"
+    read = "the docstring of integrate, E-16 of errata.md"
     p.add_force(Vector3(*f))
     p.integrate(h)
-    wanted = tuple((v[i] + (a[i] + f[i] / mass) * h) * damping**h for i in range(3))
-    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+    keep, gained = damping**h, [(a[i] + f[i] / mass) * h for i in range(3)]
+    wanted = tuple((v[i] + gained[i]) * keep for i in range(3))
+    slips = {
+        "Eq. 3.6 as printed, v d^h + a h, which the book's own listing does not do (E-16)": [
+            v[i] * keep + gained[i] for i in range(3)
+        ],
+        "a step that does not damp what the force adds": [
+            (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
+        ],
+        "a step without damping": [v[i] + gained[i] for i in range(3)],
+        "a step with d in the place of d^h": [(v[i] + gained[i]) * damping for i in range(3)],
+    }
+    got = xyz(p.velocity)
+    cause = named(got, cause, slips)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
@@ -188,6 +222,14 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     wanted = tuple(a[i] + f[i] / mass for i in range(3))
     name = f"{call}; p.last_acceleration"
     got = xyz(p.last_acceleration)
+    slips = {
+        "the constant acceleration alone; integrate keeps the forces that it used in "
+        "self._forces[1], and last_acceleration reads them there": a,
+        "a + f, without the mass": [a[i] + f[i] for i in range(3)],
+        "a + f m, the mass and not its inverse": [a[i] + f[i] * mass for i in range(3)],
+        "f / m, without the constant acceleration": [f[i] / mass for i in range(3)],
+    }
+    cause = named(got, cause, slips)
     expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
     cause = "forces that wait for the next step are not of the last one"
     p.add_force(Vector3(*g))

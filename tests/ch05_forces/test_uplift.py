@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from random import Random
 
 import pytest
@@ -10,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import Uplift
 from ch05_forces.particle import Particle
 from draw import components
-from expect import expect_close, expect_unchanged, xyz
+from expect import expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.1; the docstring of Uplift"
@@ -32,15 +33,50 @@ def lifted(
 def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -> None:
     read = READ
     origin, force, radius = components(rng), components(rng), round(rng.uniform(2.0, 5.0), 3)
-    for share, wanted in ((0.3, force), (0.99, force), (1.01, ZERO), (1.5, ZERO)):
-        cause = "in the column is where the distance in X and Z, sqrt(dx^2 + dz^2), is at most the "
-        cause += "radius; the force is that of the generator, whatever the mass"
-        # 0.6 and 0.8: the distance is the radius times the share.
-        for dx, dz in ((0.6, 0.8), (-0.8, 0.6), (0.0, -1.0), (-1.0, 0.0)):
-            x = origin[0] + dx * share * radius
-            z = origin[2] + dz * share * radius
-            call, got = lifted(origin, radius, force, (x, origin[1], z), cause, read)
-            expect_close(call, got, wanted, cause=cause, read=read)
+    cause = "in the column is where the distance in X and Z, sqrt(dx^2 + dz^2), is at most the "
+    cause += "radius; the force is that of the generator, as it is"
+    # 0.6 and 0.8: the distance is the radius times the share.
+    ways = [
+        (dx * share * radius, dz * share * radius)
+        for share in (0.3, 0.99, 1.01, 1.5)
+        for dx, dz in ((0.6, 0.8), (-0.8, 0.6), (0.0, -1.0), (-1.0, 0.0))
+    ]
+    came = [
+        lifted(origin, radius, force, (origin[0] + dx, origin[1], origin[2] + dz), cause, read)
+        for dx, dz in ways
+    ]
+    inside = [math.hypot(dx, dz) <= radius for dx, dz in ways]
+    rules = {
+        "the column about (0, 0), not about the origin": [
+            math.hypot(origin[0] + dx, origin[2] + dz) <= radius for dx, dz in ways
+        ],
+        "the distance in X and Y": [abs(dx) <= radius for dx, _ in ways],
+        "a square column, with dx and dz each below the radius": [
+            max(abs(dx), abs(dz)) <= radius for dx, dz in ways
+        ],
+        "dx + dz compared with the radius": [abs(dx) + abs(dz) <= radius for dx, dz in ways],
+        "dx^2 + dz^2, the square of the distance, compared with the radius": [
+            dx * dx + dz * dz <= radius for dx, dz in ways
+        ],
+        "the force outside the column, and none in it": [not acts for acts in inside],
+        "the force everywhere": [True for _ in ways],
+        "no force anywhere": [False for _ in ways],
+    }
+    acted = [got != ZERO for _, got in came]
+    if acted != inside:
+        cause = next((f"this is {rule}: {cause}" for rule in rules if rules[rule] == acted), cause)
+    for (call, got), acts in zip(came, inside, strict=True):
+        x, y, z = force
+        slips = {
+            "the force times the mass of 4 kg": (4.0 * x, 4.0 * y, 4.0 * z),
+            "a force straight up, where the generator's has a direction": (
+                0.0,
+                math.hypot(x, y, z),
+                0.0,
+            ),
+        }
+        why = named(got, cause, slips) if acts else cause
+        expect_close(call, got, force if acts else ZERO, cause=why, read=read)
 
 
 @pytest.mark.exercise("5.1")

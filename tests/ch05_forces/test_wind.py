@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from random import Random
 
 import pytest
@@ -12,7 +13,7 @@ from ch05_forces.particle import Particle
 from ch05_forces.probes import winds
 from ch05_forces.sniper import SniperRange, Wind
 from draw import Components, components
-from expect import expect_close, expect_exactly, expect_unchanged, xyz
+from expect import expect_close, expect_exactly, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "the docstring of Wind.update_force"
@@ -39,11 +40,27 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
     k1, k2 = round(rng.uniform(0.2, 0.9), 3), round(rng.uniform(0.2, 0.9), 3)
     cause = "Eq. 5.1 with u = v - w, the velocity relative to the air: -u (k1 + k2 |u|)"
     u = [v[i] - w[i] for i in range(3)]
+
+    def drag(a: Sequence[float], one: float, two: float) -> list[float]:
+        return [-part * (one + two * math.hypot(*a)) for part in a]
+
     for one, two in ((k1, 0.0), (0.0, k2), (k1, k2)):
         call, got = blow(v, w, one, two, cause, read)
-        wanted = tuple(-u[i] * (one + two * math.hypot(*u)) for i in range(3))
+        wanted = drag(u, one, two)
+        still, blown = drag(v, one, two), drag(w, one, two)
+        slips = {
+            "the drag at v, as in still air": still,
+            "the force on a particle at rest, as if v were 0": [-part for part in blown],
+            "the drag at v + w": drag([v[i] + w[i] for i in range(3)], one, two),
+            "the drag at w - v, the other way round": [-part for part in wanted],
+            "Eq. 5.1 with k1 and k2 exchanged": drag(u, two, one),
+            "the drag at v and the push at w, each for itself": [
+                still[i] - blown[i] for i in range(3)
+            ],
+        }
+        why = named(got, cause, slips)
         # A few roundings of numbers up to 700.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-11)
 
 
 @pytest.mark.exercise("P4.2a")
@@ -103,7 +120,9 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
         ):
             middle, reach = (low + high) / 2.0, (high - low) / 2.0
             words = f"{call}: the {what} {name}"
-            expect_close(words, got, middle, cause=cause, read=read, tolerance=reach)
+            why = "beyond 10 m/s, as where what is drawn is added to the old wind: " + cause
+            why = why if abs(got) > 10.0 else cause
+            expect_close(words, got, middle, cause=why, read=read, tolerance=reach)
     cause = "x and z are drawn each for itself, so the wind is weak at times"
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.springs import AnchoredBungee, Bungee
 from draw import Components, components, direction, positive_number
-from expect import expect_close, expect_unchanged, xyz
+from expect import expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 BOTH = ("Bungee", "AnchoredBungee")
@@ -45,17 +45,28 @@ def rope(
 @pytest.mark.exercise("B6.2")
 def test_a_stretched_rope_pulls(rng: Random) -> None:
     read = "book 6.2.3 and the docstring of Bungee"
-    cause = "a stretched rope pulls towards its other end: -k (l - l0) d^; printed is a push (E-4)"
     for kind in BOTH:
         base, d = components(rng), direction(rng)
         k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
         for extension in (positive_number(rng, 0.3, 3.0), 1e-4):
             offset = tuple((rest + extension) * part for part in d)
             call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
+            cause = "a stretched rope pulls towards its other end: -k (l - l0) d^"
             before = xyz(p.position), xyz(p.velocity)
             bungee.update_force(p, 0.5)
             got = xyz(p.force_accumulator)
             wanted = tuple(-k * extension * part for part in d)
+            slips = {
+                "a push, as of the printed k (l0 - l) (E-4), or of an offset the other way round": [
+                    -part for part in wanted
+                ],
+                "no force, though the rope is longer than at rest": ZERO,
+                "-k l d^, without the rest length": [-k * (rest + extension) * part for part in d],
+                "the right size times the offset, which is no unit vector": [
+                    part * (rest + extension) for part in wanted
+                ],
+            }
+            cause = named(got, cause, slips)
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
             expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
             expect_unchanged(call, "p.position", xyz(p.position), before[0], read=read)
@@ -114,6 +125,15 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             got = xyz(p.force_accumulator)
             left = max(k * extension * (1.0 - share), 0.0)
             wanted = tuple(-left * part for part in d)
+            own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
+            slips = {
+                "the pull without its damping": [-k * extension * part for part in d],
+                "a push by the damping": [-k * extension * (1.0 - share) * part for part in d],
+                "damping by p's velocity alone, and q's is not taken off": [
+                    -(k * extension + c * own) * part for part in d
+                ],
+            }
+            cause = named(got, cause, slips)
             expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
 
 

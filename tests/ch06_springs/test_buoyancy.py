@@ -11,7 +11,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import bobbing
 from ch06_springs.springs import Buoyancy
 from draw import components, number, positive_number
-from expect import expect_close, expect_unchanged, xyz
+from expect import expect_close, expect_unchanged, named, xyz
 
 READ = "book 6.2.4 and the docstring of Buoyancy"
 
@@ -22,23 +22,44 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
     density, g = positive_number(rng, 800.0, 1250.0), positive_number(rng, 5.0, 20.0)
     full = density * volume * g
-    for share, cause in (
-        (
-            0.25,
-            "share rho V g, where (y_w + s - y) / (2 s) is the share, with its brackets; the "
-            "printed one has another sign, and its listing no g (E-5). No mass is in it",
-        ),
-        (0.75, "(y_w + s - y) / (2 s): mind the brackets of 2 s (E-5)"),
-        (0.5, "the middle at the surface: half of it is under water"),
-        (0.01, "(y_w + s - y) / (2 s) goes to 0 as the body comes out of the water"),
-    ):
+    cause = "share rho V g upwards, where the share is (y_w + s - y) / (2 s), brackets and all"
+    came = {}
+    for share in (0.25, 0.75, 0.5, 0.01):
         y = surface + s - 2.0 * s * share
         call = f"p at (3, {y}, 5); Buoyancy({s}, {volume}, {surface}, {density}, {g})"
         call += ".update_force(p, 0.5); p.force_accumulator"
-        p = Particle(Vector3(3.0, y, 5.0), Vector3(2.0, 3.0, 4.0), mass=2.0)
+        p = Particle(Vector3(3.0, y, 5.0), Vector3(2.0, 3.0, 4.0), mass=3.0)
         Buoyancy(s, volume, surface, density, g).update_force(p, 0.5)
-        got = xyz(p.force_accumulator)
+        came[share] = call, xyz(p.force_accumulator)
         expect_unchanged(call, "p.position", xyz(p.position), (3.0, y, 5.0), read=read)
+    unit, pushed = full / g, s * s  # what / 2 * s makes of a share
+    pairs = {  # the lifts at the first two shares
+        "no lift, as with the printed signs, (y - y_w - s), where the share is negative and is cut "
+        "off (E-5)": (0.0, 0.0),
+        "a pull downwards, as with the printed signs, (y - y_w - s) (E-5)": (
+            -0.25 * full,
+            -0.75 * full,
+        ),
+        "the printed listing, with its signs, / 2 * s and without g (E-5)": (
+            -0.25 * pushed * unit,
+            -0.75 * pushed * unit,
+        ),
+        "a share of / 2 * s, as the listing has it without brackets (E-5)": (
+            min(0.25 * pushed, 1.0) * full,
+            min(0.75 * pushed, 1.0) * full,
+        ),
+        "the listing's lift, which has no g (E-5)": (0.25 * unit, 0.75 * unit),
+        "the lift divided by the mass": (0.25 * full / 3.0, 0.75 * full / 3.0),
+        "the lift times the mass": (0.75 * full, 2.25 * full),
+        "the lift with a g of 9.81, not self.gravity": (0.25 * unit * 9.81, 0.75 * unit * 9.81),
+        "the lift of water, not of self.liquid_density": (250.0 * volume * g, 750.0 * volume * g),
+        "a share of (y_w + s - y) / s, with max_depth for the whole height": (0.5 * full, full),
+        "a depth counted from the surface, y_w - y, without s": (0.0, 0.25 * full),
+        "all of the lift or none of it": (0.0, full),
+    }
+    lifts = [got[1] if isinstance(got, tuple) else got for _, got in came.values()][:2]
+    cause = named(lifts, cause, pairs)
+    for share, (call, got) in came.items():
         # The depth is the difference of numbers up to 28: some 1e-14 of it is rounding.
         wanted = (0.0, share * full, 0.0)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12 * full)

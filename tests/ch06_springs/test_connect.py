@@ -13,7 +13,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import network, pair_swinging
 from ch06_springs.springs import Connection, connect
 from draw import components, direction, positive_number
-from expect import expect_close, expect_error, expect_exactly, xyz
+from expect import expect_close, expect_error, expect_exactly, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "the docstring of Connection.update_force"
@@ -51,11 +51,29 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         cause += f"asked for (here {end})"
         Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
+        k, rest, _ = numbers
+        both = tuple(p + q for p, q in zip(v, w, strict=True))
+        slips = {
+            "half of the force": [0.5 * part for part in wanted],
+            "a spring without its damping": tension(here, v, there, w, (k, rest, 0.0)),
+            "a spring with the sum of the velocities, not their difference": tension(
+                here, both, there, ZERO, numbers
+            ),
+            "a spring with b's place minus a's, the other way round": tension(
+                there, v, here, w, numbers
+            ),
+            "the force of b, as where the end that is asked for counts as a": [
+                -part for part in wanted
+            ],
+            "no force on a": ZERO,
+        }
+        cause = named(on_a, cause, slips)
         # A few roundings of numbers up to 500.
         expect_close(
             f"{name}; a.force_accumulator", on_a, wanted, cause=cause, read=read, tolerance=1e-11
         )
         cause = "b gets exactly minus the force on a, so that the momentum is kept"
+        cause = named(on_b, cause, {"the same force as a's": on_a, "no force on b": ZERO})
         opposite = tuple(-part for part in on_a)
         expect_close(
             f"{name}; b.force_accumulator", on_b, opposite, cause=cause, read=read, tolerance=0.0
@@ -72,7 +90,7 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
         f"a at {offset}, b at (0, 0, 0); b.add_force(Vector3{f}); a.add_force(Vector3(1, 2, 3)); "
     )
     call += f"Connection(a, b, {k}, {rest}).update_force(a, 0.5)"
-    cause = "shorter than at rest: it pushes both, away from each other (E-3)"
+    cause = "where it is shorter than at rest it pushes both, away from each other"
     a, b = Particle(Vector3(*offset)), Particle()
     b.add_force(Vector3(*f))
     a.add_force(Vector3(1.0, 2.0, 3.0))
@@ -80,6 +98,8 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     wanted = tuple(g + 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True))
     got = xyz(a.force_accumulator)
     name = f"{call}; a.force_accumulator"
+    pulled = [g - 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True)]
+    cause = named(got, cause, {"the listing's abs(l - l0), with which it pulls (E-3)": pulled})
     expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12)
     wanted = tuple(g - 0.6 * k * rest * part for g, part in zip(f, d, strict=True))
     got = xyz(b.force_accumulator)
@@ -142,11 +162,8 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
     for mass_a, mass_b in masses:
         call = f"a of {mass_a} kg at {here}, b of {mass_b} kg at {there}; "
         call += f"connect(registry, a, b, {k}, {rest}); registry.update_forces(0.5)"
-        cause = "one connection with this stiffness and rest length, registered once under an end "
-        cause += (
-            "that can move: the registry asks for no immovable particle, and under both ends it "
-        )
-        cause += "would act twice"
+        cause = "one Connection with this stiffness and rest length is registered once, under an "
+        cause += "end that can move"
         a, b = Particle(Vector3(*here), mass=mass_a), Particle(Vector3(*there), mass=mass_b)
         registry = ForceRegistry()
         connect(registry, a, b, k, rest)
@@ -156,6 +173,18 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                 force = tuple(sign * part for part in wanted)
                 got = xyz(end.force_accumulator)
                 what = f"{call}; {name}.force_accumulator"
+                swapped = tension(here, ZERO, there, ZERO, (rest, k, 0.0))
+                slips = {
+                    "no force, as of a spring that is not registered, or under an end that is "
+                    "immovable, which the registry skips": ZERO,
+                    "twice the force, as of a spring that is registered under both ends": [
+                        2.0 * part for part in force
+                    ],
+                    "a spring with stiffness and rest length exchanged": [
+                        sign * part for part in swapped
+                    ],
+                }
+                cause = named(got, cause, slips)
                 expect_close(what, got, force, cause=cause, read=read, tolerance=1e-11)
 
 
@@ -168,7 +197,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     cause = "return the Connection, with what it was made with"
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)
-    expect_exactly(f"{call} is None", s is None, False, cause=cause, read=read)
+    expect_exactly(f"{call}: does a spring come back", s is not None, True, cause=cause, read=read)
     got = (s.stiffness, s.rest_length, s.damping)
     name = f"{call}; (s.stiffness, s.rest_length, s.damping)"
     expect_close(name, got, (k, rest, c), cause=cause, read=read)

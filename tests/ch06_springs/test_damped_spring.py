@@ -11,7 +11,7 @@ import pytest
 from ch06_springs.closed_form import damped_spring_state
 from draw import number as draw_number
 from draw import positive_number
-from expect import expect_close, expect_error, expect_finite_numbers
+from expect import expect_close, expect_error, expect_exactly, expect_finite_numbers, named
 
 READ = "book 6.3.2 and the docstring of damped_spring_state"
 REGIMES = (
@@ -39,14 +39,37 @@ def by_roots(x0: float, v0: float, k: float, c: float, m: float, t: float) -> tu
 @pytest.mark.exercise("B6.5")
 def test_the_three_cases_by_known_values() -> None:
     read = READ
+    damped, late = math.sqrt(99.0), math.sqrt(96.0)  # gamma, and that of a c / m not halved
+    slips = {
+        "a damping of c / m in the exponent, and half of it is right": math.exp(-1.0)
+        * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
+        "e^(-half t) cos(gamma t) alone, without half sin(gamma t) / gamma": math.exp(-0.5)
+        * math.cos(0.5 * damped),
+        "a swing with the root of k / m, not with gamma": math.exp(-0.5)
+        * (math.cos(5.0) + 0.1 * math.sin(5.0)),
+        "e^(-half t) alone, without half t e^(-half t)": math.exp(-5.0),
+    }
     for c, x, cause in (
         (2.0, 0.09855066761858595, "under-damped: e^(-half t) times cos and sin of gamma t"),
-        (20.0, 0.04042768199451279, "critical: gamma is 0, and sin(gamma t) / gamma goes to t"),
-        (40.0, 0.2821711739751533, "over-damped: cosh and sinh, not the root of a negative (E-23)"),
+        (
+            20.0,
+            0.04042768199451279,
+            "critical, which the book leaves out (E-23): gamma is 0, and sin(gamma t) / gamma goes "
+            "to t",
+        ),
+        (
+            40.0,
+            0.2821711739751533,
+            "over-damped, which the book leaves out (E-23): cosh and sinh of gamma t, where "
+            "e^(-(half + gamma) t) dies out fast and e^(-(half - gamma) t) slowly",
+        ),
     ):
-        call = f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, 0.5)[0]"
-        got = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, 0.5)[0]
-        expect_close(call, got, x, cause=cause, read=read)
+        call = f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, 0.5)"
+        state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, 0.5)
+        count = len(state) if isinstance(state, (tuple, list)) else 1
+        both = "position and velocity come back, both of them"
+        expect_exactly(f"{call}: how many numbers", count, 2, cause=both, read=read)
+        expect_close(f"{call}[0]", state[0], x, cause=named(state[0], cause, slips), read=read)
     call = "damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]"
     cause = "k 1 and d 10: the printed formula takes the root of 4 k - d^2, which is -96 (E-23)"
     got = damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
@@ -58,7 +81,6 @@ def test_the_three_cases_by_known_values() -> None:
 @pytest.mark.parametrize(("share", "name"), REGIMES)
 def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
     read = READ
-    cause = f"{name}: c is divided by 2 m, k by m, and both x0 and v0 count"
     for _ in range(5):
         x0, v0 = draw_number(rng), draw_number(rng)
         k, m, t = positive_number(rng), positive_number(rng), positive_number(rng)
@@ -66,6 +88,22 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         call = f"damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {t})"
         got = damped_spring_state(x0, v0, k, c, m, t)
         wanted = by_roots(x0, v0, k, c, m, t)
+        half, (x, v) = c / (2.0 * m), wanted
+        fade = math.exp(-half * t)
+        slips = {
+            "a spring whose damping is not divided by the mass": by_roots(x0, v0, k, c * m, m, t),
+            "a spring whose stiffness is not divided by the mass": by_roots(x0, v0, k * m, c, m, t),
+            "a position without the part of v0": (by_roots(x0, 0.0, k, c, m, t)[0], v),
+            "a velocity without the part of x0": (x, by_roots(0.0, v0, k, c, m, t)[1]),
+            "the critical case, where c^2 is not 4 k m yet": (
+                (x0 + (v0 + half * x0) * t) * fade,
+                (v0 - (half * v0 + k / m * x0) * t) * fade,
+            ),
+        }
+        cause = f"{name}: c is divided by 2 m, k by m, and both x0 and v0 count"
+        if isinstance(got, tuple) and abs(got[0] - x) < 1e-10:
+            cause = f"{name}: the position is right, and the velocity is not its rate of change"
+        cause = named(got, cause, slips)
         # The roots' formula takes differences of numbers up to 10^4.
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
 

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.springs import ElasticLimitSpring
 from draw import components, direction, positive_number
-from expect import expect_close, xyz
+from expect import expect_close, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.1 and the docstring of ElasticLimitSpring"
@@ -23,9 +23,9 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     base, d = components(rng), direction(rng)
     k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
     for share, cause in (
+        (1.9, "stretched it pulls, as every spring: -k (l - l0) d^"),
         (0.5, "compressed it pushes, as every spring: -k (l - l0) d^"),
         (0.1, "however compressed, it pushes with all of its stiffness: the limit is of length"),
-        (1.9, "stretched it pulls, as every spring: -k (l - l0) d^"),
     ):
         place = tuple(b + share * rest * part for b, part in zip(base, d, strict=True))
         call = f"p at {place}, q at {base}; "
@@ -35,6 +35,14 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
         name = f"{call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
+        opposite = [-part for part in wanted]
+        slips = {"no force": ZERO, "a push along the offset": opposite}
+        if share < 1.0:
+            slips = {
+                "no force": ZERO,
+                "the printed abs(l - l0), with which it pulls (E-3)": opposite,
+            }
+        cause = named(got, cause, slips)
         expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12)
         name = f"{call}; q.force_accumulator"
         cause = "it acts on one end, and leaves the other particle alone"
@@ -66,8 +74,20 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         spring = ElasticLimitSpring(q, k, rest, limit, share)
         spring.update_force(p, 0.5)
         wanted = tuple(-k * (limit - rest + share * beyond) * part for part in d)
+        late = rest + limit  # the length of a limit that is counted from the rest length
+        sizes = {
+            "a force that grows no more beyond the limit": limit - rest,
+            "the share of all that it is longer than at rest": share * (length - rest),
+            "all of the stiffness, beyond the limit too": length - rest,
+            "the part beyond the limit alone": share * beyond,
+            "a limit that counts from the rest length, and it is a length": (
+                min(length, late) - rest + share * max(length - late, 0.0)
+            ),
+        }
         name = f"{call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
+        slips = {slip: [-k * size * part for part in d] for slip, size in sizes.items()}
+        cause = named(got, cause, slips)
         expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
         name = f"{call}, and once more; p.force_accumulator"
         cause = "stretched beyond its limit the spring stays what it is: the force adds up"

@@ -13,7 +13,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import faked
 from ch06_springs.springs import FakeStiffSpring
 from draw import components, positive_number
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import expect_close, expect_error, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 6.3.2 and the docstring of FakeStiffSpring"
@@ -32,11 +32,17 @@ def test_the_force_by_its_formula() -> None:
     read = READ
     call = "p of 1 kg at (1, 0, 0), at rest, with acceleration (0, -10, 0) and damping 0.5; "
     call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
-    cause = "(T - x) / h^2 - v / h with T = cos(chi h): -198.155 N; the listing has -0.055 N (E-6)"
+    cause = "(T - x) / h^2 - v / h, here with T = cos(chi h)"
     p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     got = xyz(p.force_accumulator)
     wanted = (-198.15499326694427, 0.0, 0.0)
+    sizes = {
+        "the printed listing, whose 1 / h * h does not divide by h^2 (E-6)": wanted[0] / 3600.0,
+        "the force of a true spring, -k x, which is too much for such a frame": -400.0,
+        "what moves p by a h^2 / 2, and semi-implicit Euler moves it by a h^2": 2.0 * wanted[0],
+    }
+    cause = named(got, cause, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
     name = f"{call}; p.force_accumulator"
     expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-10)
@@ -48,6 +54,12 @@ def test_the_force_by_its_formula() -> None:
     name = f"{call}; p.force_accumulator"
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
+    sizes = {
+        "the printed (T - x) / h^2 - v, with v for v / h (E-6)": wanted[1] + 120.0 - 2.0,
+        "(T - x) / h^2, without the velocity": wanted[1] + 120.0,
+        "no force along y, though p moves along it": 0.0,
+    }
+    cause = named(got, cause, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
     expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-10)
 
 
@@ -85,6 +97,22 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         wanted = tuple(
             a + true_spring(x - a, u, k, c, m, h) for a, x, u in zip(anchor, place, v, strict=True)
         )
+        axes = list(zip(anchor, place, v, wanted, strict=True))
+        slips = {
+            "where the force leads without its mass": [
+                x + u * h + (end - x - u * h) / m for _, x, u, end in axes
+            ],
+            "where a true spring has 1 kg": [
+                a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
+            ],
+            "where a true spring has no damping": [
+                a + true_spring(x - a, u, k, 0.0, m, h) for a, x, u, _ in axes
+            ],
+            "where a true spring has its anchor at (0, 0, 0)": [
+                true_spring(x, u, k, c, m, h) for _, x, u, _ in axes
+            ],
+        }
+        cause = named(ends[-1], cause, slips)
         # Divided by h^2 and multiplied by it again: a few roundings of numbers up to 20.
         expect_close(call, ends[-1], wanted, cause=cause, read=read, tolerance=1e-11)
 

@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import chased
 from ch06_springs.springs import HomingBullet
 from draw import components, positive_number
-from expect import expect_close, expect_unchanged, xyz
+from expect import expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.4 and the docstring of HomingBullet"
@@ -43,6 +43,28 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         )
         name = f"{call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
+        now = [there[i] - here[i] for i in range(3)]
+        closing = [w[i] - v[i] for i in range(3)]
+        way = [now[i] + closing[i] * time for i in range(3)]
+        pulls = {
+            "a push away from the target": [-k * part for part in way],
+            "the way without the stiffness": way,
+            "k times a unit vector, and the way is meant": [
+                k * part / math.hypot(*way) for part in way
+            ],
+            "a pull towards where the target is now": [k * part for part in now],
+            "a bullet that forgets its own velocity": [
+                k * (now[i] + w[i] * time) for i in range(3)
+            ],
+            "a bullet that forgets the target's velocity": [
+                k * (now[i] - v[i] * time) for i in range(3)
+            ],
+            "a look-ahead of the frame, not of self.look_ahead": [
+                k * (now[i] + closing[i] * 0.5) for i in range(3)
+            ],
+        }
+        slips = {slip: [f[i] + pull[i] for i in range(3)] for slip, pull in pulls.items()}
+        cause = named(got, cause, slips)
         # A few roundings of numbers up to 2000.
         expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
         cause = "it leaves the target alone"

@@ -11,13 +11,23 @@ from ch06_springs.integrators import backward_euler, trapezoidal
 from ch06_springs.step_probes import implicit_steps
 from draw import number as draw_number
 from draw import positive_number
-from expect import expect_close, expect_finite_numbers
+from expect import expect_close, expect_finite_numbers, named
 
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
 RULES = {
     "backward_euler": "x' = x + v' h and v' = v + a' h, both with what is new",
     "trapezoidal": "x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the means of old and new",
 }
+
+
+def off(
+    method: str, x: float, v: float, k: float, c: float, m: float, h: float, new: tuple[float, ...]
+) -> tuple[float, float]:
+    """Return what the two equations of a method are off, for a new state."""
+    a, b = (-k * x - c * v) / m, (-k * new[0] - c * new[1]) / m
+    if method == "trapezoidal":
+        return new[0] - x - 0.5 * h * (v + new[1]), new[1] - v - 0.5 * h * (a + b)
+    return new[0] - x - h * new[1], new[1] - v - h * b
 
 
 @pytest.mark.exercise("B6.9")
@@ -31,14 +41,35 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
         cause = f"{RULES[method]}, where m a = -k x - c v: solve them for v'"
         new = METHODS[method](x, v, stiffness, damping, m, h)
         expect_close(f"{call}: how many numbers", len(new), 2, cause=cause, read=read)
-        old_a = (-stiffness * x - damping * v) / m
-        new_a = (-stiffness * new[0] - damping * new[1]) / m
-        if method == "trapezoidal":
-            left = new[0] - x - 0.5 * h * (v + new[1]), new[1] - v - 0.5 * h * (old_a + new_a)
-        else:
-            left = new[0] - x - h * new[1], new[1] - v - h * new_a
+        left = off(method, x, v, stiffness, damping, m, h, new)
+        other = "trapezoidal" if method == "backward_euler" else "backward_euler"
+        u = v + (-stiffness * x - damping * v) / m * h
+        slips = {
+            "explicit Euler's step": (x + v * h, u),
+            "semi-implicit Euler's step": (x + u * h, u),
+        }
+        fits = {
+            "v' and x', in the wrong order": off(
+                method, x, v, stiffness, damping, m, h, (new[1], new[0])
+            ),
+            f"what {other} gives": off(other, x, v, stiffness, damping, m, h, new),
+            "a step without the damping": off(method, x, v, stiffness, 0.0, m, h, new),
+            "a step without the stiffness": off(method, x, v, 0.0, damping, m, h, new),
+            "a step whose k and c are not divided by the mass": off(
+                method, x, v, stiffness, damping, 1.0, h, new
+            ),
+        }
+        # Where the equations of a mistake are met, it was made.
+        cause = next(
+            (f"this is {slip}: {cause}" for slip in fits if max(map(abs, fits[slip])) < 1e-10),
+            named(new, cause, slips),
+        )
+        if abs(new[0] - x - v * h) < 1e-10 and "this is" not in cause:
+            cause = f"this is x' = x + v h, with the old velocity alone: {cause}"
+        if abs(new[0] - x - new[1] * h) < 1e-10 and "this is" not in cause and left[0] != 0.0:
+            cause = f"this is x' = x + v' h, with the new velocity alone: {cause}"
         # A few roundings of numbers up to 4000.
-        name = f"{call}: what the two equations are off"
+        name = f"{call}: what the equations for x' and v' are off"
         expect_close(name, left, (0.0, 0.0), cause=cause, read=read, tolerance=1e-10)
 
 

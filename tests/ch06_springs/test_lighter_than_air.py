@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import risen
 from ch06_springs.springs import LighterThanAir
 from draw import components, positive_number
-from expect import expect_close, expect_unchanged, xyz
+from expect import expect_close, expect_unchanged, named, xyz
 
 READ = "exercise 6.2 and the docstring of LighterThanAir"
 
@@ -31,6 +31,19 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         LighterThanAir(most, scale).update_force(p, 0.5)
         wanted = (f[0], f[1] + most * math.exp(-share), f[2])
         got = xyz(p.force_accumulator)
+        lift = most * math.exp(-share)
+        lifts = {
+            "F H / y, which is infinite at the ground": most / share,
+            "F (1 - y / H), a straight line": most * (1.0 - share),
+            "F e^-y, with the height not divided by H": most * math.exp(-y),
+            "F 2^(-y / H), half of it at the scale height": most * 0.5**share,
+            "F / (1 + y / H)": most / (1.0 + share),
+            "F e^(y / H), without the minus": most * math.exp(share),
+            "a lift that points down": -lift,
+            "the lift times the mass of 7 kg": 7.0 * lift,
+        }
+        slips = {name: (f[0], f[1] + size, f[2]) for name, size in lifts.items()}
+        cause = named(got, cause, slips)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
 
 

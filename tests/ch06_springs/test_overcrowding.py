@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import crowded
 from ch06_springs.springs import Overcrowding
 from draw import components, direction, positive_number
-from expect import expect_close, expect_exactly, xyz
+from expect import expect_close, expect_exactly, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.3 and the docstring of Overcrowding"
@@ -26,8 +26,8 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
     for share, cause in (
         (
             0.25,
-            "nearer than the distance: k (distance - l), away from the other one. p itself is in "
-            "the list: mind a division by 0, and do not stop there",
+            "who is nearer than the distance pushes with k (distance - l), away from it. p itself "
+            "is in the list, and its own distance is 0",
         ),
         (0.9, "a little nearer than the distance: a little push, away from the other one"),
         (1.1, "farther than the distance nobody minds: no push, and no pull"),
@@ -43,6 +43,20 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         wanted = tuple(g - push * part for g, part in zip(f, d, strict=True))
         name = f"{call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
+        near = share * distance
+        pushes = {
+            "a pull towards the other one": -push,
+            "no push, as where the search ends at p itself, which is in the list": 0.0,
+            "a push of k, however near the other one is": k,
+            "the right size times the way, which is no unit vector": push * near,
+            "the square of the distance in the place of it": k * (distance - near**2),
+        }
+        if share < 1.0:
+            slips = {
+                slip: [g - size * part for g, part in zip(f, d, strict=True)]
+                for slip, size in pushes.items()
+            }
+            cause = named(got, cause, slips)
         expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
         name = f"{call}; q.force_accumulator"
         cause = "the other one is pushed when it is asked for, not now"

@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.penalty import PenaltyGround
 from ch06_springs.probes import on_penalty_ground
 from draw import components, number, positive_number
-from expect import expect_close, xyz
+from expect import expect_close, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "the docstring of PenaltyGround"
@@ -31,6 +31,14 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
     PenaltyGround(height, k).update_force(p, 0.5)
     wanted = (f[0], f[1] + k * depth, f[2])
     got = xyz(p.force_accumulator)
+    pushes = {
+        "a push downwards": -k * depth,
+        "a push out of a ground at height 0, not at self.height": k * (depth - height),
+        "a push times the mass": 2.0 * k * depth,
+        "no push, though p is below the ground": 0.0,
+    }
+    slips = {slip: (f[0], f[1] + size, f[2]) for slip, size in pushes.items()}
+    cause = named(got, cause, slips)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
 
 
@@ -80,8 +88,20 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         call += f"PenaltyGround(0, {k}, {c}).update_force(p, 0.5); p.force_accumulator"
         p = Particle(Vector3(0.0, -depth, 0.0), Vector3(4.0, v, 4.0), mass=2.0)
         ground.update_force(p, 0.5)
-        wanted = (0.0, k * depth * max(1.0 - share, 0.0), 0.0)
+        push = k * depth
+        wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
+        slips = {
+            "the push without its damping": (0.0, push, 0.0),
+            "k depth + c v_y, damping that pushes with the motion": (
+                0.0,
+                max(push * (1.0 + share), 0.0),
+                0.0,
+            ),
+            "damping along the ground too, and only v_y counts": (-4.0 * c, wanted[1], -4.0 * c),
+            "a pull downwards": (0.0, push * (1.0 - share), 0.0),
+        }
+        cause = named(got, cause, slips)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
 
 

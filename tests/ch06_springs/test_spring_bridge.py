@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import hung_bridge, loaded, settled_bridge
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from draw import Components, components, number, positive_number
-from expect import expect_close, expect_error, xyz
+from expect import expect_close, expect_error, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 HANG = "the docstring of hang_bridge"
@@ -88,7 +88,19 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
                 parts.append(pull(end, after[j], k, math.dist(places[i], places[j]), c))
         wanted = tuple(math.fsum(part[axis] for part in parts) for axis in range(3))
         name = f"{call}; planks[{i}].force_accumulator"
-        expect_close(name, forces[i], wanted, cause=cause, read=read, tolerance=1e-11)
+        below = pull(end, ((x, y - height, z), ZERO), k, height, c)
+        slips = {
+            "a force of anchors below the planks": [
+                total - hanger + part
+                for total, hanger, part in zip(wanted, parts[0], below, strict=True)
+            ],
+            "the force of the hangers alone, with no springs between the planks": parts[0],
+            "a force with each spring between two planks twice": [
+                2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
+            ],
+        }
+        why = named(forces[i], cause, slips)
+        expect_close(name, forces[i], wanted, cause=why, read=read, tolerance=1e-11)
     name = f"{call}; the force of another spring that the registry had before, upwards"
     cause = "hang the bridge beside what the registry has already"
     expect_close(name, forces[-1], (0.0, -2.0, 0.0), cause=cause, read=read)
@@ -112,6 +124,16 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         forces = loaded(places, x, weight)
         got = [force[1] - 2.0 for force in forces]
         wanted = [-weight * share for share in shares]
+        beside = max(shares) < 1.0
+        slips = {
+            "the shares s and 1 - s exchanged": [
+                -weight * (1.0 - share) if share else 0.0 for share in shares
+            ],
+            "half of the weight for each": [-0.5 * weight * (share > 0.0) for share in shares],
+            "a weight that points up": [-part for part in wanted],
+            "the weight times 9.81, and it is in N already": [9.81 * part for part in wanted],
+        }
+        cause = named(got, cause, slips) if beside else cause
         name = f"{call}: forces upwards, less the 2 N that were there"
         expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12 * weight)
         name = f"{call}: forces along x and z stay"

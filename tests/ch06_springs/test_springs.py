@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import swinging
 from ch06_springs.springs import AnchoredSpring, Spring, spring_force
 from draw import components, direction, positive_number
-from expect import expect_close, expect_unchanged, expect_vector, xyz
+from expect import expect_close, expect_unchanged, expect_vector, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 6.2.1, Eq. 6.1 and 6.2, and the docstring of spring_force"
@@ -27,20 +27,47 @@ def hooke(
     return tuple(size * o for o in offset)
 
 
+def spring_slips(
+    offset: tuple[float, ...], velocity: tuple[float, ...], k: float, rest: float, c: float
+) -> dict[str, list[float]]:
+    """Return what likely mistakes make of the force of hooke."""
+    length = math.hypot(*offset)
+    d = [part / length for part in offset]
+    rate = sum(part * v for part, v in zip(d, velocity, strict=True))
+    pull = k * (length - rest)
+
+    def along(size: float) -> list[float]:
+        return [size * part for part in d]
+
+    return {
+        "the listing's abs(l - l0), with which a compressed spring pulls (E-3)": along(
+            -abs(pull) - c * rate
+        ),
+        "damping that pushes with the motion": along(c * rate - pull),
+        "a force along the offset, with the minus forgotten": along(pull + c * rate),
+        "-k l d^, without the rest length": along(-k * length - c * rate),
+        "the right size times the offset, which is no unit vector": along(
+            -(pull + c * rate) * length
+        ),
+        "l^2 in the place of the length": along(-k * (length**2 - rest) - c * rate),
+        "a spring without its damping": along(-pull),
+        "no force, as of a rope, which is slack where it is short": along(0.0 * pull),
+        "damping of all of the velocity, -c v": [
+            a - c * v for a, v in zip(along(-pull), velocity, strict=True)
+        ],
+        "damping by the speed |v|": along(-pull - c * math.hypot(*velocity)),
+        "damping by v . offset, and the offset is no unit vector": along(-pull - c * rate * length),
+    }
+
+
 @pytest.mark.exercise("B6.1")
 def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> None:
     read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
     for share, cause in (
         (1.5, "a spring that is longer than at rest pulls this end back: against the offset"),
-        (
-            0.5,
-            "a spring that is shorter than at rest pushes; with an absolute value it pulls (E-3)",
-        ),
-        (
-            1e-3,
-            "a spring that is shorter than at rest pushes; with an absolute value it pulls (E-3)",
-        ),
+        (0.5, "a spring that is shorter than at rest pushes this end away"),
+        (1e-3, "a spring that is shorter than at rest pushes this end away"),
     ):
         offset = tuple(share * rest * part for part in d)
         call = f"spring_force(Vector3{offset}, Vector3(), {k}, {rest})"
@@ -48,6 +75,7 @@ def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> No
         got = expect_vector(
             call, spring_force(Vector3(*offset), Vector3(), k, rest), cause=cause, read=read
         )
+        cause = named(got, cause, spring_slips(offset, ZERO, k, rest, 0.0))
         # A few roundings of numbers up to 60.
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
     call = "spring_force(Vector3(1, 0, 0), Vector3(), 10, 2)"
@@ -61,13 +89,14 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
     read = READ
     offset, velocity = components(rng), components(rng)
     k, rest, c = positive_number(rng), positive_number(rng, 1.0, 5.0), positive_number(rng)
-    cause = "damping is -c l' d^: only the part of the velocity along the spring counts, v . d^"
+    cause = "damping is -c l' d^, with l' = v . d^, the part of the velocity along the spring"
     for v, stiffness in ((velocity, 0.0), (velocity, k)):
         call = f"spring_force(Vector3{offset}, Vector3{v}, {stiffness}, {rest}, {c})"
         got = xyz(spring_force(Vector3(*offset), Vector3(*v), stiffness, rest, c))
         wanted = hooke(offset, v, stiffness, rest, c)
+        why = named(got, cause, spring_slips(offset, v, stiffness, rest, c))
         # A few roundings of numbers up to 300.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-11)
     across = (-offset[1], offset[0], 0.0)
     call = f"spring_force(Vector3{offset}, Vector3{across}, 0.0, {rest}, {c})"
     cause = "motion straight across the spring does not change its length: no damping"
@@ -101,7 +130,9 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     p = Particle(Vector3(*v), Vector3(*v))
     AnchoredSpring(Vector3(*v), 100.0, 2.0, 3.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(call, got, ZERO, cause="no direction, no force", read=read)
+    cause = "the offset is p.position minus the anchor, here zero: no direction, no force"
+    slips = {"the spring of (0, 0, 0), with no anchor taken off": hooke(v, v, 100.0, 2.0, 3.0)}
+    expect_close(call, got, ZERO, cause=named(got, cause, slips), read=read)
     call = "spring_force(Vector3(2, 0, 0), Vector3(), 100.0, 1.0)"
     cause = "where there is a direction there is a force"
     got = xyz(spring_force(Vector3(2.0, 0.0, 0.0), Vector3(), 100.0, 1.0))
@@ -170,6 +201,22 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     pull = hooke(offset, relative, k, rest, c)
     wanted = tuple(a + b for a, b in zip(f, pull, strict=True))
     got = xyz(p.force_accumulator)
+    back = tuple(-part for part in offset)
+    forces = {
+        "a spring with q's place minus p's, the other way round": hooke(back, relative, k, rest, c),
+        "a spring with q's velocity minus p's, the other way round": hooke(
+            offset, tuple(-part for part in relative), k, rest, c
+        ),
+        "a spring with p's velocity alone, and q's is not taken off": hooke(offset, v, k, rest, c),
+        "a spring without its damping": hooke(offset, relative, k, rest, 0.0),
+        "a push, the opposite of the force": tuple(-part for part in pull),
+        "the force divided by the mass of p": tuple(part / 2.0 for part in pull),
+        "the force divided by the mass of q": tuple(part / 3.0 for part in pull),
+        "no force on p, the particle that it is asked for": ZERO,
+    }
+    slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
+    slips["the pull alone, and what was there is lost"] = [*pull]
+    cause = named(got, cause, slips)
     # A few roundings of numbers up to 600.
     name = f"{call}; p.force_accumulator"
     expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
@@ -205,6 +252,16 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     offset = tuple(a - b for a, b in zip(here, first, strict=True))
     wanted = hooke(offset, v, k, rest, c)
     got = xyz(p.force_accumulator)
+    slips = {
+        "a spring with anchor minus position, the other way round": hooke(
+            tuple(-part for part in offset), v, k, rest, c
+        ),
+        "a spring without its damping": hooke(offset, v, k, rest, 0.0),
+        "a spring with a rest length of 0": hooke(offset, v, k, 0.0, c),
+        "the spring of (0, 0, 0), with no anchor taken off": hooke(here, v, k, rest, c),
+        "a push, the opposite of the force": tuple(-part for part in wanted),
+    }
+    cause = named(got, cause, slips)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
     call += (
         f"; p.clear_forces(); s.anchor = Vector3{second}; s.stiffness, s.rest_length, s.damping = "

@@ -11,7 +11,7 @@ import pytest
 from ch06_springs.springs import max_stable_stiffness
 from ch06_springs.step_probes import step_matrix
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly
+from expect import expect_close, expect_error, expect_exactly, named
 
 READ = "exercise 6.6 and the docstring of max_stable_stiffness"
 
@@ -30,12 +30,27 @@ def test_the_largest_stiffness_by_known_values() -> None:
     for d, wanted in ((0.999, 0.060030520518), (0.9, 6.327184608887), (0.5, 41.829985086921)):
         call = f"max_stable_stiffness({d}, 1/60)"
         got = max_stable_stiffness(d, 1.0 / 60.0)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10 * wanted)
+        keep = d ** (1.0 / 60.0)
+        slips = {
+            "-m ln d / h, which is right for short frames alone": -math.log(d) * 60.0,
+            "m (d^-h - 1) / h, with h for h^2": wanted / 60.0,
+            "m (1 / d - 1) / h^2, with the damping once a frame": (1.0 / d - 1.0) * 3600.0,
+            "m (1 - d^h) / h^2, which is right for Eq. 3.6, not for the step (E-16)": (1.0 - keep)
+            * 3600.0,
+            "the limit of semi-implicit Euler": 2.0 * (1.0 + keep) / keep * 3600.0,
+        }
+        why = named(got, cause, slips)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-10 * wanted)
     for mass in (2.0, 0.25):
         call = f"max_stable_stiffness(0.5, 1/60, {mass})"
         cause = "it is in proportion to the mass"
         got = max_stable_stiffness(0.5, 1.0 / 60.0, mass)
         wanted = mass * 41.829985086921
+        slips = {
+            "the stiffness for 1 kg": 41.829985086921,
+            "the stiffness for 1 kg, divided by the mass": 41.829985086921 / mass,
+        }
+        cause = named(got, cause, slips)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10 * wanted)
 
 
@@ -59,7 +74,7 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
 def test_the_ends_of_the_damping() -> None:
     read = READ
     for d, wanted, cause in (
-        (1.0, 0.0, "without damping no spring is safe: 0"),
+        (1.0, 0.0, "without damping no spring is safe: 0, and not -0"),
         (1.5, 0.0, "where the velocity grows by itself no spring is safe: 0, and nothing negative"),
         (0.0, math.inf, "a damping of 0 stops everything in each frame: every spring is safe"),
     ):

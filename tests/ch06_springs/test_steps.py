@@ -7,9 +7,9 @@ from random import Random
 
 import pytest
 
-from ch06_springs.step_probes import Body, growth, refused, stepped
+from ch06_springs.step_probes import Body, refused, stepped
 from draw import Components, components, positive_number
-from expect import expect_close, expect_error, expect_exactly
+from expect import expect_close, expect_error, expect_exactly, named
 
 ZERO = (0.0, 0.0, 0.0)
 EXERCISES = {
@@ -33,7 +33,6 @@ EVALUATIONS = {
     "velocity_verlet": 2,
     "runge_kutta_4": 4,
 }
-ORDERS = {"explicit_euler": 1, "semi_implicit_euler": 1, "velocity_verlet": 2, "runge_kutta_4": 4}
 methods = pytest.mark.parametrize(
     "method",
     [pytest.param(name, marks=pytest.mark.exercise(id_)) for name, id_ in EXERCISES.items()],
@@ -70,6 +69,104 @@ def one_step(
     return place, (v + mean * h) * keep, mean
 
 
+def wrong_steps(
+    method: str, x: float, v: float, a: float, k: float, c: float, d: float, h: float
+) -> dict[str, tuple[float, float]]:
+    """Return place and velocity after steps that are nearly that of one_step, by their mistake."""
+
+    def force(place: float, velocity: float) -> float:
+        return a - k * place - c * velocity
+
+    def mean_of(weights: tuple[float, ...], parts: tuple[float, ...]) -> tuple[float, float]:
+        way = push = velocity = rate = 0.0
+        for weight, part in zip(weights, parts, strict=True):
+            place, velocity = x + velocity * part * h, v + rate * part * h
+            rate = force(place, velocity)
+            way += weight * velocity
+            push += weight * rate
+        return x + way / sum(weights) * h, (v + push / sum(weights) * h) * keep
+
+    keep, first = d**h, force(x, v)
+    if method == "semi_implicit_euler":
+        new = (v + first * h) * keep
+        return {
+            "a step with both moves, by v and by v'": (x + (v + new) * h, new),
+            "a step that moves by the mean of v and v'": (x + 0.5 * (v + new) * h, new),
+            "a step that moves by v' before it is damped": (x + (v + first * h) * h, new),
+        }
+    if method == "velocity_verlet":
+        half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
+        second, later = force(half, v + first * h), force(whole, v + first * h)
+        return {
+            "a step with a h^2 in the place of a h^2 / 2": (
+                whole,
+                (v + 0.5 * (first + later) * h) * keep,
+            ),
+            "a step with v' = v + b h, without a": (half, (v + second * h) * keep),
+            "a step with the sum of the forces, not their mean": (
+                half,
+                (v + (first + second - a) * h) * keep,
+            ),
+            "a step that asks for b with the old velocity": (
+                half,
+                (v + 0.5 * (first + force(half, v)) * h) * keep,
+            ),
+        }
+    if method == "runge_kutta_4":
+        parts = (0.0, 0.5, 0.5, 1.0)
+        return {
+            "a step whose four rates count the same": mean_of((1.0, 1.0, 1.0, 1.0), parts),
+            "a step whose first and last rates count double": mean_of((2.0, 1.0, 1.0, 2.0), parts),
+            "a step whose third rate is that of the end": mean_of(
+                (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)
+            ),
+            "a step whose last rate is that of the middle": mean_of(
+                (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)
+            ),
+        }
+    return {}
+
+
+def walk(method: str, body: Body, k: float, c: float, h: float, frames: int) -> list[float]:
+    """Return where a body is after some steps, and then its velocity."""
+    p, v, a, mass, d, hand = body
+    states = []
+    for i in range(3):
+        x, u = p[i], v[i]
+        for _ in range(frames):
+            x, u, _ = one_step(method, x, u, a[i] + hand[i] / mass, k / mass, c / mass, d, h)
+        states.append((x, u))
+    return [x for x, _ in states] + [u for _, u in states]
+
+
+def slips_of(
+    method: str, body: Body, k: float, c: float, h: float, frames: int
+) -> dict[str, list[float]]:
+    """Return what likely mistakes make of what walk returns."""
+    p, v, a, mass, d, hand = body
+    bodies: dict[str, Body] = {
+        "a step without p.acceleration": (p, v, ZERO, mass, d, hand),
+        "a step without the force by hand": (p, v, a, mass, d, ZERO),
+        "a step whose forces are not divided by the mass": (p, v, a, 1.0, d, hand),
+        "a step without damping": (p, v, a, mass, 1.0, hand),
+        "a step with d in the place of d^h": (p, v, a, mass, d ** (1.0 / h), hand),
+    }
+    slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
+    slips["a step without the forces of apply_forces"] = walk(method, body, 0.0, 0.0, h, frames)
+    slips |= {
+        f"a step of {other}": walk(other, body, k, c, h, frames)
+        for other in EXERCISES
+        if other != method
+    }
+    if frames == 1:
+        axes = [
+            wrong_steps(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)
+            for i in range(3)
+        ]
+        slips |= {s: [axis[s][0] for axis in axes] + [axis[s][1] for axis in axes] for s in axes[0]}
+    return slips
+
+
 def draw_body(rng: Random, hand: Components = ZERO) -> Body:
     damping = round(rng.uniform(0.3, 0.95), 3)
     place, velocity, acceleration = components(rng), components(rng), components(rng)
@@ -88,27 +185,33 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     for what, body, frames, cause in (
         ("one step", draw_body(rng), 1, RULES[method]),
         ("one step", draw_body(rng, components(rng)), 1, by_hand),
-        ("three steps", draw_body(rng), 3, "a step leaves damping and mass as they are"),
+        (
+            "three steps",
+            draw_body(rng),
+            3,
+            "each step begins as the first did: empty accumulators, the same damping, mass and "
+            "acceleration",
+        ),
         ("one step", (*draw_body(rng)[:4], 0.0, ZERO), 1, "at d = 0 all of the velocity goes"),
     ):
         p, v, a, mass, d, hand = body
-        call = call_of(method, f"{what}: m = {mass}, d = {d}, a = {a}, by hand {hand}, forces ")
+        pushed = f", by hand {hand}" if any(hand) else ""
+        call = call_of(method, f"{what}: m = {mass}, d = {d}, a = {a}{pushed}, forces ")
         call += f"-{k} x - {c} v, from {p}, velocity {v}, h = {h}"
         ends = stepped(method, [body], (k, c), h, frames)
-        states = []
-        for i in range(3):
-            x, u = p[i], v[i]
-            for _ in range(frames):
-                x, u, _ = one_step(method, x, u, a[i] + hand[i] / mass, k / mass, c / mass, d, h)
-            states.append((x, u))
+        states = walk(method, body, k, c, h, frames)
+        slips = slips_of(method, body, k, c, h, frames)
+        slip = named((*ends["positions"][0], *ends["velocities"][0]), cause, slips)
         expect_exactly(f"{call}: p.damping", ends["dampings"], [d], cause=cause, read=read)
         # A few roundings of numbers up to 10^4.
-        for name, got, part in (
-            ("p.position", ends["positions"][0], 0),
-            ("p.velocity", ends["velocities"][0], 1),
+        for name, got, numbers in (
+            ("p.position", ends["positions"][0], slice(3)),
+            ("p.velocity", ends["velocities"][0], slice(3, 6)),
         ):
-            wanted = tuple(state[part] for state in states)
-            expect_close(f"{call}: {name}", got, wanted, cause=cause, read=read, tolerance=1e-10)
+            parts = {f"the {name} of {one}": slips[one][numbers] for one in slips}
+            why = named(got, cause, parts) if slip == cause else slip
+            wanted = states[numbers]
+            expect_close(f"{call}: {name}", got, wanted, cause=why, read=read, tolerance=1e-10)
 
 
 @methods
@@ -250,25 +353,6 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
 
 
 @methods
-def test_the_order_of_a_step(method: str) -> None:
-    read = f"the docstring of {method}"
-    body: Body = ((1.0, 0.0, 0.5), (0.0, 1.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    order = ORDERS[method]
-    cause = f"half the duration has {0.5**order:g} of the error: the method is of order {order}"
-    for what, forces in (
-        ("forces -(1 + r^2) x", (1.0, 0.0, 1.0)),
-        ("forces -(1 + r^2) x - v / 2", (1.0, 0.5, 1.0)),
-    ):
-        call = call_of(method, f"{what} for 1 s, in 80, 160 and 320 steps")
-        ends = [stepped(method, [body], forces, 1.0 / n, n)["positions"][0] for n in (80, 160, 320)]
-        long, short = math.dist(ends[0], ends[1]), math.dist(ends[1], ends[2])
-        name = f"{call}: log2 of the ratio of the differences of where it ends"
-        # The next order adds some h to it: 0.01 at most here.
-        got = math.log2(long / short) if short > 0.0 else math.nan
-        expect_close(name, got, float(order), cause=cause, read=read, tolerance=0.1)
-
-
-@methods
 def test_a_step_needs_a_duration(method: str) -> None:
     read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
@@ -298,26 +382,3 @@ def test_a_step_needs_a_duration(method: str) -> None:
     ends = stepped(method, [body], (0.0, 0.0), 0.5, 1)
     got = ends["positions"][0]
     expect_close(f"{call}: position", got, (1.0, 1.0, 0.0), cause=cause, read=read)
-
-
-@pytest.mark.parametrize(
-    ("method", "limit"),
-    [
-        pytest.param("semi_implicit_euler", 4.0, marks=pytest.mark.exercise("B6.6")),
-        pytest.param("velocity_verlet", 4.0, marks=pytest.mark.exercise("B6.7")),
-        pytest.param("runge_kutta_4", 8.0, marks=pytest.mark.exercise("B6.8")),
-    ],
-)
-def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: float) -> None:
-    read = f"the docstring of {method}"
-    h = 1.0 / 60.0
-    frames = 500
-    for share in (0.98, 1.02):
-        k = share * limit / h**2
-        call = call_of(method, f"a spring of {k} N/m, 1 kg, h = 1/60, from 1 m: {frames} steps")
-        cause = f"stable for k h^2 / m < {limit:g}: this one is {share * limit:g}"
-        far = growth(method, k, 1.0, h, frames)
-        name = f"{call}: the farthest is below 100 m"
-        expect_exactly(name, far < 100.0, share < 1.0, cause=cause, read=read)
-        name = f"{call}: the farthest is beyond 1e6 m"
-        expect_exactly(name, far > 1e6, share > 1.0, cause=cause, read=read)

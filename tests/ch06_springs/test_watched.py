@@ -10,7 +10,7 @@ import pytest
 from ch06_springs.integrators import watched
 from ch06_springs.step_probes import exploding, watching, watching_on
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly
+from expect import expect_close, expect_error, expect_exactly, named
 
 READ = "the docstring of watched"
 CALL = "step = watched(integrator, {}); step(particles, apply_forces, h)"
@@ -25,7 +25,10 @@ def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
     name = f"{call}, speeds at the limit and below: SimulationDiverged"
-    at_limit = "a speed at the limit is not over it, whatever the sign of the velocity"
+    at_limit = (
+        "the speed is |v|, the root of the sum of the squares, and no speed here is over the "
+    )
+    at_limit += "limit"
     expect_exactly(name, error, None, cause=at_limit, read=read)
     name = f"{call}: what the integrator gets, how many particles and which duration"
     wanted = [(3, 0.25 + i) for i in range(frames)]
@@ -48,6 +51,29 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         name = f"{call}: (particle, step, speed, limit) of the error, nan where none is raised"
         wanted = (fast, number, 1.25 * limit, limit)
         got = (math.nan,) * 4 if error is None else tuple(error)
+        size = 1.25 * limit
+        slips = {
+            "the number of the step before": (fast, number - 1, size, limit),
+            "a particle counted from 1, and the list begins with 0": (
+                fast + 1,
+                number,
+                size,
+                limit,
+            ),
+            "the last that is too fast, and the first is asked for": (
+                3,
+                number,
+                2.0 * limit,
+                limit,
+            ),
+            "limit and speed, in the wrong order": (fast, number, limit, size),
+        }
+        cause = named(got, cause, slips)
+        if error is None:
+            cause = f"nothing was raised: {cause}"
+        elif got[1] > number:
+            cause = "this is a later step: look right after each step that was made, and let each "
+            cause += "watch count its own steps, from 1"
         expect_close(name, got, wanted, cause=cause, read=read)
         name = f"{call}: how many steps were made"
         cause = "it raises right after that step"

@@ -1,11 +1,15 @@
-"""Where the two Euler steps lead, build task B6.6."""
+"""Where the steps of build tasks B6.6, B6.7 and B6.8 lead: energy, and the limits of stability."""
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
-from ch06_springs.step_probes import energy_left, growth
-from expect import expect_close
+from ch06_springs.step_probes import Body, energy_left, growth, stepped
+from expect import expect_close, expect_exactly
+
+ZERO = (0.0, 0.0, 0.0)
 
 
 @pytest.mark.exercise("B6.6")
@@ -61,3 +65,54 @@ def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
         # The farthest of a swing lies between frames, at most 0.2 % farther, and is up to half a
         # swing of 58 frames from where the 500 begin or end, in which it changes by 0.4 %.
         expect_close(call, far / near, wanted, cause=cause, read=read, tolerance=0.01)
+
+
+@pytest.mark.parametrize(
+    "method",
+    [
+        pytest.param("explicit_euler", marks=pytest.mark.exercise("B6.6")),
+        pytest.param("semi_implicit_euler", marks=pytest.mark.exercise("B6.6")),
+        pytest.param("velocity_verlet", marks=pytest.mark.exercise("B6.7")),
+        pytest.param("runge_kutta_4", marks=pytest.mark.exercise("B6.8")),
+    ],
+)
+def test_the_order_of_a_step(method: str) -> None:
+    read = f"the docstring of {method}"
+    body: Body = ((1.0, 0.0, 0.5), (0.0, 1.0, 0.0), ZERO, 1.0, 1.0, ZERO)
+    order = {"velocity_verlet": 2, "runge_kutta_4": 4}.get(method, 1)
+    cause = f"half the duration has {0.5**order:g} of the error: the method is of order {order}"
+    for what, forces in (
+        ("forces -(1 + r^2) x", (1.0, 0.0, 1.0)),
+        ("forces -(1 + r^2) x - v / 2", (1.0, 0.5, 1.0)),
+    ):
+        call = f"{method}(particles, apply_forces, h) with {what} for 1 s, in 80, 160 and 320 steps"
+        ends = [stepped(method, [body], forces, 1.0 / n, n)["positions"][0] for n in (80, 160, 320)]
+        long, short = math.dist(ends[0], ends[1]), math.dist(ends[1], ends[2])
+        name = f"{call}: log2 of the ratio of the differences of where it ends"
+        # The next order adds some h to it: 0.01 at most here.
+        got = math.log2(long / short) if short > 0.0 else math.nan
+        expect_close(name, got, float(order), cause=cause, read=read, tolerance=0.1)
+
+
+@pytest.mark.parametrize(
+    ("method", "limit"),
+    [
+        pytest.param("semi_implicit_euler", 4.0, marks=pytest.mark.exercise("B6.6")),
+        pytest.param("velocity_verlet", 4.0, marks=pytest.mark.exercise("B6.7")),
+        pytest.param("runge_kutta_4", 8.0, marks=pytest.mark.exercise("B6.8")),
+    ],
+)
+def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: float) -> None:
+    read = f"the docstring of {method}"
+    h = 1.0 / 60.0
+    frames = 500
+    for share in (0.98, 1.02):
+        k = share * limit / h**2
+        call = f"{method}(particles, apply_forces, h) with a spring of {k} N/m, 1 kg, h = 1/60, "
+        call += f"from 1 m, {frames} steps"
+        cause = f"stable for k h^2 / m < {limit:g}: this one is {share * limit:g}"
+        far = growth(method, k, 1.0, h, frames)
+        name = f"{call}: the farthest is below 100 m"
+        expect_exactly(name, far < 100.0, share < 1.0, cause=cause, read=read)
+        name = f"{call}: the farthest is beyond 1e6 m"
+        expect_exactly(name, far > 1e6, share > 1.0, cause=cause, read=read)

@@ -184,20 +184,32 @@ def expect_finite_numbers(
         )
 
 
-def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) -> str:
-    """Return the cause, and before it the name of the slip that gives the very numbers of got.
+def cause_of(
+    got: Any,
+    mistakes: Sequence[tuple[float | Sequence[float], str]],
+    otherwise: str,
+    tolerance: float = 1e-9,
+) -> str:
+    """Return the cause of the first mistake that gives the very numbers of got, or the other one.
 
-    ``slips`` has what likely mistakes come to. Draws are such that no two are as near by chance.
+    ``mistakes`` have what they give, and their causes. Roundings in any order agree to more than
+    the tolerance, relative to the largest number; two mistakes hardly ever do.
     """
-    numbers = _as_tuple(got)
-    for name, value in slips.items():
-        given = _as_tuple(value)
-        near = 1e-9 * max(map(abs, given))
-        if _are_numbers(numbers, len(given)) and all(
-            abs(n - g) <= near for n, g in zip(numbers, given, strict=True)
+    seen = _as_tuple(got.value if isinstance(got, NoVector) else got)
+    for gives, cause in mistakes:
+        numbers = _as_tuple(gives)
+        near = tolerance * (max(map(abs, numbers)) or 1.0)
+        if _are_numbers(seen, len(numbers)) and all(
+            abs(one - other) <= near for one, other in zip(seen, numbers, strict=True)
         ):
-            return f"this is {name}: {cause}"
-    return cause
+            return cause
+    return otherwise
+
+
+def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) -> str:
+    """Return the cause, and before it the name of the slip that gives the very numbers of got."""
+    mistakes = [(gives, f"this is {name}: {cause}") for name, gives in slips.items()]
+    return cause_of(got, mistakes, cause)
 
 
 def _as_tuple(value: Any) -> tuple[Any, ...]:

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from random import Random
 from typing import Any
 
+import expect
 from draw import Components, components, positive_number
 from expect import NoVector, is_plain
 
@@ -139,34 +140,21 @@ def named(
     slips: Mapping[str, float | Sequence[float]],
     wanted: Sequence[float] = (),
 ) -> str:
-    """Return the cause, and before it the name of the slip that gives the very numbers of got.
+    """Return the cause with the slip that gives the numbers of got, as expect.named does.
 
-    ``slips`` has what likely mistakes come to. Where none of them does, and one or two numbers of
-    the three rows of a matrix differ from those ``wanted``, the places of these are named.
+    Where none does, and one or two numbers of the three rows of a matrix differ from those
+    ``wanted``, the places of these are named.
     """
-    for name, value in slips.items():
-        if _same(got, value):
-            return f"this is {name}: {cause}"
-    if not wanted or not isinstance(got, tuple) or len(got) != len(wanted):
-        return cause
-    columns, scale = len(wanted) // 3, max(map(abs, wanted))
+    told = expect.named(got, cause, slips)
+    if told != cause or not isinstance(got, tuple) or not 0 < len(wanted) == len(got):
+        return told
+    columns, near = len(wanted) // 3, 1e-9 * max(map(abs, wanted))
     wrong = [
         f"row {place // columns + 1}, column {place % columns + 1}"
         for place, (g, w) in enumerate(zip(got, wanted, strict=True))
-        if not _same(g, w, scale)
+        if type(g) not in (int, float) or not abs(g - w) <= near
     ]
     return f"all is right but {' and '.join(wrong)}: {cause}" if len(wrong) in (1, 2) else cause
-
-
-def _same(got: Any, value: float | Sequence[float], scale: float = 0.0) -> bool:
-    """Say whether these are numbers, and those of a mistake: draws make no others as near."""
-    numbers, given = ((x,) if isinstance(x, (int, float)) else x for x in (got, value))
-    if not isinstance(numbers, (tuple, list)) or len(numbers) != len(given):
-        return False
-    near = 1e-9 * (scale or max(map(abs, given)))
-    return all(
-        type(n) in (int, float) and abs(n - g) <= near for n, g in zip(numbers, given, strict=True)
-    )
 
 
 def same_sign(got: Any, wanted: Sequence[float]) -> Any:

@@ -17,6 +17,7 @@ from ch07_constraints.exercises import (
 from ch07_constraints.probes import entered_drops
 from draw import components, positive_number
 from expect import (
+    cause_of,
     expect_close,
     expect_error,
     expect_exactly,
@@ -44,6 +45,12 @@ def test_restitution_is_a_root(rng: Random) -> None:
         )
         cause += "it without the root (E-10)"
         got = restitution_of_drop(initial, bounce)
+        mistakes = [
+            (wanted * wanted, "the root is left out, as the book prints it (E-10): speeds go with "
+             "the roots of heights, and restitution is a ratio of speeds"),
+            (1.0 / wanted, "upside down: the root of bounce_height / initial_height"),
+        ]  # fmt: skip
+        cause = cause_of(got, mistakes, cause)
         expect_close(call, got, wanted, cause=cause, read=read)
     call = "restitution_of_drop(2.0, 0.0)"
     cause = "what does not bounce at all has 0"
@@ -54,15 +61,23 @@ def test_restitution_is_a_root(rng: Random) -> None:
 @pytest.mark.exercise("7.1")
 def test_a_drop_needs_heights_that_mean_something() -> None:
     read = DROP
-    bad = [(0, 0.0), (0, -2.0), (1, -1.0), (1, 2.5)]
+    bad = [(0, 0.0), (0, -2.0), (1, -1.0)]
     expect_finite_numbers("restitution_of_drop", restitution_of_drop, (2, 1), bad, read=read)
+    expect_error(
+        "restitution_of_drop(2, 2.5)",
+        lambda: restitution_of_drop(2, 2.5),
+        ValueError,
+        allowed=lambda: restitution_of_drop(2, 2),
+        cause="nothing bounces higher than it was dropped from: refuse it, or it is above 1",
+        read=read,
+    )
 
 
 @pytest.mark.exercise("7.1")
 def test_each_material_has_its_row(rng: Random) -> None:
     read = TABLE
-    a = [rng.uniform(0.2, 0.9) for _ in range(4)]
-    b = [rng.uniform(0.2, 0.9) for _ in range(2)]
+    a = [k / 16.0 for k in rng.sample(range(3, 15), 4)]  # so that the heights are short numbers
+    b = [k / 16.0 for k in rng.sample(range(3, 15), 2)]
     order = [("Clay", a[0]), ("oak", b[0]), ("Clay", a[1]), ("ash", 0.5), ("Clay", a[2])]
     order += [("oak", b[1]), ("Clay", a[3])]
     heights = [1.0, 2.0, 0.5, 1.0, 4.0, 0.25, 2.0]
@@ -78,11 +93,21 @@ def test_each_material_has_its_row(rng: Random) -> None:
     wanted = (math.fsum(a) / 4.0, math.fsum(b) / 2.0, 0.5)
     means = [row[2] for row in got]
     # Roots of the heights, a few roundings of 1.
+    roots = tuple(math.sqrt(math.fsum(c * c for c in part) / len(part)) for part in (a, b, [0.5]))
+    name = "that is the root of the mean: first the root of each drop, then the mean"
+    cause = cause_of(means, [(roots, name)], cause)
     expect_close(f"{call}: means", means, wanted, cause=cause, read=read, tolerance=1e-14)
     cause = "s / sqrt(n), where s is the standard deviation with n - 1: statistics.stdev"
     spread = math.fsum((c - wanted[0]) ** 2 for c in a)
     errors = (math.sqrt(spread / 3.0 / 4.0), abs(b[0] - b[1]) / 2.0)
     seen = [row[3] for row in got[:2]]
+    mistakes = [
+        ((2.0 * errors[0], math.sqrt(2.0) * errors[1]), "that is s itself: divide it by sqrt(n)"),
+        ((math.sqrt(0.75) * errors[0], errors[1] / math.sqrt(2.0)), "s is with n - 1 below its "
+         "root, not n: statistics.stdev, and not pstdev"),
+        ((0.5 * errors[0], errors[1] / math.sqrt(2.0)), "that is s / n: divide by sqrt(n)"),
+    ]  # fmt: skip
+    cause = cause_of(seen, mistakes, cause)
     expect_close(f"{call}: standard errors", seen, errors, cause=cause, read=read, tolerance=1e-14)
     cause = "one drop alone says nothing of its error: None"
     expect_exactly(f"{call}: the last error", got[2][3], None, cause=cause, read=read)
@@ -137,7 +162,15 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     )
     cause += "one leaves with 1.3625 times it: 6.0933 m/s"
     got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
-    expect_close(call, got, 1.3625 * math.sqrt(20.0), cause=cause, read=read)
+    v = math.sqrt(20.0)
+    mistakes = [
+        (0.575 * v, "that is as if the lower ball stood still: it goes up by then, with 0.5 v"),
+        (-0.7375 * v, "the masses are exchanged: the upper ball gets the lower one's share, 0.9"),
+        (2.3625 * v, "that is the change of its velocity: it falls with v before, take that off"),
+        (2.625 * v - v, "that is all of the change: the upper ball gets 0.9 of it, by the masses"),
+    ]
+    cause = cause_of(got, mistakes, cause)
+    expect_close(call, got, 1.3625 * v, cause=cause, read=read)
     h, g, m = positive_number(rng), positive_number(rng), positive_number(rng)
     v = math.sqrt(2.0 * g * h)
     for lower, ground, pair, wanted, cause in (
@@ -149,6 +182,9 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     ):
         call = f"top_ball_speed({h}, {lower}, {m}, {ground}, {pair}, {g})"
         got = top_ball_speed(h, lower, m, ground, pair, g)
+        ten = wanted * math.sqrt(10.0 / g)
+        if wanted:
+            cause = cause_of(got, [(ten, "that is for 10 m/s^2: take the gravity given")], cause)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
 
 
@@ -203,8 +239,16 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
             call, force_for_frame(force, share * frame, frame), cause=cause, read=read
         )
         wanted = tuple(share * part for part in f)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-14)
-        expect_unchanged(call, "f", xyz(force), f, read=read)
+        impulse = tuple(share * frame * part for part in f)
+        mistakes = [(impulse, "that is the impulse, in N s: divide it by the frame for the force")]
+        if share:
+            longer = tuple(part / share for part in f)
+            name = "upside down: a shorter push needs less force in a whole frame"
+            mistakes.append((longer, name))
+        why = cause_of(got, mistakes, cause)
+        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-14)
+        kept = "*= works in place: force * number is new"
+        expect_unchanged(call, "f", xyz(force), f, cause=kept, read=read)
     call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
     cause = "return a new vector, also where nothing is taken off"
     force = Vector3(*f)
@@ -215,7 +259,10 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
 @pytest.mark.exercise("7.4")
 def test_a_push_is_not_longer_than_its_frame() -> None:
     read = PUSH
-    cause = "refuse what is negative, not finite, or longer than the frame"
+    cause = (
+        "refuse a time that is negative, not finite, or longer than the frame, and a frame that "
+    )
+    cause += "is not positive"
     for numbers, error in (
         ((0.5, 0.25), ValueError),
         ((-0.5, 1.0), ValueError),

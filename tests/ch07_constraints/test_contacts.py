@@ -11,12 +11,12 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from draw import Components, components, direction, dot, number, positive_number
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import cause_of, expect_close, expect_error, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 UP = (0.0, 1.0, 0.0)
 PART = "book 7.1.1, Eq. 7.2, and the docstring of Contact.separating_velocity"
-AFTER = "the docstring of Contact.velocity_after"
+AFTER = "book 7.2.3, E-25, and the docstring of Contact.velocity_after"
 REST = "book 7.2.3, E-26, and the docstring of Contact.velocity_after"
 G = 9.81
 
@@ -32,8 +32,13 @@ def along(n: Components, speed: float, rng: Random) -> Components:
 def test_two_part_as_one_sees_the_other(rng: Random) -> None:
     read = PART
     p, q, one, two = (components(rng) for _ in range(4))
-    n = direction(rng)
-    for v, w, mass in ((one, two, 3.0), (two, one, 3.0), (one, two, math.inf)):
+    m = direction(rng)
+    for v, w, n, mass in (
+        ((2.0, 7.0, 0.0), (-3.0, 4.0, 0.0), (-1.0, 0.0, 0.0), 3.0),
+        (one, two, m, 3.0),
+        (two, one, m, 3.0),
+        (one, two, m, math.inf),
+    ):
         call = f"a at {p}, velocity {v}; b of {mass} kg at {q}, velocity {w}; "
         call += f"Contact(a, b, Vector3{n}, 0.5, -1.0).separating_velocity()"
         cause = (
@@ -43,8 +48,18 @@ def test_two_part_as_one_sees_the_other(rng: Random) -> None:
         a = Particle(Vector3(*p), Vector3(*v), mass=2.0)
         b = Particle(Vector3(*q), Vector3(*w), mass=mass)
         got = Contact(a, b, Vector3(*n), 0.5, -1.0).separating_velocity()
+        wanted = dot(v, n) - dot(w, n)
+        way = tuple(x - y for x, y in zip(p, q, strict=True))
+        along_way = sum((x - y) * z for x, y, z in zip(v, w, way, strict=True)) / math.hypot(*way)
+        mistakes = [
+            (-wanted, "the sign is turned round: (va - vb) . n, the velocity of a seen from b"),
+            (dot(v, n), "the velocity of b is left out: (va - vb) . n"),
+            (dot(v, n) + dot(w, n), "the velocity of b is added, and not taken off: (va - vb) . n"),
+            (along_way, "that is along the line between the places: take the contact's normal"),
+        ]
+        cause = cause_of(got, mistakes, cause)
         # A few roundings of numbers up to 20.
-        expect_close(call, got, dot(v, n) - dot(w, n), cause=cause, read=read, tolerance=1e-13)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B7.1")
@@ -52,9 +67,11 @@ def test_the_world_does_not_move(rng: Random) -> None:
     read = PART
     v = components(rng)
     for n in (UP, direction(rng)):
-        call = f"a with velocity {v}; Contact(a, None, Vector3{n}).separating_velocity()"
+        call = f"a with velocity {v}; c = Contact(a, None, Vector3{n}), whose other is None: the "
+        call += "world; c.separating_velocity()"
         cause = "without an other it is va . n: look whether other is None"
         got = Contact(Particle(velocity=Vector3(*v)), None, Vector3(*n)).separating_velocity()
+        cause = cause_of(got, [(-dot(v, n), "the sign is turned round: va . n")], cause)
         expect_close(call, got, dot(v, n), cause=cause, read=read, tolerance=1e-13)
 
 
@@ -86,8 +103,10 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
 @pytest.mark.exercise("B7.2")
 def test_what_closes_bounces(rng: Random) -> None:
     read = AFTER
-    n = direction(rng)
+    m = direction(rng)
     middle = round(rng.uniform(0.2, 0.8), 3)
+    w = (0.0, 1.0, 0.0)
+    samples = [(0.5, -4.0, UP, (1.0, -3.0, 2.0), w)]
     for restitution, closing in (
         (0.0, -positive_number(rng)),
         (middle, -positive_number(rng)),
@@ -96,7 +115,8 @@ def test_what_closes_bounces(rng: Random) -> None:
         (middle, -1e-9),
     ):
         w = components(rng)
-        v = along(n, closing + dot(w, n), rng)
+        samples.append((restitution, closing, m, along(m, closing + dot(w, m), rng), w))
+    for restitution, closing, n, v, w in samples:
         call = f"a with velocity {v}, b with {w}; Contact(a, b, Vector3{n}, {restitution})"
         call += ".velocity_after()"
         cause = (
@@ -106,6 +126,14 @@ def test_what_closes_bounces(rng: Random) -> None:
         a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w), mass=3.0)
         got = Contact(a, b, Vector3(*n), restitution).velocity_after()
         wanted = -restitution * closing
+        mistakes = [
+            (-wanted, "the sign: -c v_s parts; the book's text has c v_s in one place (E-25)"),
+            (-closing, "the restitution is left out: -c v_s"),
+            (closing, "that is how fast they close before: afterwards it is -c v_s"),
+            (wanted - closing, "that is the change; wanted is what they part with: -c v_s"),
+        ]
+        if closing < -1e-3:  # below, all of these are near 0
+            cause = cause_of(got, mistakes, cause)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
 
 
@@ -116,7 +144,8 @@ def test_what_parts_goes_on(rng: Random) -> None:
     for duration in (0.0, 0.5):
         v = along(n, positive_number(rng), rng)
         call = f"a with velocity {v}; Contact(a, None, Vector3{n}, 0.5).velocity_after({duration})"
-        cause = "what parts already keeps its separating velocity, whatever pulls it"
+        cause = "what parts already does not bounce: it keeps its separating velocity, whatever "
+        cause += "pulls it"
         down = Vector3(*n) * -G
         a = Particle(velocity=Vector3(*v), acceleration=down)
         got = Contact(a, None, Vector3(*n), 0.5).velocity_after(duration)
@@ -141,15 +170,25 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
         (
             5.0,
             c * (5.0 - G * h),
-            "c (-v_s + a . n h): what the frame has built up is left out of the bounce",
+            "c (-v_s + a . n h): the frame has built up 0.1962 m/s, which is left out of the "
+            "bounce; it closes with 5 m/s, and the rest of that bounces",
         ),
     ):
+        size = math.hypot(*pull)
+        mistakes = [
+            (c * closing, "nothing is left out of the bounce: that makes a resting body jitter"),
+            (c * closing - G * h, "it is taken off after the restitution: c (-v_s + a . n h)"),
+            (c * (closing + G * h), "a . n is negative here, and makes the bounce smaller"),
+            (c * (closing - size * h), "that is with all of |a|: take its part along n, a . n"),
+            (0.0, "the frame has built up 0.1962 of 5 m/s, the rest bounces: is h left out?"),
+        ]
         v = along(n, -closing, rng)
         call = f"a of 3 kg with velocity {v}, acceleration {pull}, damping 0.25; "
         call += f"Contact(a, None, Vector3{n}, {c})"
         call += f".velocity_after({h})"
         a = Particle(None, Vector3(*v), Vector3(*pull), mass=3.0, damping=0.25)
         got = Contact(a, None, Vector3(*n), c).velocity_after(h)
+        cause = cause_of(got, mistakes, cause)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
     call = f"a with velocity (0, -5, 0), acceleration (0, -{G}, 0); "
     call += "Contact(a, None, Vector3(0, 1, 0), 1.0).velocity_after(0.0)"
@@ -177,8 +216,9 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     mass, c, h = positive_number(rng), round(rng.uniform(0.3, 0.9), 3), 0.02
     call = f"a of {mass} kg; a.add_force(Vector3(0, -{mass} * {G}, 0)); a.integrate({h}); "
     call += f"Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
-    cause = "count all of the frame's acceleration, the forces too: last_acceleration has it. The "
-    cause += "book looks at the constant one alone, and then a generator's gravity bounces (E-26)"
+    cause = "count all of the frame's acceleration, the forces too: last_acceleration has it, "
+    cause += "where force_accumulator is empty by now. The book looks at the constant one alone, "
+    cause += "and then a generator's gravity bounces (E-26)"
     a = Particle(mass=mass)
     a.add_force(Vector3(0.0, -mass * G, 0.0))
     a.integrate(h)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from random import Random
 
 import pytest
@@ -11,16 +12,20 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.probes import lying
-from draw import components, direction, dot, number, positive_number
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from draw import Components, components, direction, dot, number, positive_number
+from expect import cause_of, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 UP = (0.0, 1.0, 0.0)
 IMPULSE = "book 7.1.4, and the docstring of Contact.resolve_velocity"
-MOVE = "book 7.2.2, and the docstring of Contact.resolve_penetration"
+MOVE = "book 7.2.2, E-8, and the docstring of Contact.resolve_penetration"
 
 
-NORMAL = "the normal is only read, and the penetration is 0 afterwards"
+def along(
+    v: Components, n: Components, mistakes: Sequence[tuple[float, str]]
+) -> list[tuple[Components, str]]:
+    """Return mistakes with what they give: v and so much of n."""
+    return [((v[0] + s * n[0], v[1] + s * n[1], v[2] + s * n[2]), name) for s, name in mistakes]
 
 
 @pytest.mark.exercise("B7.3")
@@ -46,11 +51,28 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
         wanted_a = tuple(p + mb / (ma + mb) * change * q for p, q in zip(v, n, strict=True))
         wanted_b = tuple(p - ma / (ma + mb) * change * q for p, q in zip(w, n, strict=True))
         got = xyz(a.velocity)
+        impulse = change * ma * mb / (ma + mb)
+        momentum = "the book calls an impulse a change in velocity, and it is one of momentum "
+        momentum += "(E-24): the velocity changes by"
+        unlike = -c * closing * impulse / change  # as if it had been at rest before
+        mistakes = [
+            (change / ma, "the change is taken for the impulse: divide it by 1 / ma + 1 / mb"),
+            (impulse / mb, "it is shared by mass: the lighter one changes more, by g / ma"),
+            (-impulse / ma, "the sign of the impulse is turned round: they close faster"),
+            (unlike / ma, "the change is from v_s to -c v_s, their difference: v_s is left out"),
+            (impulse, f"{momentum} g / ma"),
+        ]
+        seen = cause_of(got, along(v, n, mistakes), cause)
         # A few roundings of numbers up to 40.
         name = f"{call}; a.velocity"
-        expect_close(name, got, wanted_a, cause=cause, read=read, tolerance=1e-12)
-        cause = "b gets the opposite impulse: -g / mb"
+        expect_close(name, got, wanted_a, cause=seen, read=read, tolerance=1e-12)
         got = xyz(b.velocity)
+        mistakes = [
+            (0.0, "b gets nothing: the opposite impulse is its own, -g / mb"),
+            (impulse / mb, "b gets the impulse with the same sign as a: it is -g / mb"),
+            (-impulse, f"{momentum} -g / mb"),
+        ]
+        cause = cause_of(got, along(w, n, mistakes), "b gets the opposite impulse: -g / mb")
         name = f"{call}; b.velocity"
         expect_close(name, got, wanted_b, cause=cause, read=read, tolerance=1e-12)
 
@@ -191,40 +213,56 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
     p, q, n = components(rng), components(rng), direction(rng)
     ma, mb, depth = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
     wall = math.inf
-    for first, second, share, cause in (
-        (ma, mb, mb / (ma + mb), "the depth is shared by inverse mass: mb / (ma + mb) for a"),
-        (ma, wall, 1.0, "the other is immovable: a moves all the way, whatever its mass"),
-        (wall, mb, 0.0, "a is immovable: b moves all the way"),
-        (ma, None, 1.0, "there is no other: a moves all the way, whatever its mass"),
+    share_of_a = "the depth is shared by inverse mass: mb / (ma + mb) for a"
+    simple, drawn = ((0.0, 2.0, 0.0), UP, 0.5), (p, n, depth)
+    small = (p, n, 1e-10)  # every depth is resolved here: it is the resolver that has a tolerance
+    for (p, n, depth), first, second, share, cause in (
+        (simple, 1.0, 3.0, 0.75, share_of_a),
+        (drawn, ma, mb, mb / (ma + mb), share_of_a),
+        (drawn, ma, wall, 1.0, "the other is immovable: a moves all the way, whatever its mass"),
+        (small, wall, mb, 0.0, "a is immovable: b moves all the way"),
+        (small, ma, None, 1.0, "there is no other: a moves all the way, whatever its mass"),
     ):
-        if second == mb and first == wall:
-            depth = 1e-10  # every depth is resolved here: it is the resolver that has a tolerance
         call = f"a of {first} kg at {p}, b {'None' if second is None else f'of {second} kg'}; "
         call += f"moves = Contact(a, b, Vector3{n}, 0.5, {depth}).resolve_penetration()"
         a = Particle(Vector3(*p), mass=first)
         b = None if second is None else Particle(Vector3(*q), mass=second)
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
-        got = (*xyz(contact.normal), contact.penetration)
-        shown = "normal and penetration"
-        expect_unchanged(call, shown, got, (*n, 0.0), cause=NORMAL, read=read)
+        got = xyz(contact.normal)
+        whole = "the normal is only read: *= and normalize would change the contact's own"
+        expect_unchanged(call, "the normal", got, n, cause=whole, read=read)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
         wanted = tuple(x + m for x, m in zip(p, move, strict=True))
         got = xyz(a.position)
+        mistakes = [
+            ((1.0 - share) * depth, "it is shared by mass: the lighter one moves more"),
+            (0.5 * depth, "each moves by half of the depth: the lighter one moves more"),
+            (depth, "a moves all the way: b can be moved too, and shares it"),
+            (-share * depth, "a moves along the normal, out of b: the sign is turned round"),
+            (0.0, "a has not moved: it is its position that moves, not its velocity"),
+        ]
+        both = first != wall and second not in (wall, None)
+        seen = cause_of(got, along(p, n, mistakes), cause) if both else cause
         # A few roundings of numbers up to 10.
         name = f"{call}; a.position"
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-14 * 8)
+        expect_close(name, got, wanted, cause=seen, read=read, tolerance=1e-14 * 8)
         got = xyz(moves[0])
         expect_close(f"{call}; moves[0]", got, move, cause=cause, read=read, tolerance=1e-15)
-        cause += "; b moves the other way, by the rest of the depth"
+        cause = "b moves against the normal, by the rest of the depth"
         got = xyz(moves[1])
-        expect_close(f"{call}; moves[1]", got, back, cause=cause, read=read, tolerance=1e-15)
+        turned = tuple(-part for part in back)
+        seen = cause_of(got, [(turned, "the move of b has the wrong sign: it is -n")], cause)
+        expect_close(f"{call}; moves[1]", got, back, cause=seen, read=read, tolerance=1e-15)
         if b is not None:
             wanted = tuple(x + m for x, m in zip(q, back, strict=True))
             got = xyz(b.position)
             name = f"{call}; b.position"
             expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-14 * 8)
+        cause = "they touch now: set the penetration to 0, which the listing leaves as it is (E-8)"
+        got = contact.penetration
+        expect_close(f"{call}; penetration", got, 0.0, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B7.4")
@@ -241,6 +279,8 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
         a, b = Particle(Vector3(*p), mass=mass), Particle(Vector3(*q), mass=mass)
         c = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = c.resolve_penetration()
+        none = "two moves come back, also where nothing is moved: zero vectors then"
+        expect_exactly(f"{call}; moves is None", moves is None, False, cause=none, read=read)
         for name, now, before in (
             ("a.position", xyz(a.position), p),
             ("b.position", xyz(b.position), q),

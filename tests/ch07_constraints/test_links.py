@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from random import Random
 from typing import Any
 
@@ -13,7 +14,7 @@ from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod, TwoSidedRod
 from ch07_constraints.probes import swung, told
 from draw import Components, components, positive_number
-from expect import expect_close, expect_exactly, expect_unchanged, xyz
+from expect import cause_of, expect_close, expect_exactly, expect_unchanged, xyz
 
 UP = (0.0, 1.0, 0.0)
 CABLE = "book 7.4.1, and the docstring of Cable.contacts"
@@ -41,20 +42,51 @@ def ends(rng: Random, anchored: bool) -> tuple[list[Any], Components, float, str
 
 
 def expect_contacts(
-    call: str, link: Any, particles: list[Any], wanted: list[tuple], cause: str, read: str
+    call: str,
+    link: Any,
+    particles: list[Any],
+    wanted: list[tuple],
+    cause: str,
+    read: str,
+    counts: Sequence[tuple[int, str]] = (),
+    far: float = math.nan,
 ) -> None:
-    """Expect these contacts, in this order: ends, normal, restitution, penetration."""
+    """Expect these contacts, in this order: ends, normal, restitution, penetration.
+
+    ``counts`` are mistakes by how many contacts they give, ``far`` how far apart the ends are.
+    """
     got = told(link.contacts(), particles)
-    expect_exactly(f"{call}: how many", len(got), len(wanted), cause=cause, read=read)
+    why = cause_of(len(got), counts, cause)
+    expect_exactly(f"{call}: how many", len(got), len(wanted), cause=why, read=read)
     for seen, right in zip(got, wanted, strict=True):
         a, b, normal, restitution, depth = seen
         name = f"{call}: particle and other, by number, -1 for None"
-        expect_close(name, (a, b), right[:2], cause=cause, read=read)
-        expect_close(f"{call}: normal", normal, right[2], cause=cause, read=read, tolerance=1e-15)
-        expect_close(f"{call}: restitution", restitution, right[3], cause=cause, read=read)
+        why = "the particle is the end a; the other is the end b, or None for an anchor"
+        expect_close(name, (a, b), right[:2], cause=why, read=read)
+        back = tuple(-part for part in right[2])
+        why = cause_of(normal, [(back, f"the normal is turned round: {cause}")], cause)
+        expect_close(f"{call}: normal", normal, right[2], cause=why, read=read, tolerance=1e-15)
+        why = "a contact has the restitution of its link; a rod has none: 0"
+        expect_close(f"{call}: restitution", restitution, right[3], cause=why, read=read)
+        depths = [
+            (-right[4], "the sign is turned round: a penetration is positive beyond the limit"),
+            (far, "that is how far apart the ends are: penetration is how far beyond the limit"),
+        ]
+        why = cause_of(depth, depths, cause)
         # Lengths of up to 20 m, rounded a few times.
         name = f"{call}: penetration"
-        expect_close(name, depth, right[4], cause=cause, read=read, tolerance=1e-14)
+        expect_close(name, depth, right[4], cause=why, read=read, tolerance=1e-14)
+
+
+def places(pair: list[Any]) -> Components:
+    """Return the places of both ends as one."""
+    a, b = (xyz(getattr(end, "position", end)) for end in pair)
+    return a + b
+
+
+def expect_ends(call: str, pair: list[Any], before: Components, read: str) -> None:
+    cause = "to look at a link moves nothing: b - a is new, -= changes an end in place"
+    expect_unchanged(call, "the pair of places", places(pair), before, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B7.7")
@@ -69,7 +101,8 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
         pair[0].mass = math.inf
         told_ends = told_ends.replace("a at", "a, immovable, at")
     to_the_end = "a cable that is too long, also by a little, pulls its ends together: the normal "
-    to_the_end += "leads to the "
+    to_the_end += "leads to the other end, with length 1"
+    before = places(pair)
     for max_length, cause in (
         (0.75 * length, to_the_end),
         (1023.0 / 1024.0 * length, to_the_end),
@@ -78,11 +111,11 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
             "a cable that is just as long as it may be is taut, with a penetration of 0: >=, not >",
         ),
     ):
-        cause += "other end" if max_length < length else ""
         call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, {max_length}, {c})"
         call += ".contacts()"
         wanted = [(0, other, n, c, length - max_length)]
-        expect_contacts(call, make(*pair, max_length, c), pair, wanted, cause, read)
+        expect_contacts(call, make(*pair, max_length, c), pair, wanted, cause, read, far=length)
+        expect_ends(call, pair, before, read)
 
 
 @pytest.mark.exercise("B7.7")
@@ -94,10 +127,13 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, {1.25 * length}); "
     call += "c.contacts()"
     cause = "a cable that is shorter than it may be has no contact"
+    before = places(pair)
     cable = make(*pair, 1.25 * length)
     expect_contacts(call, cable, pair, [], cause, read)
     cable.max_length = 1025.0 / 1024.0 * length
     expect_contacts(f"{call}, {cable.max_length} long", cable, pair, [], cause, read)
+    now = [pair[0], cable.anchor] if anchored else pair
+    expect_ends(call, now, before, read)
     call += "; c.max_length, c.restitution changed to a quarter of it, and 0.5; c.contacts()"
     cause = "read the attributes each time: a winch draws it in"
     cable.max_length, cable.restitution = 0.3125 * length, 0.5
@@ -135,6 +171,9 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredRod, "AnchoredRod") if anchored else (Rod, "Rod")
     other = -1 if anchored else 1
     back = (-n[0], -n[1], -n[2])
+    both = "the text says always two contacts, one of them without a use (E-9): a rod has the one "
+    both += "of the side that it needs, or none"
+    two = [(2, both), (1, "it is just as long as it should be: no contact, not one of depth 0")]
     for rod, wanted, cause in (
         (
             0.75 * length,
@@ -145,7 +184,7 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
             1.25 * length,
             [(0, other, back, 0.0, 0.25 * length)],
             "a rod that is too short pushes: one contact, the normal away from the other end, and "
-            "a penetration that is positive",
+            "a penetration that is positive too",
         ),
         (
             1023.0 / 1024.0 * length,
@@ -161,7 +200,7 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     ):
         call = f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, {rod}); r.contacts()"
         link = make(*pair, rod)
-        expect_contacts(call, link, pair, wanted, cause, read)
+        expect_contacts(call, link, pair, wanted, cause, read, two, length)
         call += f"; r.length = {0.5 * length}; r.contacts()"
         cause = "read the attributes each time"
         link.length = 0.5 * length
@@ -238,18 +277,23 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], "between both limits it does nothing"),
         (0.25, 0.5, [(0, 1, n, c, 0.5 * length)], "too long it is a cable of max_length"),
         (0.5, 1.0, [(0, 1, n, c, 0.0)], "at max_length it is taut: penetration 0"),
-        (1.5, 2.0, [(0, 1, back, c, 0.5 * length)], "too short it pushes: the normal away from b"),
+        (
+            1.5,
+            2.0,
+            [(0, 1, back, c, 0.5 * length)],
+            "too short it pushes: the normal away from b, the penetration min_length - length",
+        ),
         (1.0, 2.0, [(0, 1, back, c, 0.0)], "at min_length it touches: penetration 0"),
         (0.0, 2.0, [], "a min_length of 0 is no limit"),
     ):
         call = f"{told_ends}; Limits(a, b, {low * length}, {high * length}, {c}).contacts()"
         link = Limits(*pair, low * length, high * length, c)
-        expect_contacts(call, link, pair, wanted, cause, read)
-        call += "; all of its attributes changed to 1, 2 and 0.5; l.contacts()"
-        cause = "read the attributes each time"
-        link.min_length, link.max_length, link.restitution = 1.0, 2.0, 0.5
-        wanted = [(0, 1, n, 0.5, length - 2.0)]
-        expect_contacts(call, link, pair, wanted, cause, read)
+        expect_contacts(call, link, pair, wanted, cause, read, far=length)
+    call += "; all of its attributes changed to 1, 2 and 0.5; l.contacts()"
+    cause = "read the attributes each time"
+    link.min_length, link.max_length, link.restitution = 1.0, 2.0, 0.5
+    wanted = [(0, 1, n, 0.5, length - 2.0)]
+    expect_contacts(call, link, pair, wanted, cause, read)
 
 
 @pytest.mark.exercise("7.6")

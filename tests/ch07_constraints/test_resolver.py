@@ -9,7 +9,7 @@ import pytest
 
 from ch07_constraints.probes import resolved, stacked
 from draw import Components, components, direction, dot, positive_number
-from expect import expect_close, expect_exactly
+from expect import cause_of, expect_close, expect_exactly
 
 ZERO = (0.0, 0.0, 0.0)
 RIGHT = (1.0, 0.0, 0.0)
@@ -44,6 +44,13 @@ def test_what_closes_fastest_is_first() -> None:
         cause += ": look at all contacts again before each resolution, and end after limit of them"
         used, bodies, _ = resolved(row(1.0, 0.0, -3.0), contacts, "resolve_velocities", limit)
         got = tuple(velocity[0] for _, velocity in bodies)
+        mistakes = [
+            ((1.0, 0.0, -3.0), "nothing is resolved: what closes is below -VELOCITY_TOLERANCE"),
+            ((0.25, 0.75, -3.0), "the first that closes was taken: take the lowest of them all"),
+            ((-1.4375, -0.515625, -0.046875), f"the limit is {limit}: three were resolved"),
+            ((-1.4375, 0.1875, -0.75), "the right pair closes again now: look at all once more"),
+        ]
+        cause = cause_of(got, mistakes, cause)
         expect_close(f"{call} {limit}: velocities", got, wanted, cause=cause, read=read)
         cause = "it returns how many contacts it has resolved, and ends when none closes"
         expect_exactly(f"{call} {limit}: returned", used, min(limit, 3), cause=cause, read=read)
@@ -75,6 +82,13 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     cause += "fastest along the ground, or is deepest; and an immovable other may have a velocity"
     used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
     got = tuple(velocity[1] for _, velocity in after[:3])
+    mistakes = [
+        ((2.0, -1.0, 0.0), "a was resolved, c closes faster: by how much is the separating "
+         "velocity alone, not the depth (c is apart), the bounce, or whether the other moves"),
+        ((-2.0, 1.0, 0.0), "b was resolved, the deepest, and fastest along the ground: c closes "
+         "fastest, by its separating velocity"),
+    ]  # fmt: skip
+    cause = cause_of(got, mistakes, cause)
     expect_close(f"{call}: velocities upwards", got, (-2.0, -1.0, 3.0), cause=cause, read=read)
     expect_exactly(f"{call}; returned", used, 1, cause="one was resolved", read=read)
     cause = "the list stays in its order"
@@ -130,11 +144,19 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
     read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
-        (1e-13, 1.0, 0, "slower than VELOCITY_TOLERANCE is rounding: leave it"),
-        (1e-11, 1.0, 1, "faster than VELOCITY_TOLERANCE is to be resolved"),
+        (1e-13, 0.0, 0, "slower than VELOCITY_TOLERANCE is rounding: leave it"),
+        (1e-11, 0.0, 1, "faster than VELOCITY_TOLERANCE is to be resolved"),
         (0.5, -1.0, 1, "how deep a contact is does not matter here"),
         (-0.5, 1.0, 0, "what parts is left alone, however deep it is"),
-        (0.0, 1.0, 0, "what neither closes nor parts is left alone"),
+        (
+            0.0,
+            1.0,
+            0,
+            "it neither closes nor parts: the listing resolves what is deep as well, here the "
+            "other phase does",
+        ),
+        (1e-13, 1.0, 0, "slower than VELOCITY_TOLERANCE is rounding, however deep it is"),
+        (1e-11, 1.0, 1, "faster than VELOCITY_TOLERANCE is to be resolved"),
     ):
         v = tuple(-closing * part for part in n)
         call = f"a with velocity {v}; resolve_velocities([Contact(a, None, Vector3{n}, 0, {depth})]"
@@ -226,8 +248,25 @@ def test_what_is_deepest_is_first() -> None:
     ):
         used, after, got_depths = resolved(bodies, contacts, "resolve_penetrations", limit)
         got = tuple(place[0] for place, _ in after)
-        expect_close(f"{call} {limit}: places", got, wanted, cause=cause, read=read)
+        mistakes = [((-0.25, 1.25, 2.0), "the left pair was taken: the right one is deeper")]
+        if isinstance(used, int) and used > limit:
+            cause = f"the limit is {limit}: {used} were resolved"
+        seen = cause_of(got, mistakes, cause)
+        expect_close(f"{call} {limit}: places", got, wanted, cause=seen, read=read)
         cause += "; each move changes how deep the other contact of the middle one is (E-8)"
+        mistakes = [
+            ((0.5, 0.0), "the left one is still 0.5 m: the middle ball was moved 0.375 m into it, "
+             "and that changes its other contact; the listing leaves it out (E-8)"),
+            ((0.125, 0.0), "the sign: the other contact got less deep, but the middle ball was "
+             "moved into the left one, by 0.375 m"),
+            ((0.875, -0.75), "the resolved contact was changed once more: it is 0 by itself, so "
+             "leave it out of the loop over the others"),
+            ((0.0, 0.0), "the right one is still 0: the middle ball is its other, and an other "
+             "that moves changes it too"),
+            ((0.0, -0.4375), "the sign for an other is the opposite: it was moved into the "
+             "contact, by 0.4375 m"),
+        ]  # fmt: skip
+        cause = cause_of(got_depths, mistakes, cause)
         expect_close(f"{call} {limit}: penetrations", got_depths, depths, cause=cause, read=read)
         cause = "it returns how many contacts it has resolved"
         expect_exactly(f"{call} {limit}: returned", used, limit, cause=cause, read=read)
@@ -300,10 +339,8 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             cause = (
                 "less by how far its particle moved along its normal, more by how far its other "
             )
-            cause += (
-                "did, whatever the mass of its other end; nothing where neither has moved, and "
-            )
-            cause += "the world never moves; particles are told apart by `is`"
+            cause += "did, whatever its other end; the world never moves: `is` tells two particles "
+            cause += "apart, and None is None as well"
             name = f"{call} {names[p]} and {names[q]}"
             expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-14)
 

@@ -139,7 +139,10 @@ def depths_of(count: int, floors: Sequence[float]) -> list[float]:
     """Return the depths of all contacts of particles at a height of 1 with floors."""
     particles = [Particle(Vector3(float(i), 1.0)) for i in range(count)]
     world = ParticleWorld(particles, [Floor(particles, height, []) for height in floors])
-    return [contact.penetration for contact in world.contacts()]
+    found = [*world.contacts()]
+    if any(isinstance(contact, list) for contact in found):
+        raise TypeError("contacts() must return one list of contacts, got lists in a list")
+    return [contact.penetration for contact in found]
 
 
 def started(bodies: Sequence[Body], force: Components) -> dict[str, Any]:

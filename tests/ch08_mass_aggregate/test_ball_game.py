@@ -8,7 +8,7 @@ import pytest
 
 from ch08_mass_aggregate.scene_probes import landing, played, refused_row, ruled
 from draw import positive_number
-from expect import expect_close, expect_exactly
+from expect import cause_of, expect_close, expect_exactly
 
 RULES = "the docstrings of Rules, landed and fell"
 LANDINGS = "the docstrings of Landings and Landings.contacts"
@@ -27,6 +27,11 @@ def test_a_row_counts_once(rng: Random) -> None:
     cause = "POINTS, 10, for a row that is not in visited yet, and nothing for one that is"
     seen = ruled(rows, events)
     got = [score for score, *_ in seen]
+    mistakes = [
+        ([10, 20, 30, 40, 50], "a row counts once: look whether it is in visited already"),
+        ([160] * 5, "won after one row: won is that all rows are visited"),
+    ]
+    cause = cause_of(got, mistakes, cause)
     expect_exactly(call, got, [10, 10, 20, 20, 20], cause=cause, read=read)
     call = f"Rules({rows}); rules.landed() on {events} in turn: visited, lives"
     cause = "a landing adds its row to visited, and costs no life"
@@ -45,6 +50,18 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     seen = ruled(rows, events)
     won = seen[rows + falls - 1]
     score = 10 * rows + 50 * (3 - falls)
+    points = 10 * rows
+    mistakes = [
+        (
+            points,
+            "no bonus: is it left out, or does a fall take visited rows away, so that some "
+            "are missing?",
+        ),
+        (points + 50, "the bonus is 50 for each life that is left, not once"),
+        (points + 150, "the bonus is for the lives that are left, not for all three"),
+        (score - 10, "10 too few: does the last row count, beside the bonus, or does a fall cost?"),
+    ]
+    cause = cause_of(won[0], mistakes, cause)
     expect_exactly(f"{call}: score once all are visited", won[0], score, cause=cause, read=read)
     name = f"Rules({rows}); {events}: rules.won, rules.over"
     expect_exactly(name, list(won[3:]), [True, True], cause=cause, read=read)
@@ -72,6 +89,8 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     expect_exactly(f"Rules(6); {events}: rules.over", got, wanted, cause=cause, read=read)
     cause = "a fall takes neither points nor the rows that were visited"
     got = [seen[-1][0], *seen[-1][2]]
+    if got[0] == 20:
+        cause = "a row counts after the end: landed does nothing where self.over"
     expect_exactly(f"{call}: score, visited, in the end", got, [10, a], cause=cause, read=read)
 
 
@@ -81,14 +100,14 @@ def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
     rows = rng.randint(3, 6)
     cause = "rows are numbered from 0: ValueError for any other"
     for row in (rows, -1):
-        call = f"Rules({rows}).landed({row}): the error"
+        call = f"Rules({rows}).landed({row}): the error, '' for none"
         error, *after = refused_row(rows, row)
         expect_exactly(call, error, "ValueError", cause=cause, read=read)
         name = f"Rules({rows}).landed({row}): score and visited then"
         expect_exactly(name, after, [0, []], cause="what is refused does not count", read=read)
     cause = "what is right must not be refused"
     for row in (0, rows - 1):
-        call = f"Rules({rows}).landed({row}): the error"
+        call = f"Rules({rows}).landed({row}): the error, '' for none"
         expect_exactly(call, refused_row(rows, row)[0], "", cause=cause, read=read)
 
 
@@ -130,10 +149,22 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     call += f"mass {mass}; three times game.step({frame}): its velocity"
     cause = "PUSH * mass is a force, of PUSH = 8 m/s^2, added between start_frame and run_physics"
     vx, vy = speed, 0.0
+    free, weak = speed, speed
     for _ in range(3):
+        free = free * damped
+        weak = (weak + 8.0 * direction / mass * frame) * damped
         vx, vy = (vx + 8.0 * direction * frame) * damped, (vy - 9.81 * frame) * damped
     seen = played(3, frame, direction, (x, 9.0, 0.0), (speed, 0.0, 0.0), mass=mass)
     got = seen[-1]["velocity"]
+    if direction:
+        mistakes = [
+            (
+                (free, vy, 0.0),
+                "no push comes: add it after start_frame, which clears what was there before",
+            ),
+            ((weak, vy, 0.0), "PUSH is in m/s^2: the force is PUSH * mass"),
+        ]
+        cause = cause_of(got, mistakes, cause)
     expect_close(call, got, (vx, vy, 0.0), cause=cause, read=read, tolerance=1e-12)
 
 
@@ -148,6 +179,10 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
     cause += "up at JUMP"
     seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
     got = (seen["velocity"][1], seen["score"], *seen["visited"])
+    if got[:2] == (6.0, 0):
+        cause = "it jumps, but the landing does not count: tell self.rules by landed(row)"
+    elif got[1:] == (10, row):
+        cause = "it counts, but the ball does not jump: its velocity along Y is JUMP, 6 m/s, then"
     expect_close(call, got, (6.0, 10.0, float(row)), cause=cause, read=read, tolerance=1e-12)
     call = f"a game, the ball 0.05 m above row {row} at -6 m/s: score, lives; 20 game.step(1/60)"
     cause = "it lands once, and flies on from there"

@@ -10,7 +10,7 @@ import pytest
 from ch08_mass_aggregate.blob import spread
 from ch08_mass_aggregate.scene_probes import bonded, settled_blob, spread_of
 from draw import Components, components, direction, positive_number
-from expect import expect_close, expect_error, expect_exactly
+from expect import cause_of, expect_close, expect_error, expect_exactly
 
 BOND = "the docstring of Bond, and of Bond.update_force"
 SPREAD = "the docstring of spread"
@@ -34,6 +34,11 @@ def expect_forces(
 ) -> None:
     on_a = tuple(force * w for w in way)
     on_b = tuple(-force * w for w in way)
+    if force:
+        name = "b gets the force of a once more: the spring to a acts on b"
+        on_both = [((*ZERO, *ZERO), f"no force at all: {cause}")]
+        cause = cause_of((*seen[0], *seen[1]), on_both, cause)
+        cause = cause_of(seen[1], [(on_a, name)], cause)
     # Rounding of forces of some tens of N.
     expect_close(f"{call}: force on a", seen[0], on_a, cause=cause, read=read, tolerance=1e-11)
     expect_close(f"{call}: force on b", seen[1], on_b, cause=cause, read=read, tolerance=1e-11)
@@ -62,8 +67,9 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
     k, rest, limit, share, most = draw_bond(rng)
     way = direction(rng)
     call = f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most})"
-    cause_of = {
-        "breaks": "longer than break_length it breaks, and does nothing, in this very frame",
+    causes = {
+        "breaks": "longer than break_length it breaks, and does nothing, in this very frame, "
+        "whichever of its ends it is asked for",
         "broken": "once broken it stays so until its ends are rest_length or less apart",
         "heals": "it holds again from rest_length on, and acts in this very frame",
         "holds": "it has healed, and holds up to break_length",
@@ -79,13 +85,13 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         (0.5 * rest, True, "heals"),
     ]
     lengths = [length for length, _, _ in story]
-    cause = cause_of["holds"]
+    cause = causes["holds"]
     seen = bonded(lengths, k, rest, limit, share, most, way, swap)
     for i, (length, holds, what) in enumerate(story):
         if what == "holds" and i == 0:
             continue  # rounding may have made it a little longer
         name = f"{call}, pulled to {lengths[: i + 1]} in turn"
-        cause = cause_of[what]
+        cause = causes[what]
         expect_exactly(f"{name}: holds", seen[i][2], holds, cause=cause, read=read)
         force = pull(length, k, rest, limit, share) if holds else 0.0
         expect_forces(name, seen[i], force, way, cause, read)
@@ -134,6 +140,14 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     x, y, z = components(rng)
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
+    mistakes = [
+        (2.0, "that is the mean of the squares: its root is left out"),
+        (math.sqrt(8.0), "that is the root of the sum: the mean is the sum over the mass of all"),
+        (math.sqrt(24.0), "that is the root of the sum: the mean is the sum over the mass of all"),
+        (math.sqrt(2.0 + math.hypot(x + 1.0, y + 1.0, z) ** 2), "that is from the origin: "
+         "distances are from the centre of mass"),
+    ]  # fmt: skip
+    cause = cause_of(got, mistakes, cause)
     expect_close(call, got, math.sqrt(2.0), cause=cause, read=read, tolerance=1e-12)
     numbers = [number for place in square for number in place]
     got = [number for place in after for number in place]
@@ -146,6 +160,16 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     cause += "sqrt(m n) / (m + n) times the distance of the two"
     wanted = math.sqrt(m * n) / (m + n) * math.dist(p, q)
     got = spread_of([p, q], [m, n])[0]
+    apart, total = math.dist(p, q), m + n
+    ways = (n / total * apart, m / total * apart)  # of both from their centre of mass
+    mistakes = [
+        ((m * ways[0] + n * ways[1]) / total, "that is the mean of the distances: take the root of "
+         "the mean of their squares"),
+        (0.5 * apart, "that is from the middle of the places: the centre of mass is nearer to the "
+         "heavier one"),
+        (math.hypot(*ways) / math.sqrt(2.0), "each counts the same there: it counts by its mass"),
+    ]  # fmt: skip
+    cause = cause_of(got, mistakes, cause)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
     call, cause = f"spread of one particle at {p}", "it is where its centre is"
     expect_close(call, spread_of([p], [m])[0], 0.0, cause=cause, read=read, tolerance=1e-12)

@@ -11,7 +11,7 @@ import pytest
 
 from ch08_mass_aggregate.scene_probes import bridge_links, deck, hung_bridge
 from draw import Components, positive_number
-from expect import expect_close, expect_exactly
+from expect import cause_of, expect_close, expect_exactly
 
 LINKS = "the docstring of links_of"
 NEAREST = "the docstring of Deck.nearest"
@@ -49,7 +49,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
     call = f"links_of(make_rows()), then every plank pulled {low} m down and apart: contacts() of "
-    call += f"the {what}: ends (-1 is an anchor), and how much they are too long"
+    call += f"the {what}, by ends (-1 is an anchor) and how much they are too long"
     cause = {
         "rod": "a rod of WIDTH joins the two ends of each row: six in all",
         "cable": "a cable of CABLE_LENGTH joins each end to that of the next row on its side: ten",
@@ -68,13 +68,16 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
     got, wanted = picked(links), picked(wanted_links(places))
     name = f"{call}: which"
-    ends = [(i, j) for i, j, _ in got]
-    expect_exactly(name, ends, [(i, j) for i, j, _ in wanted], cause=cause, read=read)
-    depths = [depth for _, _, depth in got]
-    # Lengths of some metres, rounded a few times.
-    expect_close(
-        call, depths, [depth for _, _, depth in wanted], cause=cause, read=read, tolerance=1e-12
-    )
+    ends, right = ([(i, j) for i, j, _ in some] for some in (got, wanted))
+    wrong = [(pair, "missing") for pair in right if pair not in ends]
+    wrong += [(pair, "too many") for i, pair in enumerate(ends) if pair in ends[:i]]
+    wrong += [(pair, "no such link") for pair in ends if pair not in right]
+    why = f"{wrong[0][0]} is {wrong[0][1]}: {cause}" if wrong else cause
+    expect_exactly(name, ends, right, cause=why, read=read)
+    for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
+        name = f"{call}: how much that of {(i, j)} is"
+        # Lengths of some metres, rounded a few times.
+        expect_close(name, depth, right, cause=cause, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.4")
@@ -88,7 +91,14 @@ def test_nothing_else_holds_them() -> None:
     places = [(0.8 * x, 4.5, z) for x, _, z in START]
     call = "links_of(make_rows()), then all pushed together along X: how many contacts"
     cause = "cables that are shorter than they may be do nothing, and the rods are right"
-    expect_exactly(call, len(bridge_links(places)), 0, cause=cause, read=read)
+    count = len(bridge_links(places))
+    mistakes = [
+        (10, "the ten from row to row push: they are cables, and no rods"),
+        (12, "the twelve to the anchors push: they are cables, and no rods"),
+        (22, "the links from row to row and to the anchors push: they are cables, and no rods"),
+    ]
+    cause = cause_of(count, mistakes, cause)
+    expect_exactly(call, count, 0, cause=cause, read=read)
     places = [(1.5 * x, 1.0, 1.5 * z) for x, _, z in START]
     call = "links_of(make_rows()), then all pulled apart: how many contacts, and their restitution"
     cause = "28 links: 6 rods, 10 cables and 12 supports; none bounces"
@@ -121,12 +131,13 @@ def draw_rows(rng: Random, count: int) -> list[tuple[Components, Components]]:
     for _ in range(count):
         left, right = positive_number(rng, 3.0, 5.0), positive_number(rng, 3.0, 5.0)
         rows.append(((x - 0.1, left, -1.0), (x + 0.1, right, 1.0)))
-        x += positive_number(rng, 1.0, 3.0)
+        x = round(x + positive_number(rng, 1.0, 3.0), 3)
     return rows
 
 
 def middles(rows: list[tuple[Components, Components]]) -> list[tuple[float, float]]:
-    return [(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])) for a, b in rows]
+    """Return x and y of the middles, without the rounding of their sums."""
+    return [(round(0.5 * (a[0] + b[0]), 9), round(0.5 * (a[1] + b[1]), 9)) for a, b in rows]
 
 
 @pytest.mark.exercise("B8.5")
@@ -141,7 +152,19 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             at = x + share * (u - x)
             call = f"a deck through {points}, the ball at x = {at}: nearest()"
             got = deck((at, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
-            wanted = (float(i + (share > 0.5)), y + share * (v - y))
+            row, height = float(i + (share > 0.5)), y + share * (v - y)
+            (_, one, _), (_, two, _) = (rows[n][0] for n in (i, i + 1))
+            near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
+            mistakes = [
+                ((row, points[int(row)][1]), "that is the height of the row: between two rows the "
+                 "deck is on the straight line between their middles"),
+                ((float(i), height), "that is the row before the ball: the nearest one is wanted"),
+                ((float(i + 1), height), "that is the row after the ball: the nearest one is "
+                 "wanted"),
+                ((row, near), "that is from one end of each row: the line joins their middles"),
+            ]  # fmt: skip
+            wanted = (row, height)
+            cause = cause_of(got, mistakes, cause)
             expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
 
 
@@ -166,6 +189,11 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
         call = f"a deck through {points}, the ball at x = {x}: nearest()"
         cause = "None where it is further than half a SPACING beyond: just so far it is a deck"
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
+        expect_exactly(f"{call} is None", got is None, False, cause=cause, read=read)
+        slope = heights[i] - heights[1]
+        mistakes = [((float(i), heights[i] + 0.5 * slope), "beyond the rows the deck is level: the "
+                     "line of the last two does not go on")]  # fmt: skip
+        cause = cause_of(got, mistakes, cause)
         expect_close(call, got, (float(i), heights[i]), cause=cause, read=read, tolerance=1e-12)
     for x in (-0.5, 0.0, 0.5):
         call = f"a deck of the row at {points[0]} alone, the ball at x = {x}: nearest()"
@@ -211,25 +239,33 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     for depth in (0.3, 0.01, 0.0):
         center = height + radius - depth
         call = f"a deck through {middles(rows)}, a ball of radius {radius} at ({at}, {center}, 0), "
-        call += f"restitution {c}: contacts(), by (ball, 0), (end, 3 or 4), normal, restitution, "
-        call += "penetration"
+        call += f"restitution {c}: contacts(), where the ball is number 0, the row's ends 3 and 4"
         cause = "both ends of the nearest row bear it: the ball is the particle, the normal +Y, "
         cause += "and the penetration height + radius - y: 0 where it only touches"
         if not depth:
             center = height + radius - 1e-13  # rounding must not lift it off
         got = sorted(deck((at, center, 0.0), rows, radius, c)["contacts"])
         ends = [(a, b) for a, b, *_ in got]
+        if ends == []:
+            cause = "it touches: its lowest point, its y less the radius, is at the deck or in it"
+        elif ends in ([(0, 3)], [(0, 4)]):
+            cause = "both ends of the row bear it: two contacts"
+        elif ends == [(3, 0), (4, 0)]:
+            cause = "they are exchanged: the ball is the particle, an end of the row the other"
+        elif len(ends) > 2:
+            cause = "only the nearest row bears it, by its two ends"
         expect_exactly(f"{call}: ends", ends, [(0, 3), (0, 4)], cause=cause, read=read)
-        for _, _, normal, restitution, penetration in got:
+        for _, _, normal, restitution, penetration in list(got):
             expect_close(call, normal, UP, cause=cause, read=read, tolerance=1e-15)
-            expect_close(
-                call,
-                (restitution, penetration),
-                (c, depth),
-                cause=cause,
-                read=read,
-                tolerance=1e-12,
-            )
+            mistakes = [
+                ((0.0, depth), "the restitution is left out: it is the deck's"),
+                ((c, 0.5 * depth), "the depth is not shared: each contact has all of it"),
+                ((c, depth - radius), "the radius is left out: height + radius - y"),
+            ]
+            name = f"{call}: restitution, penetration"
+            got = (restitution, penetration)
+            why = cause_of(got, mistakes, cause)
+            expect_close(name, got, (c, depth), cause=why, read=read, tolerance=1e-12)
     for where, lift, ends, cause in (
         ("just above it", radius + 1e-6, 0, "above the deck there is no contact"),
         ("whose top is just above it", 1e-6 - radius, 2, "in the deck it is lifted out"),

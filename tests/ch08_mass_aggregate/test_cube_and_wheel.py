@@ -10,7 +10,7 @@ import pytest
 from ch08_mass_aggregate.cube import fewest_rods
 from ch08_mass_aggregate.scene_probes import cube_rods, deformed, driven, spun, wheel_rods
 from draw import components, direction, number, positive_number
-from expect import expect_close, expect_error, expect_exactly
+from expect import cause_of, expect_close, expect_error, expect_exactly
 from rigidity import motions, told
 
 CUBE = "mini-project 8.2, and the docstring of cube_rods"
@@ -35,7 +35,15 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         (4, 6, "a tetrahedron"),
     ):
         call = f"fewest_rods({count})"
-        expect_exactly(call, fewest_rods(count), wanted, cause=cause, read=read)
+        got = fewest_rods(count)
+        if count == 8:
+            mistakes = [
+                (24, "that is all the ways in which eight corners move: a rigid body keeps six"),
+                (13, "that is 2 n - 3, of a flat figure: in space it is 3 n - 6"),
+                (21, "that is 3 n - 3: a rigid body moves in three ways, and turns in three"),
+            ]
+            cause = cause_of(got, mistakes, cause)
+        expect_exactly(call, got, wanted, cause=cause, read=read)
     count = rng.randint(9, 99)
     call = f"fewest_rods({count})"
     cause = "three for each particle, less the six motions of a rigid body"
@@ -95,13 +103,16 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     rods = sorted(wheel_rods(hub, rim))
     wanted = [(0, i + 1) for i in range(count)] + [(i, i + 1) for i in range(1, count)]
     wanted = sorted([*wanted, (1, count)])
-    expect_exactly(call, [(i, j) for i, j, _ in rods], wanted, cause=cause, read=read)
-    call = f"rods_of(hub at {hub}, rim at {rim}); the lengths of its rods"
+    got = [(i, j) for i, j, _ in rods]
+    if missing := [pair for pair in wanted if pair not in got]:
+        cause = f"{missing[0]} is missing: {cause}"
+    expect_exactly(call, got, wanted, cause=cause, read=read)
     cause = "each rod is as long as its ends are apart now"
     places = [hub, *rim]
-    lengths = [math.dist(places[i], places[j]) for i, j, _ in rods]
-    got = [length for _, _, length in rods]
-    expect_close(call, got, lengths, cause=cause, read=read, tolerance=1e-12)
+    for i, j, length in rods:
+        call = f"rods_of(hub, rim); the length of the rod from {places[i]} to {places[j]}"
+        wanted = math.dist(places[i], places[j])
+        expect_close(call, length, wanted, cause=cause, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("8.3b")
@@ -110,6 +121,21 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     hub, force, already = components(rng), number(rng), components(rng)
     cause = "the force is F (-sin, cos, 0) of the spoke's angle in the X-Y plane: a right angle "
     cause += "to it, counter-clockwise, and of the same size at every distance"
+    call = "RimDrive(hub at (1, 2, 3), 10).update_force(particle, 0.1), the particle at (4, 6, 15)"
+    got, _ = driven((1.0, 2.0, 3.0), 10.0, [(4.0, 6.0, 15.0)], (0.0, 0.0, 0.0))[0]
+    mistakes = [
+        ((6.0, 8.0, 0.0), "that is along the spoke: (-y, x) is (x, y) turned by a right angle"),
+        ((8.0, -6.0, 0.0), "that is clockwise: (-y, x) is counter-clockwise, where (y, -x) is not"),
+        ((-40.0, 30.0, 0.0), "it grows with the distance: divide (-y, x) by the spoke's length"),
+        ((6.0, 8.0, 24.0), "that is along the spoke, and along Z: (-y, x) is turned, in the plane"),
+        ((-40.0 / 13.0, 30.0 / 13.0, 0.0), "the length is that in the X-Y plane, sqrt(x^2 + y^2)"),
+        (
+            (-60.0 / math.sqrt(52.0), 40.0 / math.sqrt(52.0), 0.0),
+            "that is round the origin: the spoke is seen from the hub",
+        ),
+    ]
+    seen = cause_of(got, mistakes, cause)
+    expect_close(call, got, (-8.0, 6.0, 0.0), cause=seen, read=read)
     places, wanted = [], []
     for _ in range(3):
         angle, radius = positive_number(rng, 0.1, 6.0), positive_number(rng, 0.01, 3.0)
@@ -145,13 +171,36 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     call = f"spin(hub, rim) of a rim that turns at {rate} rad/s about a hub that moves at {drift}"
     cause = "positions and velocities are those seen from the hub"
     got = spun((hub, drift), list(zip(rim, moving, masses, strict=True)))
-    expect_close(call, got, rate, cause=cause, read=read, tolerance=1e-12)
-    v = [components(rng) for _ in rim]
     seen = [(x - hub[0], y - hub[1]) for x, y, _ in rim]
+    parts = list(zip(masses, seen, strict=True))
+    inertia = math.fsum(m * (x * x + y * y) for m, (x, y) in parts)
+    drifting = math.fsum(m * (x * drift[1] - y * drift[0]) for m, (x, y) in parts)
+    mistakes = [
+        (-rate, "the sign is turned round: counter-clockwise is positive, x v_y - y v_x"),
+        (rate * inertia, "that is the angular momentum: divide it by the sum of m (x^2 + y^2)"),
+        (rate + drifting / inertia, "the hub's velocity is not taken off: it moves as well"),
+    ]
+    cause = cause_of(got, mistakes, cause)
+    expect_close(call, got, rate, cause=cause, read=read, tolerance=1e-12)
+    call = (
+        "spin(hub, rim) of 1 kg at (1, 0, 0), velocity (0, 2, 0), and 3 kg at (0, 2, 0), velocity "
+    )
+    call += "(-2, 0, 0), the hub at rest at (0, 0, 0)"
+    cause = "sum of m (x v_y - y v_x), 14, divided by the sum of m (x^2 + y^2), 13"
+    one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
+    got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])
+    mistakes = [
+        (1.2, "the masses are left out, above and below"),
+        (1.5, "that is the mean of the particles' own rates: sum above and below, and then divide"),
+        (2.0, "the distance is squared: the sum of m (x^2 + y^2) is 13"),
+        (14.0, "that is the angular momentum: divide it by the sum of m (x^2 + y^2)"),
+    ]
+    cause = cause_of(got, mistakes, cause)
+    expect_close(call, got, 14.0 / 13.0, cause=cause, read=read)
+    v = [components(rng) for _ in rim]
     turning = math.fsum(
         m * (x * w[1] - y * w[0]) for m, (x, y), w in zip(masses, seen, v, strict=True)
     )
-    inertia = math.fsum(m * (x * x + y * y) for m, (x, y) in zip(masses, seen, strict=True))
     call = f"spin(hub, rim) of a rim at {rim}, velocities {v}, masses {masses}, the hub at rest"
     cause = "sum of m (x v_y - y v_x), divided by the sum of m (x^2 + y^2): mass counts, and so "
     cause += "does the square of the distance"
@@ -180,6 +229,14 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
         )
         cause += "a share of its own length"
         got = deformed(rods, way)
+        shares = [now / length - 1.0 for length, now in rods]
+        mistakes = [
+            (max(abs(now - length) for length, now in rods), "that is in m: divide by rod.length"),
+            (math.fsum(map(abs, shares)) / len(shares), "that is the mean: the largest is wanted"),
+            (max(shares), "too short counts as well: take abs() of each"),
+            (1.0 + max(shares), "that is length / rod.length: how far it is from 1 is wanted"),
+        ]
+        cause = cause_of(got, mistakes, cause)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
     call, cause = "deformation([])", "without rods nothing is deformed: 0"
     expect_close(call, deformed([], way), 0.0, cause=cause, read=read, tolerance=0.0)

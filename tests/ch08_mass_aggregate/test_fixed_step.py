@@ -8,7 +8,7 @@ from random import Random
 import pytest
 
 from ch08_mass_aggregate.probes import advanced, bounced, refused_time
-from expect import expect_close, expect_exactly
+from expect import cause_of, expect_close, expect_exactly
 
 READ = "the docstring of FixedStep.advance"
 # A step of 2^-6 s adds up without rounding.
@@ -20,18 +20,25 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
     read = READ
     quarters = [rng.randint(0, 40) for _ in range(12)]
     elapsed = [0.25 * STEP * quarter for quarter in quarters]
-    call = f"a FixedStep of {STEP} s; advance by {elapsed}"
     cause = "add elapsed to left; while that is a step or more, call step(duration) and take the "
     cause += "duration off left"
     done = advanced(STEP, elapsed)
     left = 0
     for i, (quarter, row) in enumerate(zip(quarters, done["rows"], strict=True)):
         steps, left = divmod(left + quarter, 4)
-        name = f"{call}: the steps that call {i} returns"
-        expect_exactly(name, row[0], steps, cause=cause, read=read)
-        name = f"{call}: left and dropped after call {i}"
+        call = f"a FixedStep of {STEP} s; advance by {elapsed[: i + 1]} in turn"
+        mistakes = [
+            (steps + 1, "one too many: what is less than a step is left for the next call"),
+            (1, "one step only: make one while there is time for it"),
+        ]
+        seen = cause_of(row[0], mistakes, cause)
+        name = f"{call}: the steps that the last call returns"
+        expect_exactly(name, row[0], steps, cause=seen, read=read)
+        mistakes = [((0.0, 0.0), "what is left over is lost: keep it for the next call")]
+        seen = cause_of(row[1:], mistakes, cause)
+        name = f"{call}: left and dropped then"
         wanted = (0.25 * STEP * left, 0.0)
-        expect_close(name, row[1:], wanted, cause=cause, read=read, tolerance=0.0)
+        expect_close(name, row[1:], wanted, cause=seen, read=read, tolerance=0.0)
     cause = "every step has the same duration, whatever has passed"
     wanted = [STEP] * (sum(quarters) // 4)
     expect_exactly(f"{call}: the steps' durations", done["made"], wanted, cause=cause, read=read)
@@ -64,7 +71,7 @@ def test_rounding_makes_no_step_late(rate: int) -> None:
 def test_a_share_of_a_step_is_due(duration: float) -> None:
     read = READ
     for lack, steps, cause in (
-        (1e-7, 0, "what lacks more than SHARE of a step is not due yet"),
+        (1e-7, 0, "what lacks more than SHARE of a step is not due yet: a part of it, not of 1 s"),
         (1e-10, 1, "what lacks less than SHARE of a step is due: of the step, whatever its length"),
     ):
         elapsed = duration * (1.0 - lack)
@@ -81,7 +88,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     limit, late = rng.randint(2, 5), rng.randint(3, 30)
     elapsed = [STEP * (limit + late + 0.25), STEP * (limit + 0.5), STEP * (limit - 1)]
     elapsed.append(STEP * (limit + 1))
-    call = f"a FixedStep of {STEP} s, max_steps={limit}; advance by {elapsed}: steps, left, dropped"
+    start = f"a FixedStep of {STEP} s, max_steps={limit}; advance by "
     cause = "after max_steps the whole steps that are left are added to dropped; less than a step "
     cause += "is still left"
     done = advanced(STEP, elapsed, limit)
@@ -92,10 +99,22 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         (limit, 0.75 * STEP, STEP * (late + 1)),
     ]
     for i, row in enumerate(done["rows"]):
-        expect_exactly(f"{call}: call {i}: steps", row[0], wanted[i][0], cause=cause, read=read)
-        name = f"{call}: call {i}: left, dropped"
-        expect_close(name, row[1:], wanted[i][1:], cause=cause, read=read, tolerance=1e-12)
+        call = f"{start}{elapsed[: i + 1]} in turn"
+        steps, left, dropped = wanted[i]
+        seen = cause_of(row[0], [(limit + 1, "one step more than max_steps")], cause)
+        name = f"{call}: the steps of the last call"
+        expect_exactly(name, row[0], steps, cause=seen, read=read)
+        mistakes = [
+            ((0.0, left + dropped), "all that is left is dropped: less than a step stays left"),
+            ((left + dropped, 0.0), "nothing is dropped: the next call would make up for it"),
+            ((left, dropped / STEP), "dropped is a time in s, and not a number of steps"),
+            ((left, STEP), "that is what the last call dropped: dropped adds up"),
+        ]
+        seen = cause_of(row[1:], mistakes, cause)
+        name = f"{call}: left, dropped"
+        expect_close(name, row[1:], (left, dropped), cause=seen, read=read, tolerance=1e-12)
     count = sum(row[0] for row in wanted)
+    call = f"{start}{elapsed} in turn"
     name = f"{call}: how many steps were made"
     expect_exactly(name, len(done["made"]), count, cause=cause, read=read)
     call = f"a FixedStep of 0.1 s, max_steps={limit}; advance by {0.1 * (limit + late)!r}"
@@ -140,11 +159,13 @@ def test_a_time_that_is_none_is_refused() -> None:
         call = f"a FixedStep of {STEP} s with a quarter of a step left; advance({time!r})"
         cause = "not_negative() refuses it, before left changes"
         name, left, made = refused_time(STEP, time)
-        expect_exactly(f"{call}: the error", name, error, cause=cause, read=read)
+        expect_exactly(f"{call}: the error, '' for none", name, error, cause=cause, read=read)
         expect_close(f"{call}: left", left, 0.25 * STEP, cause=cause, read=read, tolerance=0.0)
         expect_exactly(f"{call}: steps made", made, 0, cause=cause, read=read)
     call, cause = f"a FixedStep of {STEP} s; advance(0.0)", "no time is a time: it makes no step"
-    expect_exactly(f"{call}: the error", refused_time(STEP, 0.0)[0], "", cause=cause, read=read)
+    expect_exactly(
+        f"{call}: the error, '' for none", refused_time(STEP, 0.0)[0], "", cause=cause, read=read
+    )
 
 
 @pytest.mark.exercise("B8.3")

@@ -11,7 +11,7 @@ import pytest
 from ch08_mass_aggregate.scene_probes import freed, platform_rods, tipped, weighed
 from ch08_mass_aggregate.tilting_platform import balancing_mass
 from draw import number, positive_number
-from expect import expect_close, expect_error, expect_exactly
+from expect import cause_of, expect_close, expect_error, expect_exactly
 from rigidity import motions, told
 
 RODS = "the docstring of rods_of"
@@ -54,9 +54,13 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
     call = f"rods_of(six particles at PLACES, {size} times as large, and turned by {turn}): lengths"
     cause = "a rod's length is the distance of its ends now, (b.position - a.position).magnitude()"
     rods = platform_rods(places)
-    got = [length for _, _, length in rods]
-    wanted = [math.dist(places[i], places[j]) for i, j, _ in rods]
-    expect_close(call, got, wanted or [math.nan], cause=cause, read=read, tolerance=1e-12)
+    expect_exactly(f"{call}: is there a rod", len(rods) > 0, True, cause=cause, read=read)
+    for i, j, length in rods:
+        wanted = math.dist(places[i], places[j])
+        name = f"{call} of the one from {i} to {j}"
+        old = "that is the distance in PLACES: the particles may be elsewhere by now"
+        seen = cause_of(length, [(math.dist(PLACES[i], PLACES[j]), old)], cause)
+        expect_close(name, length, wanted, cause=seen, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.7")
@@ -65,6 +69,14 @@ def test_what_balances_a_platform(rng: Random) -> None:
     call = "balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], -3)"
     cause = "sum of mass times place, with the new mass in it, is 0: 2 kg m by 3 m"
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
+    mistakes = [
+        (-2.0 / 3.0, "the sign: what the new mass turns is opposite to the sum of the others"),
+        (14.0 / 3.0, "places have a side: those left of the pivot are negative"),
+        (2.0, "that is the sum of mass times place: divide it by how far away x is"),
+        (-2.0, "that is the sum of mass times place: divide it by x"),
+        (0.5, "that is for a mass at the other end: divide by x, which is -3 m"),
+    ]
+    cause = cause_of(got, mistakes, cause)
     expect_close(call, got, 2.0 / 3.0, cause=cause, read=read)
     masses = [positive_number(rng) for _ in range(4)]
     places = [number(rng) for _ in range(4)]
@@ -102,7 +114,7 @@ def test_what_cannot_be_balanced_is_refused() -> None:
             [-1.0, 2.0],
             3.0,
             ValueError,
-            "a mass on the side that sinks balances nothing",
+            "it would have to be -1 kg: a mass on the side that sinks balances nothing",
         ),
         ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "on the left side it sinks as well"),
         ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "a mass at the pivot turns nothing"),
@@ -129,6 +141,11 @@ def test_what_cannot_be_balanced_is_refused() -> None:
         )
 
 
+def _masses(own: float, left: float, right: float) -> list[float]:
+    """Return the masses of the ends' four particles, each with half of what its end bears."""
+    return [own + 0.5 * share for share in (left, left, right, right)]
+
+
 @pytest.mark.exercise("B8.7")
 def test_the_ends_share_a_weight(rng: Random) -> None:
     read = WEIGHT
@@ -138,8 +155,17 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
         cause = "the right end bears mass * (x + 3) / 7, the left one the rest; half of it each "
         cause += "particle, beside its own 1 kg"
         right = mass * (x + 3.0) / 7.0
-        wanted = [1.0 + 0.5 * share for share in (mass - right, mass - right, right, right)]
+        wanted = _masses(1.0, mass - right, right)
         got, _ = weighed([(mass, x)])
+        left = mass - right
+        near, far = (mass, 0.0) if x < 0.5 else (0.0, mass)
+        mistakes = [
+            (_masses(1.0, right, left), "the ends are exchanged: the nearer one bears more"),
+            (_masses(1.0, 2.0 * left, 2.0 * right), "an end is two particles: half of it for each"),
+            (_masses(0.0, left, right), "each particle has its own 1 kg as well"),
+            (_masses(1.0, near, far), "the ends share it, by how near they are to it"),
+        ]
+        cause = cause_of(got[2:], mistakes, cause, tolerance=2e-3)  # a mass of 0 has become 1 g
         expect_close(call, got[2:], wanted, cause=cause, read=read, tolerance=1e-12)
         call = f"platform.put_weight({mass}, {x}): masses of the pivot"
         cause = "the ends carry it: the pivot stays immovable"
@@ -158,7 +184,7 @@ def test_a_weight_that_is_none_is_refused() -> None:
     read = WEIGHT
     call, cause = "platform.put_weight(3.0, 1.0)", "a weight of 0 kg or more is none to refuse"
     before, error = weighed([(3.0, 1.0)])
-    expect_exactly(f"{call}: the error", error, "", cause=cause, read=read)
+    expect_exactly(f"{call}: the error, '' for none", error, "", cause=cause, read=read)
     for mass, x, error in (
         (-1.0, 1.0, "ValueError"),
         (math.nan, 1.0, "ValueError"),
@@ -171,7 +197,7 @@ def test_a_weight_that_is_none_is_refused() -> None:
         call = f"platform.put_weight(3.0, 1.0); put_weight({mass!r}, {x!r})"
         cause = "a weight is 0 or more, and x from LEFT to RIGHT"
         got, name = weighed([(3.0, 1.0), (mass, x)])
-        expect_exactly(f"{call}: the error", name, error, cause=cause, read=read)
+        expect_exactly(f"{call}: the error, '' for none", name, error, cause=cause, read=read)
         cause = "look at both arguments before you change a mass: the old weight stays"
         expect_exactly(f"{call}: the masses", got, before, cause=cause, read=read)
 
@@ -199,8 +225,8 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
 def test_a_free_pivot_is_like_the_other_particles() -> None:
     read = FREE
     call = "platform.free_pivot(); the masses of the six particles"
-    cause = "the pivot's two particles get MASS"
     done = freed(0, 0.1)
+    cause = "the pivot's two particles, both of them, get MASS: what is immovable does not slide"
     expect_close(call, done["masses"], [1.0] * 6, cause=cause, read=read, tolerance=1e-12)
     call = "platform.put_weight(7.0, 4.0); free_pivot(); the masses of the six particles"
     cause = "the pivot's two particles get MASS, and the ends bear their weight as before"
@@ -219,16 +245,16 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         # Six motions of a rigid body go where 0 is held, 2 moves along its way there, and 1 in a
         # plane: 0, 1 and 2 are no line.
         left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
-        cause = (
-            "if only being immovable kept the two particles of the pivot apart, a rod has to do "
-        )
-        cause += f"so now, in both lists. {told(left[0], 'particle') if left else ''}"
+        cause = "all rods have to be in both lists, and where none was between the two particles "
+        cause += "of the pivot, one more"
+        if left:
+            cause = f"they allow this: {told(left[0], 'particle')}; {cause}"
         expect_exactly(call, len(left), 0, cause=cause, read=read)
-    lengths = [length for _, _, length in done["rods"]]
-    call = "platform.free_pivot(); the lengths of its rods"
-    wanted = [math.dist(PLACES[i], PLACES[j]) for i, j, _ in done["rods"]]
     cause = "a rod is as long as its ends are apart"
-    expect_close(call, lengths, wanted, cause=cause, read=read, tolerance=1e-12)
+    for i, j, length in done["rods"]:
+        call = f"platform.free_pivot(); the length of the rod from {i} to {j}"
+        wanted = math.dist(PLACES[i], PLACES[j])
+        expect_close(call, length, wanted, cause=cause, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("8.1")

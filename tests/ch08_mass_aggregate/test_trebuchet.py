@@ -10,7 +10,7 @@ import pytest
 
 from ch08_mass_aggregate.trebuchet_probes import beam, lets_go, my_design, throw
 from draw import positive_number
-from expect import expect_close, expect_exactly
+from expect import cause_of, expect_close, expect_exactly
 from lever import thrown
 from rigidity import motions, told
 
@@ -52,11 +52,12 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     if left:
         cause += f"; yours allow {told(left[0], 'particle')}"
     expect_exactly(call, len(left), 0, cause=cause, read=read)
-    call = f"Trebuchet(Design{design}).beam(); the lengths of its rods"
-    cause = "each is as long as its ends are apart now"
-    got = [length for _, _, length in rods]
-    wanted = [math.dist(places[i], places[j]) for i, j, _ in rods]
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    cause = "each is as long as its ends are apart now: the beam is bent at the pivot"
+    for i, j, length in rods:
+        call = f"Trebuchet(Design{design}).beam(); the length of the rod from {i} to {j}, where "
+        call += "0 is the pivot, 1 the counterweight, 2 the tip"
+        wanted = math.dist(places[i], places[j])
+        expect_close(call, length, wanted, cause=cause, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("P8.2a")
@@ -71,9 +72,11 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         radians = math.radians(degrees)
         return above, (speed * math.cos(radians), speed * math.sin(radians), 0.0)
 
+    steep = "it flies too steeply yet: release_angle is in degrees, math.atan2 gives radians"
+    lower = "at the angle, or lower, it lets go: the angle to the horizontal, atan2(v.y, v.x)"
     for what, how, wanted, cause in (
-        ("a bit above", flight(angle + 0.1), False, "it flies too steeply yet"),
-        ("a bit below", flight(angle - 0.1), True, "at the angle, or lower, it lets go"),
+        ("a bit above", flight(angle + 0.1), False, steep),
+        ("a bit below", flight(angle - 0.1), True, lower),
         ("just above the pivot", flight(angle - 1.0, 0.01), True, "above it is above it"),
         ("downwards and forwards", flight(-50.0), True, "any lower angle will do"),
         ("steeply backwards", flight(180.0 - angle), False, "it must fly forwards: v.x > 0"),
@@ -96,14 +99,28 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     start = 5.0 + 3.0 * math.sin(math.radians(200.0)) - 1.0
     cause = "it flies (v_y + sqrt(v_y^2 + 2 g y)) / g seconds, and v_x times that from x on"
     distance, share, frames, flies, _ = throw(design, "up")
+    seen = "it lets go in the first step(STEP): ask self.flies after each, and stop there"
+    expect_exactly(f"{call}: frames", frames, 1, cause=seen, read=read)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
+    mistakes = [
+        (wanted - 2.0, "that is from where it was let go: its x is left out"),
+        (2.0 + 30.0 * 20.0 / G, "that is as if it were let go on the ground: it is 8 m up"),
+        (600.0 / G, "that is as if it were let go on the ground, at the pivot: it is at (2, 8)"),
+    ]
+    cause = cause_of(distance, mistakes, cause)
     expect_close(f"{call}: range", distance, wanted, cause=cause, read=read, tolerance=1e-9)
     cause = "m v^2 / 2 + m g (how far it rose), divided by M g (how far the counterweight sank)"
     gained = 0.5 * 5.0 * 1000.0 + 5.0 * G * (8.0 - start)
     wanted = gained / (weight * G)
+    mistakes = [
+        (2500.0 / (weight * G), "m g times how far the projectile rose is left out of what it got"),
+        ((gained - 2500.0) / (weight * G), "the kinetic energy of the projectile is left out"),
+        (gained / (5.0 * G), "that is by the projectile's mass: the counterweight's M sank"),
+        (1.0 / wanted, "upside down: what the projectile got, over what the counterweight lost"),
+        (100.0 * wanted, "that is in percent: a share of 1 is all of it"),
+    ]
+    cause = cause_of(share, mistakes, cause)
     expect_close(f"{call}: share", share, wanted, cause=cause, read=read, tolerance=1e-9)
-    cause = "stop where it flies"
-    expect_exactly(f"{call}: frames", frames, 1, cause=cause, read=read)
     call = f"Trebuchet(Design{design}).throw(), let go at (2, 8, 0) with (30, -10, 0) m/s: range"
     wanted = 2.0 + 30.0 * (-10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     cause = "v_y keeps its sign: what flies downwards is sooner on the ground"
@@ -166,7 +183,7 @@ def test_what_never_lets_go_is_no_throw() -> None:
 )
 def test_your_own_trebuchet(metres: int, percent: int) -> None:
     read = DESIGN
-    call, cause = "my_design()", "return a Design of five numbers"
+    call, cause = "my_design(), which returns a Design", "return a Design of five numbers"
     design = my_design()
     call = f"my_design(): {design}"
     cause = "a counterweight of 400 kg at most, and arms of 5 m in all"

@@ -19,7 +19,7 @@ from ch08_mass_aggregate.probes import (
     told_frame,
 )
 from draw import components, dot, positive_number
-from expect import expect_close, expect_exactly
+from expect import cause_of, expect_close, expect_exactly
 
 ZERO = (0.0, 0.0, 0.0)
 ENERGY = "the docstring of mechanical_energy"
@@ -35,16 +35,30 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     read = ENERGY
     bodies = [draw_body(rng) for _ in range(3)]
     parts = [0.5 * m * dot(v, v) - m * dot(a, p) for p, v, a, m in bodies]
+    simple = ((0.0, 3.0, 0.0), (4.0, 0.0, 0.0), (0.0, -10.0, 0.0), 2.0)
+    call = "mechanical_energy of 2 kg at (0, 3, 0), velocity (4, 0, 0), acceleration (0, -10, 0)"
+    got = energy_of([simple])
+    mistakes = [
+        (16.0, "that is the kinetic energy alone: m g y, so 60 J, is left out"),
+        (60.0, "that is m g y alone: the kinetic energy, 16 J, is left out"),
+        (-44.0, "the sign of the second part is turned round: - m a . p, with a = (0, -g, 0)"),
+        (74.86, "that is with 9.81 m/s^2: take the particle's own acceleration, 10 m/s^2 here"),
+        (92.0, "the half of m v^2 / 2 is left out"),
+        (38.0, "the mass is left out: m v^2 / 2 - m a . p"),
+        (46.0, "the mass is left out of the second part: m v^2 / 2 - m a . p"),
+    ]
+    cause = cause_of(got, mistakes, "m v^2 / 2 + m g y: 16 J and 60 J")
+    expect_close(call, got, 76.0, cause=cause, read=read)
     cause = "m v^2 / 2 - m a . p of each: with a = (0, -g, 0) the second part is + m g y"
     for name, some, wanted in (
         ("one particle", bodies[:1], parts[0]),
         ("three particles", bodies, math.fsum(parts)),
     ):
-        call = f"mechanical_energy of {name}: {some}"
+        call = f"mechanical_energy of {name}, by place, velocity, acceleration, mass: {some}"
         got = energy_of(some)
         # Rounding of terms of some hundreds of J.
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
-    call = f"mechanical_energy of one particle, with a force on it: {bodies[0]}"
+    call = f"mechanical_energy of one particle, and a force acts on it: {bodies[0]}"
     cause = "forces have no part in it: only the particle's own acceleration"
     got = energy_of(bodies[:1], components(rng))
     expect_close(call, got, parts[0], cause=cause, read=read, tolerance=1e-10)
@@ -91,14 +105,20 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     count = rng.randint(150, 300)
     low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
     call = f"{count} particles at a height of 1, floors at 0, 1, {low} and {high}: the depths of "
-    call += "world.contacts()"
+    call += "world.contacts(), one list of contacts"
     cause = (
         "one generator after the other, in their order, and none of what they find is left out: "
     )
     cause += "the book's world has a maximum, and drops what is above it"
     wanted = [0.0] * count + [low - 1.0] * count + [high - 1.0] * count
     got = depths_of(count, [0.0, 1.0, low, high])
-    expect_exactly(f"{call}: how many", len(got), 3 * count, cause=cause, read=read)
+    first = "nothing touches the first floor: go on to the next generator"
+    seen = cause_of(len(got), [(0, first)], cause)
+    expect_exactly(f"{call}: how many", len(got), 3 * count, cause=seen, read=read)
+    order = "one generator after the other, in the order of contact_generators"
+    name = f"{call}: in which order, by depth"
+    runs = [round(depth, 9) for depth in got[::count]]
+    expect_exactly(name, runs, [0.0, low - 1.0, high - 1.0], cause=order, read=read)
     expect_close(call, got, wanted, cause=cause, read=read)
     call, cause = "world.contacts() without a generator", "there are none: an empty list"
     expect_exactly(call, depths_of(count, []), [], cause=cause, read=read)
@@ -125,9 +145,28 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
         place = [p[j] + way[j] * h for j in range(3)]
         got = done["states"][i]
         name = f"{call}; particles[{i}]"
+        mistakes = [
+            (
+                [v[j] + (a[j] + (c * hand[j] - k * d * p[j]) / m) * h for j in range(3)],
+                why,
+            )
+            for c, d, why in (
+                (1.0, 0.0, "the forces of the registry are left out: the integrator asks for them "
+                 "by the second thing that it is given, self.registry.update_forces"),
+                (1.0, 2.0, "the forces of the registry count twice: the integrator asks for them "
+                 "itself, so nothing else may"),
+                (0.0, 1.0, "the force that was added since start_frame is lost: run_physics does "
+                 "not clear"),
+                (0.0, 0.0, "no force counts: only the acceleration is there"),
+            )
+        ]  # fmt: skip
+        seen = cause_of(got[1], mistakes, cause)
         # A few roundings of numbers of some hundreds.
+        expect_close(f"{name}.velocity", got[1], velocity, cause=seen, read=read, tolerance=1e-11)
+        other = [p[j] + v[j] * h for j in range(3)]
+        seen = "that is an explicit step: use self.integrator, which is another one here"
+        cause = cause_of(got[0], [(other, seen)], cause)
         expect_close(f"{name}.position", got[0], place, cause=cause, read=read, tolerance=1e-11)
-        expect_close(f"{name}.velocity", got[1], velocity, cause=cause, read=read, tolerance=1e-11)
 
 
 @pytest.mark.exercise("B8.2")
@@ -192,8 +231,14 @@ def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
     cause += "they found: it stands on the floor, and no longer falls"
     done = frame(bodies, "run_physics", h, floors=[0.0])
     place, velocity = done["states"][0]
-    name = f"{call}; particle.position, velocity"
-    expect_close(name, place, (0.25, 0.0, 0.0), cause=cause, read=read, tolerance=1e-12)
+    fallen = 0.5 - speed * h
+    mistakes = [
+        ((0.25, fallen, 0.0), "it is in the floor: the contacts of the new place are not resolved")
+    ]
+    seen = cause_of(place, mistakes, cause)
+    name = f"{call}; particle.position"
+    expect_close(name, place, (0.25, 0.0, 0.0), cause=seen, read=read, tolerance=1e-12)
+    name = f"{call}; particle.velocity"
     expect_close(name, velocity, (2.0, 0.0, 0.0), cause=cause, read=read, tolerance=1e-12)
     cause = "what is in no contact flies on"
     name = f"{call}; another particle, far above: velocity"
@@ -261,7 +306,9 @@ def test_a_frame_without_a_duration_is_refused(method: str) -> None:
         call = f"world.{method}({duration!r})"
         cause = "positive() refuses it; call it before anything changes"
         done = refused(method, duration)
-        expect_exactly(f"{call}: the error", done["error"], error, cause=cause, read=read)
+        expect_exactly(
+            f"{call}: the error, '' for none", done["error"], error, cause=cause, read=read
+        )
         cause = "what is refused loses nothing: not a place, not a velocity, not an added force"
         name = f"{call}; position, velocity, force_accumulator"
         got = tuple(number for part in done["left"] for number in part)

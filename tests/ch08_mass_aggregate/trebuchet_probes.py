@@ -73,5 +73,7 @@ def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, in
 def my_design() -> tuple[float, ...]:
     """Return the numbers of the student's design."""
     design = trebuchet.my_design()
+    if not isinstance(design, trebuchet.Design):
+        raise TypeError(f"my_design must return a Design, got {design!r}")
     numbers = (design.counterweight, design.short_arm, design.long_arm, design.sling)
     return (*numbers, design.release_angle)

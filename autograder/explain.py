@@ -9,8 +9,8 @@ from pathlib import Path
 
 from autograder.faults import Fault, Frame, clean, fault_of, is_inside, short, text_of
 
-# Slips of Python that say little by themselves, by a part of what Python says. They come before
-# the cause that the check has at hand, which speaks of physics.
+# Slips of Python that say little by themselves, by a part of what Python says. They come in place
+# of the cause that the check has at hand, which speaks of physics.
 SLIPS = (
     ("SystemExit", "the code asks Python to stop: take sys.exit, exit or quit out"),
     ("reading from stdin", "the code waits for somebody to type: take input or breakpoint out"),
@@ -25,25 +25,28 @@ SLIPS = (
     ),
     ("has no setter", "a property without a setter is read, and never assigned"),
     ("for ^", "a power is written **"),
+    ("is not defined", "a name is misspelt, or its import is missing at the top of the file"),
+    ("local variable", "a name is read before it has a value"),
+    ("unexpected keyword", "an argument of the def has another name than its docstring says"),
+    ("and 'method'", "a method is named but not called: its brackets are missing"),
+    ("can't decode", "save the file as UTF-8 in your editor"),
+)
+# Others may be slips, or what a mistake in the physics leads to: the check's cause follows them.
+PERHAPS = (
     ("'tuple'", "a function with several results gives a tuple: take it apart first"),
     ("NoneType", "None came where a value was wanted: is a return missing, or nothing there yet?"),
     (
         "maximum recursion",
         "something calls itself: an operator, a method, or a setter that assigns its own name",
     ),
-    ("is not defined", "a name is misspelt, or its import is missing at the top of the file"),
-    ("local variable", "a name is read before it has a value"),
     (
         "positional argument",
         "count the arguments: is self missing in a def, or one too many given?",
     ),
-    ("unexpected keyword", "an argument of the def has another name than its docstring says"),
     ("is not callable", "what is called here is no function: a property, or a name used twice?"),
-    ("and 'method'", "a method is named but not called: its brackets are missing"),
     ("values to unpack", "another number of results is wanted: the docstring says which"),
     ("cannot unpack", "another number of results is wanted: the docstring says which"),
     ("has no attribute", "a name is misspelt, or this is not the type that you think"),
-    ("can't decode", "save the file as UTF-8 in your editor"),
 )
 ESCAPED = re.compile(
     r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"
@@ -79,8 +82,7 @@ def explain_exception(
     lines.append(f"got       {fault.first_line}")
     if where:
         lines.append(f"where     {where}: {_source(own[-1], engine_folders)}")
-    if likely := _slip(fault.first_line) or words.get("cause"):
-        lines.append(f"likely    {likely}")
+    lines += _likely(fault.first_line, words.get("cause", ""))
     if "read" in words:
         lines.append(f"read      {words['read']}")
     return "\n".join(lines)
@@ -103,9 +105,7 @@ def explain_import(fault: Fault, module: str, engine_folders: list[Path]) -> str
             where = f"{fault.frames[-1]}: {_source(fault.frames[-1], engine_folders)}"
     if where:
         message += f"\nwhere     {where}"
-    if likely := _slip(text):
-        message += f"\nlikely    {likely}"
-    return message
+    return "\n".join([message, *_likely(text)])
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> str:
@@ -131,8 +131,13 @@ def _unescaped(text: str) -> str:
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
-def _slip(text: str) -> str | None:
-    return next((cause for sign, cause in SLIPS if sign in text), None)
+def _likely(text: str, cause: str = "") -> list[str]:
+    """Return the line with what an exception most likely comes from, and the check's own cause."""
+    if slip := next((slip for sign, slip in SLIPS if sign in text), None):
+        return [f"likely    {slip}"]
+    slip = next((slip for sign, slip in PERHAPS if sign in text), None)
+    causes = [words for words in (slip, cause) if words]
+    return [f"{label:10}{words}" for label, words in zip(("likely", "or"), causes, strict=False)]
 
 
 def _is_given(frame: Frame, complete: Sequence[str]) -> bool:

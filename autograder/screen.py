@@ -193,7 +193,7 @@ def print_failure(
     message = failed.message
     inherited = failed.status == "inherited"
     if inherited:  # the cause that a check of this chapter suggests is another
-        message = re.sub(r"(?m)^(likely|read) .*\n?", "", message).strip()
+        message = re.sub(r"(?m)^(likely|or|read) .*\n?", "", message).strip()
     heading = "Inherited, for example" if inherited else title
     console.print(f"{heading}: {exercise.id} {exercise.title}", style="bold")
     console.print(f"check     {failed.name}\n{message}\n", markup=False, soft_wrap=True)

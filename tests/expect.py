@@ -175,7 +175,7 @@ def expect_finite_numbers(
         arguments = [*good]
         arguments[place] = value
         expect_error(
-            f"{name}{tuple(arguments)}",
+            f"{name}({', '.join(map(repr, arguments))})",
             lambda arguments=arguments: function(*arguments),
             error,
             allowed=lambda: function(*good),

@@ -22,6 +22,7 @@ NAN = (
     "nobody refuses it, as the functions of arguments.py do, or a comparison lets it through: NaN "
     "compares false with everything"
 )
+LOST = "v is as it was: assign to self.x, self.y and self.z, for a new vector is lost"
 
 
 class NoVector:
@@ -182,6 +183,17 @@ def expect_finite_numbers(
             cause=cause,
             read=read,
         )
+
+
+def expect_same_object(made: str, step: str, v: Any, before: Any, *, read: str) -> None:
+    """Expect v to be the object that it was before, by what can be seen: they change together."""
+    before.x = 99.0
+    call = f"{made}; w = v; {step}; w.x = 99.0; v.x"
+    cause = (
+        "v and w were one vector, and are two now: change self.x, self.y and self.z, and end with "
+        "return self; a new vector leaves w behind"
+    )
+    expect_close(call, v.x, 99.0, cause=cause, read=read)
 
 
 def cause_of(

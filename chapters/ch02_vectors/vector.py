@@ -2,6 +2,8 @@
 
 Axes are right-handed with +Y up. A vector is mutable: operators such as ``v + w`` return a new
 vector and leave both as they were; the methods marked "in place" change ``v`` and return None.
+Those of ``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but end with ``return self``: what they
+return becomes the new ``v``.
 """
 
 from __future__ import annotations
@@ -79,10 +81,13 @@ class Vector3:
         """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
-    __rmul__ = __mul__
+    __rmul__ = __mul__  # for 2 * v: a number knows no vectors, so Python asks v
 
     def __imul__(self, scale: float) -> Vector3:
-        """Multiply every component by a number, in place. Raises TypeError for a vector."""
+        """Multiply every component by a number, in place; return self.
+
+        Raises TypeError for a vector.
+        """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def __truediv__(self, divisor: float) -> Vector3:
@@ -90,7 +95,7 @@ class Vector3:
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def __itruediv__(self, divisor: float) -> Vector3:
-        """Divide every component, in place; raises what v / divisor raises."""
+        """Divide every component, in place; return self. Raises what v / divisor raises."""
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def normalize(self) -> None:
@@ -109,7 +114,7 @@ class Vector3:
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __iadd__(self, v: Vector3) -> Vector3:
-        """Add v, in place. Raises TypeError where v is not a vector."""
+        """Add v, in place; return self. Raises TypeError where v is not a vector."""
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __sub__(self, v: Vector3) -> Vector3:
@@ -117,7 +122,7 @@ class Vector3:
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __isub__(self, v: Vector3) -> Vector3:
-        """Subtract v, in place. Raises TypeError where v is not a vector."""
+        """Subtract v, in place; return self. Raises TypeError where v is not a vector."""
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def add_scaled(self, v: Vector3, scale: float) -> None:

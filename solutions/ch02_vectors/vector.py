@@ -2,6 +2,8 @@
 
 Axes are right-handed with +Y up. A vector is mutable: operators such as ``v + w`` return a new
 vector and leave both as they were; the methods marked "in place" change ``v`` and return None.
+Those of ``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but end with ``return self``: what they
+return becomes the new ``v``.
 """
 
 from __future__ import annotations
@@ -91,10 +93,13 @@ class Vector3:
             raise TypeError(_WHICH_PRODUCT)
         return Vector3(self.x * scale, self.y * scale, self.z * scale)
 
-    __rmul__ = __mul__
+    __rmul__ = __mul__  # for 2 * v: a number knows no vectors, so Python asks v
 
     def __imul__(self, scale: float) -> Vector3:
-        """Multiply every component by a number, in place. Raises TypeError for a vector."""
+        """Multiply every component by a number, in place; return self.
+
+        Raises TypeError for a vector.
+        """
         if isinstance(scale, Vector3):
             raise TypeError(_WHICH_PRODUCT)
         self.x *= scale
@@ -109,7 +114,7 @@ class Vector3:
         return Vector3(self.x / divisor, self.y / divisor, self.z / divisor)
 
     def __itruediv__(self, divisor: float) -> Vector3:
-        """Divide every component, in place; raises what v / divisor raises."""
+        """Divide every component, in place; return self. Raises what v / divisor raises."""
         if isinstance(divisor, Vector3):
             raise TypeError("a vector cannot be divided by a vector")
         self.x, self.y, self.z = self.x / divisor, self.y / divisor, self.z / divisor
@@ -141,7 +146,7 @@ class Vector3:
         return Vector3(self.x + v.x, self.y + v.y, self.z + v.z)
 
     def __iadd__(self, v: Vector3) -> Vector3:
-        """Add v, in place. Raises TypeError where v is not a vector."""
+        """Add v, in place; return self. Raises TypeError where v is not a vector."""
         if not isinstance(v, Vector3):
             return NotImplemented
         self.x += v.x
@@ -156,7 +161,7 @@ class Vector3:
         return Vector3(self.x - v.x, self.y - v.y, self.z - v.z)
 
     def __isub__(self, v: Vector3) -> Vector3:
-        """Subtract v, in place. Raises TypeError where v is not a vector."""
+        """Subtract v, in place; return self. Raises TypeError where v is not a vector."""
         if not isinstance(v, Vector3):
             return NotImplemented
         self.x -= v.x

@@ -171,7 +171,7 @@ def test_a_python_without_the_packages_is_told_what_to_do() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("math.hypot(self.x, self.y, self.z)", SQUARES, "likely    a square leaves the range"),
+        ("math.hypot(self.x, self.y, self.z)", SQUARES, "likely    the square of 1e200"),
         ("if length == 0.0:", "if length is None:", "likely    zero has no direction"),
         ("math.hypot(self.x, self.y, self.z)", "mth.hypot(self.x)", "likely    a name is misspelt"),
         ("return self.x * v.x", "return self.x * v.magnitude", "is named but not called"),

@@ -10,7 +10,15 @@ import pytest
 from ch02_vectors import exercises
 from ch02_vectors.vector import Vector3
 from draw import Components, components, direction, dot
-from expect import expect_close, expect_error, expect_exactly, expect_nan, expect_unchanged, xyz
+from expect import (
+    cause_of,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_nan,
+    expect_unchanged,
+    xyz,
+)
 
 
 def two_at_an_angle(rng: Random, angle: float) -> tuple[Components, Components]:
@@ -42,10 +50,13 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
     low, high = (0.1, 1.5) if word == "acute" else (1.6, 3.0)
     a, b = two_at_an_angle(rng, rng.uniform(low, high))
     call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
-    cause = "a pair is wanted: a . b as it is, not divided by the lengths, and a word"
+    cause = "a pair is wanted: a . b and a word"
     read = "book 2.1.7, Eq. 2.4"
     product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
     name = f"{call}, the first"
+    cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
+    divided = "that is the cosine: a . b is wanted as it is, not divided by the lengths"
+    cause = cause_of(product, [(cosine, divided)], cause)
     expect_close(name, product, dot(a, b), cause=cause, read=read, tolerance=1e-12)
     cause = "a positive product means an acute angle, a negative one an obtuse angle"
     expect_exactly(f"{call}, the second", got, word, cause=cause, read=read)
@@ -55,7 +66,7 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
 def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     x, y = float(rng.randint(1, 9)), float(rng.randint(1, 9))  # whole, so that nothing is rounded
     call = f"scalar_product_and_angle(Vector3({x}, {y}, 0), Vector3({-y}, {x}, 3))"
-    cause = "the products cancel: a . b = 0, and cos t = 0 at a right angle"
+    cause = "a . b = 0, neither positive nor negative: cos t = 0 at a right angle"
     read = "book 2.1.7, Eq. 2.4"
     a, b = Vector3(x, y, 0.0), Vector3(-y, x, 3.0)
     product, got = exercises.scalar_product_and_angle(a, b)
@@ -87,13 +98,34 @@ def test_the_angles_of_the_book() -> None:
     a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
     call = "angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
     cause = "135 degrees, in radians: divide by both lengths, and keep the sign of the product"
-    read = "book 2.1.7 and 2.1.8"
+    read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(a, b)
+    mistakes = [
+        (135.0, "that is in degrees: radians are wanted, as math.acos gives them"),
+        (math.pi, "a . b is not yet the cosine: divide it by both lengths"),
+        (-math.sqrt(0.5), "that is the cosine: its angle is math.acos of it"),
+        (0.25 * math.pi, "the sign of a . b is lost: below 0 the angle is more than a right one"),
+        (-0.25 * math.pi, "that is math.asin of the cosine: take math.acos"),
+    ]
+    cause = cause_of(got, mistakes, cause)
     expect_close(call, got, 0.75 * math.pi, cause=cause, read=read)
     call = "angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
     cause = "45 and 135 degrees have the same sine: a pair of both, in radians, the smaller first"
+    read = "book 2.1.8, Eq. 2.6, and errata.md"
     angles = exercises.angles_by_vector_product(a, b)
     wanted = (0.25 * math.pi, 0.75 * math.pi)
+    mistakes = [
+        (
+            (0.0, math.pi),
+            "0 and pi come of the book's root of 1 - (a . b)^2, which is the sine for unit vectors "
+            "only (E-15): divide |a x b| by both lengths, or normalise a and b first",
+        ),
+        ((0.5 * math.pi, 0.5 * math.pi), "|a x b| is not yet the sine: divide by both lengths"),
+        ((45.0, 135.0), "that is in degrees: radians are wanted, as math.asin gives them"),
+        (wanted[::-1], "the smaller one comes first"),
+        (wanted[0], "one angle only: pi minus that one has the same sine, and a pair is wanted"),
+    ]
+    cause = cause_of(angles, mistakes, cause)
     expect_close(call, angles, wanted, cause=cause, read=read)
 
 
@@ -107,6 +139,8 @@ def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
     cause = "cos t is the product divided by both lengths; the angle is in radians"
     read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(v, w)
+    other = "that is pi minus the angle: the sign of a . b is lost, or turned round"
+    cause = cause_of(got, [(math.pi - angle, other)], cause)
     # Rounding is divided by sin t, 0.3 at the least, and drawing the vectors adds its own.
     expect_close(call, got, angle, cause=cause, read=read, tolerance=1e-12)
     expect_unchanged(call, "v", xyz(v), a, read=read)
@@ -134,7 +168,8 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
 @pytest.mark.exercise("2.5")
 def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None:
     # 40 pairs: for many of them rounding leaves a cosine, or a sine, of just more than 1.
-    cause = "rounding can leave just more than 1, which math.acos and math.asin refuse: clamp it"
+    cause = "rounding can leave a cosine or a sine just beyond 1, which math.acos and math.asin "
+    cause += "refuse: take what is above 1 for 1, and what is below -1 for -1"
     read = "the hints of exercise 2.5"
     for _ in range(40):
         a, scale = components(rng), rng.uniform(0.1, 9.0)

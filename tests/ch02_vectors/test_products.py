@@ -12,7 +12,16 @@ import pytest
 from ch02_vectors.probes import walk
 from ch02_vectors.vector import Vector3
 from draw import Components, components, dot, number
-from expect import expect_close, expect_error, expect_exactly, expect_nan, expect_unchanged, xyz
+from expect import (
+    LOST,
+    cause_of,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_nan,
+    expect_unchanged,
+    xyz,
+)
 
 
 def expect_vectors_only(
@@ -45,9 +54,24 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     cause = "v itself grows by w times the number; w stays as it is"
     read = "book 2.1.4"
     v.add_scaled(w, scale)
+    mistakes = [
+        (a, LOST),
+        (
+            tuple(a[i] * scale + b[i] for i in range(3)),
+            "v was multiplied, and w was not: the number goes with w",
+        ),
+        (
+            tuple((a[i] + b[i]) * scale for i in range(3)),
+            "the sum was multiplied: the number goes with w alone",
+        ),
+        (tuple(a[i] + b[i] for i in range(3)), "w was added without the number"),
+        (tuple(b[i] * scale for i in range(3)), "that is w times the number alone: v is missing"),
+    ]
+    cause = cause_of(xyz(v), mistakes, cause)
     # Rounding of numbers up to 100.
     expect_close(call, xyz(v), wanted, cause=cause, read=read, tolerance=1e-12)
-    expect_unchanged(call, "w", xyz(w), b, read=read)
+    cause = "w is the caller's: w *= number would change it, w * number makes a new vector"
+    expect_unchanged(call, "w", xyz(w), b, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B2.6")
@@ -89,9 +113,17 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     call = f"v, w = Vector3{a}, Vector3{b}; v.component_product(w)"
     cause = "a new vector: x times x, y times y, z times z, and nothing added up"
     read = "book 2.1.6"
-    expect_close(call, xyz(v.component_product(w)), wanted, cause=cause, read=read)
-    expect_unchanged(call, "v", xyz(v), a, read=read)
-    expect_unchanged(call, "w", xyz(w), b, read=read)
+    got = xyz(v.component_product(w))
+    scalar = "that is the scalar product, one number: here the three products stay apart"
+    mistakes = [
+        (dot(a, b), scalar),
+        (tuple(a[i] + b[i] for i in range(3)), "that is v + w: multiply the components"),
+    ]
+    cause = cause_of(got, mistakes, cause)
+    expect_close(call, got, wanted, cause=cause, read=read)
+    cause = "it makes a new vector; component_product_update is the one that changes v"
+    expect_unchanged(call, "v", xyz(v), a, cause=cause, read=read)
+    expect_unchanged(call, "w", xyz(w), b, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B2.7")
@@ -103,6 +135,7 @@ def test_the_component_product_in_place(rng: Random) -> None:
     cause = "the three products are stored in v itself"
     read = "book 2.1.6"
     v.component_product_update(w)
+    cause = cause_of(xyz(v), [(a, LOST)], cause)
     expect_close(call, xyz(v), wanted, cause=cause, read=read)
     expect_unchanged(call, "w", xyz(w), b, read=read)
 
@@ -141,7 +174,17 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     cause = "a number: the three products of components, added up"
     read = "book 2.1.7, Eq. 2.4"
     # The terms may cancel, so rounding is measured by the terms: at most 100 each.
-    expect_close(call, v.dot(w), wanted, cause=cause, read=read, tolerance=1e-12)
+    got = v.dot(w)
+    mistakes = [
+        (
+            wanted / (math.hypot(*a) * math.hypot(*b)),
+            "that is the cosine of the angle: the product is not divided by the lengths",
+        ),
+        (a[0] * b[0] + a[1] * b[1], "the product of the z components is missing"),
+        (math.hypot(*a) * math.hypot(*b), "that is |v| |w|, without the cosine of their angle"),
+    ]
+    cause = cause_of(got, mistakes, cause)
+    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
     expect_unchanged(call, "v", xyz(v), a, read=read)
     expect_unchanged(call, "w", xyz(w), b, read=read)
 
@@ -151,7 +194,7 @@ def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     a, b = components(rng), components(rng)
     wanted = dot(a, b)
     call = f"v, w = Vector3{a}, Vector3{b}; v @ w"
-    cause = "__matmul__ gives what dot gives"
+    cause = "@ is another spelling of dot: return self.dot(v)"
     read = "book 2.1.7, Eq. 2.4"
     got = Vector3(*a) @ Vector3(*b)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
@@ -204,13 +247,20 @@ def vector_product(a: Components, b: Components) -> Components:
 @pytest.mark.exercise("B2.9")
 def test_x_cross_y_is_z_and_so_on_round() -> None:
     axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    cause = "X x Y = Z, Y x Z = X, Z x X = Y in right-handed axes: look for a sign, or a b x a"
+    cause = "X x Y = Z, Y x Z = X, Z x X = Y in right-handed axes"
     read = "book 2.1.8, Eq. 2.6"
+    products = []
     for i in range(3):
-        a, b, c = axes[i], axes[(i + 1) % 3], axes[(i + 2) % 3]
+        a, b = axes[i], axes[(i + 1) % 3]
         call = f"Vector3{a}.cross(Vector3{b})"
-        got = Vector3(*a).cross(Vector3(*b))
-        expect_close(call, xyz(got), c, cause=cause, read=read)
+        products.append((call, xyz(Vector3(*a).cross(Vector3(*b))), axes[(i + 2) % 3]))
+    turned = [got == tuple(-n for n in wanted) for _, got, wanted in products]
+    for i, (call, got, wanted) in enumerate(products):
+        if all(turned):
+            cause = "all three signs are turned round: that is b x a, and -(a x b)"
+        elif turned[i]:
+            cause = f"the two terms of {'zxy'[i]} are the wrong way round, which turns its sign"
+        expect_close(call, got, wanted, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B2.9")
@@ -245,10 +295,17 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
     call = f"v, w = Vector3{a}, Vector3{b}; v.cross_update(w)"
-    cause = "v becomes v x w: work all three components out before you store the first"
+    cause = "v becomes v x w, as cross gives it"
     read = "the docstring of Vector3.cross_update"
     v.cross_update(w)
     wanted = vector_product(a, b)
+    x = wanted[0]
+    y = a[2] * b[0] - x * b[2]
+    mistakes = [
+        (a, LOST),
+        ((x, y, x * b[1] - y * b[0]), "y was made from the new x: work all three out, then store"),
+    ]
+    cause = cause_of(xyz(v), mistakes, cause)
     expect_close(call, xyz(v), wanted, cause=cause, read=read, tolerance=1e-12)
     expect_unchanged(call, "w", xyz(w), b, read=read)
 

@@ -11,13 +11,18 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import damping as forms
 from ch03_laws_of_motion import exercises
-from draw import components
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from draw import Components, components
+from expect import cause_of, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 
 def draw_damping(rng: Random) -> float:
     """Draw a damping that takes enough for each mistake to show."""
     return round(rng.uniform(0.3, 0.9), 3)
+
+
+def combined(v: Components, a: Components, kept: float, gained: float) -> Components:
+    """Return v kept + a gained, which every form of damping is."""
+    return v[0] * kept + a[0] * gained, v[1] * kept + a[1] * gained, v[2] * kept + a[2] * gained
 
 
 # B3.3 Two equations for damping
@@ -26,36 +31,58 @@ def draw_damping(rng: Random) -> float:
 @pytest.mark.exercise("B3.3")
 def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) -> None:
     v, a = components(rng), components(rng)
-    cause = "v' = v d + a h: the share d, however long the frame; the acceleration is not damped"
     read = "book 3.3, Eq. 3.5"
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
         call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
+        cause = "v' = v d + a h: d, however long the frame; the acceleration is not damped"
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
-        wanted = tuple(v[i] * d + a[i] * h for i in range(3))
+        undamped = "nothing was damped: v d + a h"
+        if d == 0.0:
+            undamped = "a damping of 0 keeps nothing; 0 counts as false where it is asked for"
+        mistakes = [
+            (combined(v, a, d**h, h), "that is Eq. 3.6, d^h: Eq. 3.5 takes d in every frame"),
+            (combined(v, a, d, 1.0), "the acceleration was added whole: it is per second, a h"),
+            (combined(v, a, d, d * h), "the acceleration was damped too: v d + a h"),
+            (combined(v, a, 1.0, h), undamped),
+        ]
+        cause = cause_of(xyz(got), mistakes, cause)
+        wanted = combined(v, a, d, h)
         expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.3")
 def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None:
     v, drawn = components(rng), draw_damping(rng)
-    cause = "without an acceleration v' = v d^h: a frame of h seconds keeps d^h"
     read = "book 3.3, Eq. 3.6"
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
         call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
+        cause = "without an acceleration v' = v d^h: a frame of h seconds keeps d^h"
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
-        wanted = tuple(v[i] * d**h for i in range(3))
+        mistakes = [
+            (combined(v, v, d, 0.0), "that is Eq. 3.5, d in every frame: Eq. 3.6 takes d^h"),
+            (combined(v, v, d * h, 0.0), "d was multiplied by h: d^h is damping**duration"),
+        ]
+        cause = cause_of(xyz(got), mistakes, cause)
+        wanted = combined(v, v, d**h, 0.0)
         expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.3")
 def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> None:
     v, a = components(rng), components(rng)
-    cause = "v' = v d^h + a h: that is Eq. 3.6; the listing's form belongs into integrate (E-16)"
-    read = "book 3.3, Eq. 3.6"
+    read = "book 3.3, Eq. 3.6, and errata.md"
     for d in (draw_damping(rng), 0.0, 1.5):
         call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
+        cause = "v' = v d^h + a h: that is Eq. 3.6, in which the acceleration is not damped"
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
-        wanted = tuple(v[i] * math.sqrt(d) + a[i] * 0.5 for i in range(3))
+        listing = (
+            "that is (v + a h) d^h, the form of the book's listing, which contradicts its Eq. 3.6 "
+            "(E-16): this function is the equation, v d^h + a h, and integrate the listing"
+        )
+        kept = math.sqrt(d)
+        mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
+        cause = cause_of(xyz(got), mistakes, cause)
+        wanted = combined(v, a, kept, 0.5)
         expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
 
 
@@ -102,7 +129,9 @@ def expect_refusal(
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
-    cause = "positive of arguments.py refuses it in one line"
+    cause = (
+        "no time passes in it, or time runs back or for ever: positive of arguments.py refuses it"
+    )
     read = f"the docstring of {name}"
     expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0), cause=cause, read=read)
 
@@ -190,6 +219,8 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
     name = f"the share of {call} nearer to the mean than half the jitter"
+    if inner > 0.5:
+        cause = "too many are near the mean: each is one even draw, no mean or sum of several"
     expect_close(name, inner, 0.5, cause=cause, read=read, tolerance=six_sigma)
 
 
@@ -249,7 +280,8 @@ def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
     arguments = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
     bad_ones: dict[str, Any] = arguments | {name: bad}
     call = "random_frames({mean}, {jitter}, {total}, {seed})".format(**bad_ones)
-    cause = "time would not get on: refuse it before the first frame is drawn"
+    cause = "such frames never fill a total: refuse what is not positive and finite, and a jitter "
+    cause += "that is not from 0 to below 1, before the first is drawn"
     read = "the docstring of random_frames"
     good: dict[str, Any] = arguments
     expect_error(
@@ -288,17 +320,28 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     cause = "every run starts with the velocity that is given; the mean is over the runs"
     read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
-    distances = []
+    distances, speeds = [], []
     for run in runs:
-        apart = []
+        ends = []
         for i in range(3):
             by_frame = by_second = v[i]
             for h in run:
                 by_frame = by_frame * damping + a[i] * h
                 by_second = by_second * damping**h + a[i] * h
-            apart.append(by_frame - by_second)
-        distances.append(math.hypot(*apart))
+            ends.append((by_frame, by_second))
+        by_frames, by_seconds = zip(*ends, strict=True)
+        distances.append(math.dist(by_frames, by_seconds))
+        speeds.append(abs(math.hypot(*by_frames) - math.hypot(*by_seconds)))
     wanted = math.fsum(distances) / len(distances)
+    mistakes = [
+        (wanted * len(runs), "that is the sum over the runs: divide it by their number"),
+        (
+            math.fsum(speeds) / len(speeds),
+            "that is the difference of the speeds: take the length of the difference of velocities",
+        ),
+        (distances[-1], "that is the last run alone: the mean is over all of them"),
+    ]
+    cause = cause_of(got, mistakes, cause)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
 
 

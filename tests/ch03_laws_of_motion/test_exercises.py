@@ -11,7 +11,7 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import exercises
 from draw import Components, components
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import cause_of, expect_close, expect_error, expect_unchanged, xyz
 
 # 3.1 The same force on two masses
 
@@ -19,9 +19,15 @@ from expect import expect_close, expect_error, expect_unchanged, xyz
 @pytest.mark.exercise("3.1")
 def test_twice_the_mass_gets_half_the_speed() -> None:
     call = "speed_ratio(2, 1)"
-    cause = "a = f / m: the heavier one is the slower one. The book's sentence says f m (E-1)"
+    cause = "a = f / m: the heavier one is the slower one"
     read = "book 3.2, Eq. 3.2; errata.md"
-    expect_close(call, exercises.speed_ratio(2, 1), 0.5, cause=cause, read=read)
+    got = exercises.speed_ratio(2, 1)
+    faster = (
+        "that makes the heavier one the faster: a = f / m. The book's sentence, acceleration in "
+        "proportion to the mass, is wrong (E-1)"
+    )
+    mistakes = [(2.0, faster), (0.0, "// rounds down to a whole number: a division is /")]
+    expect_close(call, got, 0.5, cause=cause_of(got, mistakes, cause), read=read)
 
 
 @pytest.mark.exercise("3.1")
@@ -60,18 +66,29 @@ def test_the_force_between_two_people_of_100_kg() -> None:
     cause = "G m1 m2 / r^2, with G = 6.67428e-11"
     read = "book 3.2, Eq. 3.3"
     got = exercises.gravity_between(100, 100, 1)
+    mistakes = [
+        (6.67428e-11 * 200, "the masses were added: they are multiplied"),
+        (1e4, "G is missing: GRAVITATIONAL_CONSTANT"),
+    ]
+    cause = cause_of(got, mistakes, cause)
     expect_close(call, got, 6.67428e-7, cause=cause, read=read, tolerance=1e-20)
 
 
 @pytest.mark.exercise("3.2")
 def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     m1, m2 = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
-    cause = "the distance is squared, and the masses are multiplied"
     read = "book 3.2, Eq. 3.3"
     for distance in (round(rng.uniform(2.0, 9.0), 3), 0.25):
         call = f"gravity_between({m1}, {m2}, {distance})"
+        cause = "G m1 m2 / r^2"
         got = exercises.gravity_between(m1, m2, distance)
         wanted = 6.67428e-11 * m1 * m2 / (distance * distance)
+        mistakes = [
+            (wanted * distance, "the distance is not squared: G m1 m2 / r^2"),
+            (wanted * distance**2, "the distance is missing: G m1 m2 / r^2"),
+            (wanted * distance**4, "the force grew with the distance: divide by r^2"),
+        ]
+        cause = cause_of(got, mistakes, cause)
         expect_close(call, got, wanted, cause=cause, read=read)
 
 
@@ -126,6 +143,13 @@ def test_five_seconds_by_the_equation() -> None:
     cause = "p + v t + a t^2 / 2: 2 + 5 - 25 on X"
     read = "book 2.2, Eq. 2.9"
     got = exercises.position_by_equation(*vectors(START, VELOCITY, ACCELERATION), 5)
+    mistakes = [
+        ((-43.0, 25.0, 21.5), "the half is missing: a t^2 / 2"),
+        ((2.0, 2.5, 10.25), "the time is not squared: a t^2 / 2"),
+        ((-20.0, 7.5, 16.25), "the start is missing: p + v t + a t^2 / 2"),
+        ((-22.0, 16.5, 7.25), "the velocity was added once, as if one second had passed: v t"),
+    ]
+    cause = cause_of(xyz(got), mistakes, cause)
     expect_close(call, xyz(got), (-18.0, 12.5, 15.25), cause=cause, read=read)
 
 
@@ -133,17 +157,18 @@ def test_five_seconds_by_the_equation() -> None:
 def test_the_equation_gives_a_new_position(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     position, velocity, acceleration = vectors(x, v, a)
-    cause = "p + v t + a t^2 / 2, as a new vector"
     read = "book 2.2, Eq. 2.9"
     for t in (round(rng.uniform(2.0, 9.0), 3), 0.25):
         call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, {t})"
+        cause = "p + v t + a t^2 / 2, as a new vector"
         got = exercises.position_by_equation(position, velocity, acceleration, t)
         wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * t for i in range(3))
         # Rounding of numbers up to 400.
         expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-12)
-        expect_unchanged(call, "p", xyz(position), x, read=read)
-        expect_unchanged(call, "v", xyz(velocity), v, read=read)
-        expect_unchanged(call, "a", xyz(acceleration), a, read=read)
+        cause = "+=, *= and add_scaled change the caller's vector: + and * make a new one"
+        expect_unchanged(call, "p", xyz(position), x, cause=cause, read=read)
+        expect_unchanged(call, "v", xyz(velocity), v, cause=cause, read=read)
+        expect_unchanged(call, "a", xyz(acceleration), a, cause=cause, read=read)
 
 
 @pytest.mark.exercise("3.4a", weight=0.5)
@@ -165,17 +190,28 @@ def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
 
 @pytest.mark.exercise("3.4b")
 def test_one_step_and_five_steps_of_a_second() -> None:
-    read = "book 2.2, Eq. 2.7 and 2.8"
-    cause = "a pair is wanted: position and velocity after p' = p + v h and then v' = v + a h"
+    read = "book 2.2, Eq. 2.7 and 2.8; errata.md"
     wanted = {
         1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)),
         5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5)),
     }
     for steps, (x, v) in wanted.items():
         call = f"state_by_steps({EXAMPLE}, 1, {steps})"
+        cause = "a pair is wanted: position and velocity after p' = p + v h and then v' = v + a h"
         position, velocity = exercises.state_by_steps(
             *vectors(START, VELOCITY, ACCELERATION), 1, steps
         )
+        few = "a step is missing: range(steps) takes them all, range(1, steps) one less"
+        mistakes = [
+            (v, "the pair is the other way round: first the position, then the velocity"),
+            ((7.0, 0.0, 9.0), "one step of 5 s is not five of 1 s, each from where the last ended"),
+            (START if steps == 1 else (-6.0, 7.0, 10.0), few),
+            (
+                (1.0, 5.0, 1.5) if steps == 1 else (-23.0, 15.0, 16.5),
+                "the velocity was changed first: the position moves with the old one (E-17)",
+            ),
+        ]
+        cause = cause_of(xyz(position), mistakes, cause)
         expect_close(f"{call}, the first", xyz(position), x, cause=cause, read=read)
         expect_close(f"{call}, the second", xyz(velocity), v, cause=cause, read=read)
 
@@ -197,9 +233,10 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     wanted = tuple(v[i] + a[i] * t for i in range(3))
     name = f"{call}, the second"
     expect_close(name, xyz(last), wanted, cause=cause, read=read, tolerance=1e-11)
-    expect_unchanged(call, "p", xyz(p), x, read=read)
-    expect_unchanged(call, "v", xyz(velocity), v, read=read)
-    expect_unchanged(call, "a", xyz(acceleration), a, read=read)
+    cause = "+= and add_scaled change the caller's vector: work on a Particle, or on a copy"
+    expect_unchanged(call, "p", xyz(p), x, cause=cause, read=read)
+    expect_unchanged(call, "v", xyz(velocity), v, cause=cause, read=read)
+    expect_unchanged(call, "a", xyz(acceleration), a, cause=cause, read=read)
 
 
 BAD_STEPS = [(0.0, 5), (-1.0, 5), (math.inf, 5), (math.nan, 5), (1.0, 0), (1.0, -1)]
@@ -216,7 +253,7 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
     call = f"{name}({EXAMPLE}, {duration}, {steps})"
     cause = "a loop over range(0) does nothing, in silence: ask for 1 step or more"
     if steps > 0:
-        cause = "Particle.integrate refuses the duration, if you use it"
+        cause = "such a duration is refused: by Particle.integrate, or by positive of arguments.py"
     read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)
     function = getattr(exercises, name)
@@ -236,6 +273,12 @@ def test_five_steps_are_off_by_half_a_step() -> None:
     cause = "stepped minus exact: -13 - (-18) on X"
     read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(START, VELOCITY, ACCELERATION), 1, 5)
+    mistakes = [
+        ((-5.0, 2.5, 1.25), "that is exact minus stepped: the other way round"),
+        ((-15.0, 5.5, 12.75), "the exact position is that after 5 s, duration x steps, not 1 s"),
+        (math.hypot(5.0, 2.5, 1.25), "that is its length: the error is a vector"),
+    ]
+    cause = cause_of(xyz(got), mistakes, cause)
     expect_close(call, xyz(got), (5.0, -2.5, -1.25), cause=cause, read=read, tolerance=1e-12)
 
 

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import probes
 from ch03_laws_of_motion.particle import Particle
 from draw import Components, components
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import cause_of, expect_close, expect_error, expect_unchanged, xyz
 
 
 def draw_frame(rng: Random) -> float:
@@ -32,16 +32,30 @@ def a_particle(
 @pytest.mark.exercise("B3.4")
 def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
-    cause = (
-        "p' = p + v h with the old velocity, without a h^2 / 2: the position comes first. With the "
-        "velocity first it is semi-implicit Euler, a better method, but not the book's (E-17)"
-    )
-    read = "book 3.3.2, Eq. 2.7"
+    read = "book 3.3.2, Eq. 2.7; errata.md"
     for h in (draw_frame(rng), 3, 0.001):  # a long frame is a whole number of seconds: an int
         words, p = a_particle(x, v, a)
         call = f"{words}; p.integrate({h}); p.position"
+        cause = "p' = p + v h, with the velocity from before the step"
         p.integrate(h)
         wanted = tuple(x[i] + v[i] * h for i in range(3))
+        mistakes = [
+            (
+                tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
+                "the velocity was changed first, which is semi-implicit Euler: a better method, "
+                "but not the book's, which moves the position with the old velocity (E-17)",
+            ),
+            (
+                tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
+                "a h^2 / 2 was added: the step leaves it out on purpose",
+            ),
+            (
+                tuple(x[i] + v[i] for i in range(3)),
+                "the velocity was added once a frame: it is per second, so p + v h",
+            ),
+            (x, "the position does not move: p' = p + v h"),
+        ]
+        cause = cause_of(xyz(p.position), mistakes, cause)
         # Rounding of numbers up to 40.
         expect_close(call, xyz(p.position), wanted, cause=cause, read=read, tolerance=1e-13)
 
@@ -55,6 +69,14 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
     read = "book 3.3.2, Eq. 2.8"
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h for i in range(3))
+    mistakes = [
+        (
+            tuple(v[i] + a[i] for i in range(3)),
+            "the acceleration was added once a frame: it is per second, so v + a h",
+        ),
+        (v, "the acceleration was left out: v' = v + a h"),
+    ]
+    cause = cause_of(xyz(p.velocity), mistakes, cause)
     expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=1e-13)
     cause = "the acceleration is only read: the next step needs it as it was given"
     expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
@@ -83,7 +105,6 @@ def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
 @pytest.mark.exercise("B3.4")
 def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
     v, drawn = components(rng), round(rng.uniform(0.2, 0.8), 3)
-    cause = "a frame of h seconds keeps d^h: the power takes the duration, not the frame rate"
     read = "book 3.3, Eq. 3.6"
     for damping, frames in (
         (drawn, [1.0]),
@@ -95,8 +116,22 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
         (1.5, [0.25] * 2),  # above 1 a particle gains speed; nothing forbids it
     ):
         call = f"p = Particle(velocity=Vector3{v}, {damping=}); p.integrate(h) for each h in "
+        cause = "a frame of h seconds keeps d^h: damping ** duration"
         kept = damping ** sum(frames)
         got = probes.velocity_after(v, damping, frames)
+        each, first = damping ** len(frames), damping ** (len(frames) * frames[0])
+        mistakes = [
+            (
+                tuple(n * each for n in v),
+                "d was taken in every frame, however long it is, as in Eq. 3.5: take d^h",
+            ),
+            (
+                tuple(n * first for n in v),
+                "d^h of the first frame was taken in all of them: the frames differ",
+            ),
+            (v, "nothing was damped: a frame of h seconds keeps d^h"),
+        ]
+        cause = cause_of(got, mistakes, cause)
         wanted = (v[0] * kept, v[1] * kept, v[2] * kept)
         # A few roundings of numbers up to 10.
         name = f"{call}{frames}; p.velocity"
@@ -109,13 +144,16 @@ def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     damping = round(rng.uniform(0.2, 0.8), 3)
     words, p = a_particle(x, v, a, damping)
     call = f"{words}; p.integrate({h}); p.velocity"
-    cause = (
-        "v' = (v + a h) d^h, as in the book's listing: what the acceleration adds is damped too. "
-        "Eq. 3.6 has v d^h + a h; the book says both, the engine keeps to the listing (E-16)"
-    )
+    cause = "v' = (v + a h) d^h, as in the book's listing: what the acceleration adds is damped too"
     read = "the docstring of integrate, errata.md"
     p.integrate(h)
     wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
+    equation = (
+        "that is Eq. 3.6, v d^h + a h, which the book's listing contradicts (E-16): the engine "
+        "keeps to the listing, (v + a h) d^h"
+    )
+    mistakes = [(tuple(v[i] * damping**h + a[i] * h for i in range(3)), equation)]
+    cause = cause_of(xyz(p.velocity), mistakes, cause)
     expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=1e-13)
     cause = "the velocity is damped, the acceleration is not"
     expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
@@ -142,7 +180,7 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     x, v, h = components(rng), components(rng), draw_frame(rng)
     words, p = a_particle(x, v, (0.0, 0.0, 0.0), 0.0)
     call = f"{words}; p.integrate({h})"
-    cause = "0^h is 0: a damping of 0 is no damping left out"
+    cause = "0^h is 0, so a damping of 0 keeps nothing; 0 counts as false where it is asked for"
     read = "the docstring of integrate"
     p.integrate(h)
     expect_close(f"{call}; p.velocity", xyz(p.velocity), (0.0, 0.0, 0.0), cause=cause, read=read)
@@ -155,9 +193,7 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
 @pytest.mark.exercise("B3.4")
 def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
     v, a, mass = components(rng), components(rng), round(rng.uniform(2.0, 90.0), 3)
-    cause = (
-        "acceleration and damping are given as such: nothing is divided by the mass, as a force is"
-    )
+    cause = "nothing is multiplied or divided by the mass here: an acceleration is no force"
     read = "book 3.2"
     for acceleration, damping in ((a, 1.0), ((0.0, 0.0, 0.0), 0.25)):
         call = (
@@ -187,7 +223,7 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
 def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); p.integrate({h})"
-    cause = "ask for the inverse mass before anything is changed"
+    cause = "nothing moves it: return, where the inverse mass is 0, before anything is changed"
     read = "the docstring of integrate"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf, damping=0.5)
     p.integrate(h)
@@ -207,7 +243,7 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     a = components(rng)
     call = f"p = Particle(acceleration=Vector3{a}, mass=4.0, damping=0.5); "
     call += "p.integrate(0.5); p.last_acceleration"
-    cause = "a copy of the acceleration as it was given, whatever the mass and the damping"
+    cause = "the acceleration as it was given: it is no force, whatever the mass"
     read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=4.0, damping=0.5)
     p.integrate(0.5)
@@ -215,7 +251,9 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     expect_close(call, xyz(last), a, cause=cause, read=read)
     last.x = 99.0
     call = f"{call}.x = 99.0"
+    cause = "the vector itself was given away: return a copy"
     expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+    cause = "the acceleration of the last step, not of an earlier one"
     p.acceleration = Vector3(a[1], a[2], a[0])
     p.integrate(0.5)
     call = f"p.acceleration = Vector3{(a[1], a[2], a[0])}; p.integrate(0.5); p.last_acceleration"
@@ -226,10 +264,13 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
 @pytest.mark.exercise("B3.4", weight=0.5)
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan])
 def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
-    cause = "refuse it with ValueError: no time passes in it, or time runs back or for ever"
     read = "the docstring of integrate"
     x, v, a = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)
     for mass in (1.0, math.inf):
+        cause = "no time passes in it, or time runs back or for ever: positive of arguments.py "
+        cause += "refuses it"
+        if mass == math.inf:
+            cause = "a bad duration is refused where nothing moves, too: look at it first"
         call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, {mass=}); p.integrate({duration})"
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
         for _ in range(2):  # what is kept of the first attempt must not let the second one in

@@ -10,7 +10,7 @@ import pytest
 
 from ch04_particle_engine import ballistics
 from ch04_particle_engine.ballistics import BallisticRange
-from expect import expect_close, expect_error, expect_exactly, xyz
+from expect import cause_of, expect_close, expect_error, expect_exactly, xyz
 
 # The book's table, and the numbers of the grenade: mass, velocity, acceleration, damping.
 TABLE = {
@@ -45,6 +45,27 @@ def test_the_axes_of_aiming(rng: Random) -> None:
     ):
         call = f"aim({speed}, {azimuth}, {elevation})"
         got = xyz(ballistics.aim(speed, azimuth, elevation))
+        small = math.radians(QUARTER)
+        degrees = "the angles are in radians already: take math.radians out"
+        mistakes = {
+            (0.0, 0.0): [
+                ((speed, 0.0, 0.0), "the azimuth is measured from Z, not from X"),
+                ((0.0, speed, 0.0), "the elevation is measured from the level, not from above"),
+            ],
+            (QUARTER, 0.0): [
+                ((-speed, 0.0, 0.0), "the azimuth turns from Z towards X, not the other way"),
+                ((speed * math.sin(small), 0.0, speed * math.cos(small)), degrees),
+            ],
+            (0.0, QUARTER): [
+                (
+                    (0.0, speed, speed),
+                    "of a shot that goes up, speed x cos(elevation) is left along the ground",
+                ),
+                ((0.0, -speed, 0.0), "a positive elevation is up"),
+                ((0.0, speed * math.sin(small), speed * math.cos(small)), degrees),
+            ],
+        }
+        cause = cause_of(got, mistakes.get((azimuth, elevation), []), cause)
         # The cosine of a quarter of a turn is 6e-17, not 0.
         expect_close(call, got, wanted, cause=cause, read=read)
 
@@ -92,18 +113,36 @@ def test_speed_and_angles_are_finite(bad: float) -> None:
 def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mass, velocity, acceleration, damping = TABLE[name]
     call = f'r = BallisticRange(); r.fire("{name}"); r.shots'
-    cause = "one Shot with a Particle of the numbers in SHOT_TYPES, at MUZZLE"
+    cause = "one Shot of that type is added to the shots"
     read = "the docstring of fire; book 4.1.2"
     at = BallisticRange()
     at.fire(name)
     expect_exactly(f"{call}, their types", types_of(at), (name,), cause=cause, read=read)
     shot = at.shots[0]
+    cause = "a shot that has just been fired has the age 0"
     expect_close(f"{call}[0].age", shot.age, 0.0, cause=cause, read=read)
     p, own = shot.particle, f"{call}[0].particle"
+    cause = "every shot starts at MUZZLE"
     expect_close(f"{own}.position", xyz(p.position), (0.0, 1.5, 0.0), cause=cause, read=read)
+    _, up, along = velocity
+    speed = math.hypot(up, along)
+    mistakes = [
+        (
+            (0.0, 0.0, speed),
+            "without an elevation the shot is not level: it has the angle of its type's velocity",
+        ),
+        (
+            (0.0, up * along / speed, along * along / speed),
+            "the speed is the length of the type's velocity, not its Z alone",
+        ),
+    ]
+    cause = cause_of(xyz(p.velocity), mistakes, "not aimed, it has the velocity of its type")
     expect_close(f"{own}.velocity", xyz(p.velocity), velocity, cause=cause, read=read)
+    cause = "the Particle is given the acceleration of its type"
     expect_close(f"{own}.acceleration", xyz(p.acceleration), acceleration, cause=cause, read=read)
+    cause = "the Particle is given the mass of its type"
     expect_close(f"{own}.mass", p.mass, mass, cause=cause, read=read)
+    cause = "the Particle is given the damping of its type"
     expect_close(f"{own}.damping", p.damping, damping, cause=cause, read=read)
 
 
@@ -132,17 +171,16 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
 @pytest.mark.exercise("B4.2")
 def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> None:
     azimuth = round(rng.uniform(0.3, 1.2), 3)
-    cause = (
-        "the azimuth counts, whether or not there is an elevation; without one the shot has that "
-        "of its type's velocity, such as 30 up and 40 along"
-    )
     read = "the docstring of fire"
     for name, up, along in (("artillery", 30.0, 40.0), ("pistol", 0.0, 35.0)):
         call = f'r.fire("{name}", azimuth={azimuth}); r.shots[-1].particle.velocity'
+        cause = "the azimuth turns the type's velocity along the ground; what is up stays as it is"
         at = BallisticRange()
         at.fire(name, azimuth=azimuth)
         wanted = (along * math.sin(azimuth), up, along * math.cos(azimuth))
         got = xyz(at.shots[-1].particle.velocity)
+        unaimed = "that is the type's own velocity: the azimuth turns it"
+        cause = cause_of(got, [((0.0, up, along), unaimed)], cause)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 
@@ -176,6 +214,14 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     level = 50.0 * math.cos(elevation)
     wanted = (level * math.sin(azimuth), 50.0 * math.sin(elevation), level * math.cos(azimuth))
     got = xyz(at.shots[-1].particle.velocity)
+    mistakes = [
+        ((0.0, 50.0 * math.sin(elevation), level), "with an elevation the azimuth is forgotten"),
+        (
+            (40.0 * math.sin(azimuth), 30.0, 40.0 * math.cos(azimuth)),
+            "with an azimuth the elevation is forgotten",
+        ),
+    ]
+    cause = cause_of(got, mistakes, cause)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 

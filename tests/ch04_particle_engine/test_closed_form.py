@@ -12,7 +12,14 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import closed_form, probes
 from draw import Components, components, number
-from expect import expect_close, expect_error, expect_unchanged, expect_vector, xyz
+from expect import (
+    cause_of,
+    expect_close,
+    expect_error,
+    expect_unchanged,
+    expect_vector,
+    xyz,
+)
 
 FACTORS = "the docstring of drag_factors"
 STATE = "the docstring of state_after"
@@ -38,7 +45,6 @@ def by_series(damping: float, time: float) -> tuple[float, float, float]:
 
 @pytest.mark.exercise("B4.8")
 def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
-    cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k, with k = -ln d"
     read = FACTORS
     for damping, time in (
         (0.5, 1.0),
@@ -51,8 +57,26 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         gone = -math.expm1(-k * time) / k
         wanted = (math.exp(-k * time), gone, (time - gone) / k)
         # The difference t - gone may lose two digits.
+        cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k, with k = -ln d"
         got = closed_form.drag_factors(damping, time)
         size = max(1.0, *wanted)
+        undamped = "damping was left out"
+        if damping == 0.9999:
+            undamped = "a damping near 1 was taken for 1: what may count as small is k t, not k"
+        drag = 1.0 - damping
+        powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
+        mistakes = [
+            *(
+                ((kept, gone, (time - gone) / drag), "k was taken for 1 - d: it is -ln d")
+                for kept, gone in powers
+            ),
+            (
+                (wanted[0], wanted[1], time * time / 2.0),
+                "fallen is t^2 / 2 without drag only: (t - gone) / k",
+            ),
+            ((1.0, time, time * time / 2.0), undamped),
+        ]
+        cause = cause_of(got, mistakes, cause)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11 * size)
 
 
@@ -106,7 +130,7 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.8")
 def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
-    cause = "v(t) = v kept + a gone and p(t) = p + v gone + a fallen, axis by axis"
+    cause = "v(t) = v kept + a gone and p(t) = p + v gone + a fallen, axis by axis, in no steps"
     read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
     for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
@@ -144,6 +168,12 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     cause = "the state after a + b seconds is that b seconds after the one after a"
     read = STATE
     middle = closed_form.state_after(p, first)
+    if xyz(p.position) != x or xyz(p.velocity) != v:
+        cause = "state_after has moved the particle itself: return new vectors"
+    undamped = "the velocity itself is not damped: v kept + a gone"
+    gone = (1.0 - damping**first) / -math.log(damping)
+    gain = tuple(v[i] + a[i] * gone for i in range(3))
+    cause = cause_of(xyz(middle[1]), [(gain, undamped)], cause)
     _, q = particle_of(xyz(middle[0]), xyz(middle[1]), a, damping)
     later, at_once = closed_form.state_after(q, second), closed_form.state_after(p, first + second)
     for i in range(2):
@@ -254,6 +284,12 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     call = f"burst_positions({start}, {speeds}, {a}, 1.0, {t})"
     got = closed_form.burst_positions(start, speeds, a, 1.0, t)
     wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
+    mistakes = [
+        ([number - start for number in wanted], "the start is missing"),
+        ([start + speed * t for speed in speeds], "the acceleration x fallen is missing"),
+        (sorted(wanted), "they were sorted: the order is that of the speeds"),
+    ]
+    cause = cause_of(got, mistakes, cause)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
     given = probes.speeds_after(start, list(speeds), a, 0.5, t)
     cause = "the list of speeds is the caller's: leave it as it is"
@@ -264,6 +300,8 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     gone = -math.expm1(-k * t) / k
     call = f"burst_positions({start}, {speeds}, {a}, {damping}, {t})"
     got = closed_form.burst_positions(start, speeds, a, damping, t)
+    without = [start + speed * t + a * t * t / 2.0 for speed in speeds]
+    cause = cause_of(got, [(without, "damping was left out: gone and fallen are less")], cause)
     wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
 

@@ -46,9 +46,7 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     what = None if found is None else found.type
     expect_exactly(f"{call}, its type", what, 3, cause=cause, read=read)
     for away, reached in ((2.4, True), (2.6, False)):
-        cause = "REACH is 2.5 m"
-        if away > 2.0:
-            cause += ": the distance in the plane, with both coordinates squared"
+        cause = "REACH is 2.5 m: the distance in the plane, the root of both squared coordinates"
         place = (x + away * 0.6, y - away * 0.8)
         call = f"one rocket, {away} m from the click; find_rocket(display, {x}, {y}) is None"
         found = display.find_rocket(game((1, *place)), x, y)
@@ -126,7 +124,7 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
 def test_a_late_click_scores_more() -> None:
     read = "the docstring of click"
     for fuse, score, cause in (
-        (1.5, 1, "a click scores 1"),
+        (1.5, 1, "a fuse of 1.5 s is not late, and scores 1: look at it before it is set to 0"),
         (0.4, 1, "a fuse of 0.4 s is not shorter than LATE, 0.4 s"),
         (0.39, 3, "a fuse shorter than LATE scores 3: look at it before it is set to 0"),
     ):
@@ -189,7 +187,7 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
     for lit, misses, over, cause in (
         ((rocket,), 0, False, "a rocket burns"),
         ((rocket, spark), 5, False, "MISSES_ALLOWED, 5, may miss"),
-        ((rocket, spark), 6, True, "the sixth miss ends it"),
+        ((rocket, spark), 6, True, "the sixth miss ends it, though a rocket burns"),
         ((spark, spark), 0, True, "sparks alone do not keep the display alive"),
         ((), 0, True, "nothing burns"),
     ):
@@ -220,6 +218,7 @@ def test_a_click_after_the_end_does_nothing() -> None:
     expect_exactly(name, counted, (6, 0), cause=cause, read=read)
     expect_exactly(f"{call}; types in the show", types(a_game), [1], cause=cause, read=read)
     call = "only a spark burns; click(display, 0, 20)"
+    cause = "without rockets it is over too: ask is_over first, not the misses alone"
     a_game = game((2, 0.0, 20.0))
     hit = display.click(a_game, 0.0, 20.0)
     expect_exactly(call, hit, False, cause=cause, read=read)

@@ -185,6 +185,9 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     call = f"show.launch({type}) 80 times; the x and y that occur"
     cause = "without a parent make_firework chooses one of three places on the ground"
     places = probes.places_of_launches(simple(type), type, 80)
+    if len(places) == 1:
+        cause = "always the same place: make_firework wants no parent here, and self.random, which "
+        cause += "goes on from call to call, as a Random made anew does not"
     wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]
     expect_exactly(call, places, wanted, cause=cause, read=read)
 
@@ -212,7 +215,11 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
     a_show = show(3, "keep_old")
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
-    expect_exactly(call, burning(a_show), [1, 2, 3], cause=cause, read=read)
+    lit = burning(a_show)
+    if len(lit) == 3 and 4 in lit:
+        cause = "the oldest were put out, as in the book's listing: keep_old is its text, in which "
+        cause += "they keep their slots (E-20)"
+    expect_exactly(call, lit, [1, 2, 3], cause=cause, read=read)
     cause = "dropped counts those that were not lit"
     expect_exactly(f"{call}; show.dropped", a_show.dropped, 2, cause=cause, read=read)
 

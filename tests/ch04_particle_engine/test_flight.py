@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import ballistics, probes
 from ch04_particle_engine.ballistics import BallisticRange
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import cause_of, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 Numbers = tuple[float, ...]
 
@@ -69,7 +69,11 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
         got = xyz(at.shots[i].particle.position)
         wanted = (0.0, 1.5 + vy * h, vz * h)
         expect_close(f"{call}[{i}].particle.position", got, wanted, cause=cause, read=read)
-    cause = "the age grows by the duration: the lifetime of a shot is in seconds, not in frames"
+    mistakes = [
+        (1.0, "that is the number of frames: the age grows by the duration, in seconds"),
+        (0.0, "the shot gets no older: the age grows by the duration"),
+    ]
+    cause = cause_of(at.shots[1].age, mistakes, "the age grows by the duration, once a frame")
     expect_close(f"{call}[1].age", at.shots[1].age, h, cause=cause, read=read)
 
 
@@ -104,7 +108,12 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
     reach = [by_the_law(0.0, 100.0, 0.0, 0.99, h, n)[0] for n in range(200)]
     past = next(n for n, z in enumerate(reach) if z > 200.0)
     for name, frame, wanted, cause in (
-        ("artillery", h, landed, "it is dropped in the frame in which it falls below y = 0"),
+        (
+            "artillery",
+            h,
+            landed,
+            "it is dropped in the frame in which it falls below y = 0: ask is_spent after the step",
+        ),
         ("laser", h, past, "it is dropped in the frame in which it passes z = 200"),
         # 40 frames are 5 s exactly, which is not older than 5 s.
         ("fireball", 1.0 / 8.0, 41, "it is dropped in the frame in which it gets older than 5 s"),
@@ -125,8 +134,8 @@ def test_neighbours_that_are_spent_together_are_dropped_together() -> None:
     read = "the docstring of update"
     seen = probes.shots_over(names, 0.5, 5)
     flying = [", ".join(types) for types in seen]
-    wanted = [", ".join(names)] * 4 + ["fireball, fireball"]
-    expect_exactly(call, flying, wanted, cause=cause, read=read)
+    for i, wanted in enumerate([", ".join(names)] * 4 + ["fireball, fireball"]):
+        expect_exactly(f"{call}: {i + 1}", flying[i], wanted, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B4.3")

@@ -13,7 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import ballistics, grenade, probes
 from draw import components, number
-from expect import expect_close, expect_exactly, expect_unchanged, xyz
+from expect import cause_of, expect_close, expect_exactly, expect_unchanged, xyz
 
 BURST_FRAME = 16  # of a quarter of a second each: 4 s
 
@@ -40,10 +40,19 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
     read = "the docstring of bounce"
     p = Particle(Vector3(x, y, 3.0), Vector3(vx, vy, vz))
     grenade.bounce(p)
+    mirrored = "it was put as high above the ground as it was below: y is 0 on the ground"
     cause = "below the ground it is put back to y = 0; x and z stay"
+    cause = cause_of(xyz(p.position), [((x, -y, 3.0), mirrored)], cause)
     expect_close(f"{call}; p.position", xyz(p.position), (x, 0.0, 3.0), cause=cause, read=read)
     cause = "half of the speed downwards comes back upwards, and 0.8 of what is along the ground"
     wanted = (0.8 * vx, -0.5 * vy, 0.8 * vz)
+    mistakes = [
+        ((0.8 * vx, -vy, 0.8 * vz), "all of the speed downwards came back: BOUNCE is half of it"),
+        ((vx, -0.5 * vy, vz), "what is along the ground was kept whole: SLIDE is 0.8 of it"),
+        ((0.8 * vx, 0.5 * vy, 0.8 * vz), "it still falls: the sign along Y is turned round"),
+        ((vx, vy, vz), "the velocity is as it was: it moves down, so it bounces"),
+    ]
+    cause = cause_of(xyz(p.velocity), mistakes, cause)
     expect_close(f"{call}; p.velocity", xyz(p.velocity), wanted, cause=cause, read=read)
 
 
@@ -99,6 +108,8 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     cause = "the momenta must add up to m v: velocities relative to the grenade add up to 0"
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
+    if max(abs(component) for component in total) < 1e-9:
+        cause = "the fragments have the velocity of the grenade besides their own"
     # 12 roundings of numbers up to 25 x 9 / 12.
     expect_close(f"{call}, momentum", total, wanted, cause=cause, read=read, tolerance=1e-11)
 
@@ -147,7 +158,7 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     heights = probes.heights_of("grenade", 0.25, frames)
     name = f"{call}, how many heights"
     expect_exactly(name, len(heights), frames, cause=cause, read=read)
-    cause = "after each frame a grenade below the ground is put back on it"
+    cause = "it lands in frame 12, and bounce puts it back to y = 0; before 4 s it does not burst"
     lowest = min(heights)
     # It lands in frame 12, and is put back to exactly 0.
     expect_close(f"{call}, the lowest", lowest, 0.0, cause=cause, read=read, tolerance=ROUNDED)

@@ -9,15 +9,20 @@ from typing import Any
 import pytest
 
 from ch04_particle_engine import scaling
-from expect import expect_close, expect_error
+from expect import cause_of, expect_close, expect_error
 
 
 @pytest.mark.exercise("B4.1")
 def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
-    cause = "m v^2 / 2: the book's text leaves out the half (E-18)"
+    cause = "m v^2 / 2"
     read = "book 4.1.1; errata.md"
     call = "muzzle_energy(0.005, 500)"
-    expect_close(call, scaling.muzzle_energy(0.005, 500), 625.0, cause=cause, read=read)
+    got = scaling.muzzle_energy(0.005, 500)
+    mistakes = [
+        (1250.0, "that is m v^2: the book's text leaves out the half (E-18)"),
+        (1.25, "that is m v / 2: the speed is not squared"),
+    ]
+    expect_close(call, got, 625.0, cause=cause_of(got, mistakes, cause), read=read)
     mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
     call = f"muzzle_energy({mass}, {speed})"
     got = scaling.muzzle_energy(mass, speed)
@@ -29,7 +34,6 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.1")
 def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
-    cause = "the speed is squared in the energy, so the mass grows by the factor squared"
     read = "book 4.1.1; the module's docstring says which way the factor divides (E-19)"
     for mass, factor in (
         (0.005, 20.0),
@@ -37,17 +41,28 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         (round(rng.uniform(2.0, 90.0), 3), 0.25),
     ):
         call = f"slowed_mass({mass}, {factor}); m v^2 / 2 with that and {500.0 / factor} m/s"
+        cause = "the speed is squared in the energy, so the mass grows by the factor squared"
         slow = scaling.slowed_mass(mass, factor)
+        mistakes = [
+            (
+                mass * factor,
+                "the mass times the factor keeps the momentum: the energy has the speed squared, "
+                "so it wants the factor squared",
+            ),
+            (
+                mass / factor**2,
+                "the mass shrinks: the factor is the real speed over that of the game, as in the "
+                "book's text and not its footnote (E-19)",
+            ),
+            (mass, "the mass itself has at a lower speed less energy"),
+        ]
+        cause = cause_of(slow, mistakes, cause)
         energy = 0.5 * slow * (500.0 / factor) ** 2
         expect_close(call, energy, 0.5 * mass * 500.0**2, cause=cause, read=read)
 
 
 @pytest.mark.exercise("B4.1")
 def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
-    cause = (
-        "the same ground takes factor times as long, and the fall goes as the square of the time: "
-        "g / factor^2. The book divides once (E-2)"
-    )
     read = "book 4.1.1; errata.md"
     for gravity, factor in (
         (10.0, 20.0),
@@ -57,7 +72,20 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
     ):
         call = f"slowed_gravity({gravity}, {factor}); g t^2 / 2 with that over 100 m at "
         call += f"{500.0 / factor} m/s"
+        cause = "a gravity may be negative, or 0: only what is not finite is refused"
         weak = scaling.slowed_gravity(gravity, factor)
+        longer = "the same ground takes factor times as long, and the fall goes as the square of "
+        longer += "the time: g / factor^2"
+        mistakes = [
+            (gravity / factor, f"the book is wrong here and divides once (E-2): {longer}"),
+            (gravity * factor, f"gravity gets weaker, not stronger: {longer}"),
+            (
+                gravity * factor**2,
+                f"gravity gets weaker, not stronger (the factor is not the footnote's, E-19): "
+                f"{longer}",
+            ),
+        ]
+        cause = cause_of(weak, mistakes, longer)
         drop = 0.5 * weak * (100.0 * factor / 500.0) ** 2
         expect_close(call, drop, 0.5 * gravity * 0.2**2, cause=cause, read=read)
 

@@ -9,7 +9,7 @@ import pytest
 
 from ch04_particle_engine import screen_rotation
 from draw import number
-from expect import expect_close, expect_error
+from expect import cause_of, expect_close, expect_error
 
 ANGLE, CORNERS = "the docstring of screen_angle", "the docstring of screen_corners"
 
@@ -18,12 +18,20 @@ ROUNDED = 1e-12  # some roundings of numbers up to 10, and of a sine
 
 @pytest.mark.exercise("G4.1")
 def test_the_angle_grows_by_the_rate(rng: Random) -> None:
-    cause = "start + rate x time, from -pi to pi: a turn backwards makes it negative"
     read = ANGLE
     start, rate = round(rng.uniform(-0.5, 0.5), 3), round(rng.uniform(0.2, 0.9), 3)
     for turning in (rate, -rate):
         call = f"screen_angle({start}, {turning}, 2.5)"
+        cause = "start + rate x time, from -pi to pi: a turn backwards makes it negative"
         got = screen_rotation.screen_angle(start, turning, 2.5)
+        angle = start + 2.5 * turning
+        mistakes = [
+            (2.5 * turning, "the start is missing"),
+            (angle + 2.0 * math.pi, "that is from 0 to 2 pi: from -pi to pi is wanted"),
+            (angle + math.pi, "half a turn was added: leave out whole turns, 2 pi, alone"),
+            (angle - math.pi, "half a turn was taken away: leave out whole turns, 2 pi, alone"),
+        ]
+        cause = cause_of(got, mistakes, cause)
         expect_close(call, got, start + 2.5 * turning, cause=cause, read=read, tolerance=1e-14)
 
 
@@ -83,6 +91,17 @@ def test_the_corners_of_a_square(rng: Random) -> None:
             direction = turned + math.pi / 4.0 + i * math.pi / 2.0
             away = half * math.sqrt(2.0)
             wanted += [x + away * math.cos(direction), y + away * math.sin(direction)]
+        center = (x, y) * 4
+        doubled = [2.0 * n - c for n, c in zip(wanted, center, strict=True)]
+        mistakes = [
+            (doubled, "the size is a whole side: half of it lies on either side of the center"),
+            ([n - c for n, c in zip(wanted, center, strict=True)], "the center was left out"),
+            (
+                [*wanted[:2], *wanted[6:], *wanted[4:6], *wanted[2:4]],
+                "the corners go the other way round: from X towards Y",
+            ),
+        ]
+        cause = cause_of(got, mistakes, cause)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 

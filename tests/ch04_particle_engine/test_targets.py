@@ -12,7 +12,7 @@ from ch04_particle_engine import targets
 from ch04_particle_engine.ballistics import BallisticRange
 from ch04_particle_engine.targets import TargetBlock
 from draw import Components, components, number
-from expect import expect_close, expect_exactly, expect_unchanged, xyz
+from expect import cause_of, expect_close, expect_exactly, expect_unchanged, xyz
 
 READ = "the docstring of hit_fraction"
 # A box from (1, 2, 3) to (3, 6, 9): numbers that are exact in binary.
@@ -44,14 +44,17 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
     expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
     wanted = (z - 0.005 - 10.0) / 1.67
+    cause = "the fraction of the way at which the face z = middle - half the thickness is crossed"
+    whole = "the sizes are those of whole sides: half of each lies on either side of the middle"
+    cause = cause_of(got, [((z - 0.01 - 10.0) / 1.67, whole)], cause)
     expect_close(call, got, wanted, cause=cause, read=READ, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     cause = (
-        "the fraction of the way at which the first face is crossed, half a side from the middle; "
-        "a way against an axis meets the upper one of its two faces first"
+        "on each axis there is a stretch of the way between the two faces, whose beginning is the "
+        "smaller fraction; the box is entered at the latest of the three beginnings"
     )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
@@ -119,7 +122,7 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     inside = Vector3(*center)
     call = f"hit_fraction(middle, end, block), middle = Vector3{center}, twice"
     answers = [targets.hit_fraction(inside, last, block) for _ in range(2)]
-    cause = "the second answer is that of the first: from the middle of the block, 0"
+    cause = "a way that starts inside hits at once: 0, and never before its start"
     expect_exactly(f"{call} is None", answers[0] is None, False, cause=cause, read=read)
     expect_close(call, answers, (0.0, 0.0), cause=cause, read=read, tolerance=0.0)
 
@@ -202,6 +205,19 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     )
     # A rounding or two of numbers up to 20.
     name = f"{call}; block.particle.velocity"
+    gained = tuple(mass * n / block_mass for n in v)
+    mistakes = [
+        ((gained[0], 0.0, gained[2]), "the velocity was replaced: add to what the block has"),
+        (
+            tuple(before[i] + gained[i] for i in range(3)),
+            "the ground takes what is along Y: only X and Z change",
+        ),
+        (
+            (before[0] + v[0], 1.5, before[2] + v[2]),
+            "the shot's whole velocity was added: m v / M of it, with M the mass of the block",
+        ),
+    ]
+    cause = cause_of(got, mistakes, cause)
     expect_close(name, got, wanted, cause=cause, read=STRIKE, tolerance=1e-13)
     cause = "each hit is counted once, and the block that was hit comes back"
     expect_exactly(f"{call}; block.hits", block.hits, 1, cause=cause, read=STRIKE)

@@ -12,7 +12,7 @@ from ch02_vectors.vector import Vector3
 from ch04_particle_engine import probes
 from ch04_particle_engine.catherine_wheel import CatherineWheel
 from draw import Components, components
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import cause_of, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 STILL = (0.0, 0.0, 0.0)
 SPARK: probes.RuleData = (7, 9.0, 9.0, STILL, STILL, 1.0, ())
@@ -49,8 +49,15 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         got = xyz(nozzle.position)
         expect_close(f"{call}.position", got, wanted, cause=cause, read=read, tolerance=1e-13)
         cause = "at right angles to the spoke, rate x radius fast, from X towards Y"
-        wanted = (-rate * radius * y, rate * radius * x, 0.0)
+        speed = rate * radius
+        wanted = (0.0 - speed * y, speed * x, 0.0)
         got = xyz(nozzle.velocity)
+        mistakes = [
+            ((speed * x, speed * y, 0.0), "it points along the spoke: turn it by a right angle"),
+            ((speed * y, 0.0 - speed * x, 0.0), "the rim turns the other way: from X towards Y"),
+            ((0.0 - rate * y, rate * x, 0.0), "that is the rate: the rim is rate x radius fast"),
+        ]
+        cause = cause_of(got, mistakes, cause)
         expect_close(f"{call}.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
     call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
     cause = "a new particle each time"
@@ -68,6 +75,11 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     cause = "rate x radius along the circle, less the jet: a fast jet goes backwards"
     _, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, jet=jet)
     got = xyz(wheel.nozzle().velocity)
+    mistakes = [
+        ((0.0, 2.0 * rate + jet, 0.0), "the jet was added: it goes against the rim"),
+        ((0.0, 2.0 * rate, 0.0), "the jet was left out"),
+    ]
+    cause = cause_of(got, mistakes, cause)
     expect_close(call, got, (0.0, 2.0 * rate - jet, 0.0), cause=cause, read=read, tolerance=ROUNDED)
 
 
@@ -95,6 +107,10 @@ def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
         call = f"wheel with {per_second} sparks a second; wheel.update({h}) {frames} times; sparks"
         counts = probes.sparks_of_a_wheel(per_second, h, frames)
         cause = "the whole part of sparks_per_second x time, however long the frames are"
+        if counts[-1] == frames:
+            cause = "one spark a frame: sparks are due by the time, sparks_per_second x time"
+        if counts[-1] == 0:
+            cause = "no spark at all: what is less than one in each frame adds up over the frames"
         expect_exactly(call, counts[-1], math.floor(per_second * 2.0), cause=cause, read=read)
         cause = "parts of a spark are not lost from one frame to the next"
         wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]
@@ -116,6 +132,8 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
     for spark in show.fireworks:
         expect_exactly(f"{call}, a type", spark.type, 7, cause=cause, read=read)
         got, wanted = xyz(spark.particle.position), (2.0 * x, 5.0 + 2.0 * y, 0.0)
+        before = "it left before the wheel had turned: turn the wheel first"
+        cause = cause_of(got, [((2.0, 5.0, 0.0), before)], cause)
         expect_close(f"{call}, a position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
         got, wanted = xyz(spark.particle.velocity), (-speed * y, speed * x, 0.0)
         expect_close(f"{call}, a velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)

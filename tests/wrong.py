@@ -21,6 +21,7 @@ class Wrong:
     edit: str
     body: str
     loses: list[str] = field(default_factory=list)
+    says: str = ""  # words of the first message, where the numbers tell the mistake
     opens: str = ""  # the body that the screen sends the student to, where it is another one
 
 

@@ -153,6 +153,7 @@ def test_a_wrong_submission_loses_exactly_its_checks(
     first = next(verdict for verdict in failed if verdict.exercise == exercise.id)
     assert "likely    " in first.message
     assert "read      " in first.message
+    assert wrong.says in first.message
     file, _, line = next_place(engine_with(tmp_path), chapter, exercise, first).rpartition(":")
     module, _, name = (wrong.opens or wrong.edit).partition(".")
     assert Path(file) == tmp_path / chapter.name / f"{module}.py"

@@ -113,7 +113,7 @@ def test_make_takes_the_python_of_the_environment(system: str, scheme: str) -> N
 
 def would_run(arguments: str, system: str = "") -> str:
     """Return the last line that make would run."""
-    done = run("make", "--dry-run", *arguments.split(), f"OS={system}")
+    done = run("make", "--no-print-directory", "--dry-run", *arguments.split(), f"OS={system}")
     assert done.returncode == 0, done.stderr
     return done.stdout.splitlines()[-1]
 

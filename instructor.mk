@@ -4,7 +4,7 @@ SUBMISSIONS ?= sample_class
 HOSTILE := tests/autograder/test_hostile.py
 OURS := $(wildcard chapters/*/plots*.py chapters/*/demos*.py)
 
-.PHONY: grade handout classroom gradescope stubs test lint bench charts limits economy soak figures
+.PHONY: grade handout classroom gradescope stubs test lint bench charts limits economy soak figures mutants seeds table
 
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3 GIVEN=2 CHECKS=hidden) into build/grades/
 	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)")
@@ -28,10 +28,19 @@ test: lint .venv/cluster ## run every test of the companion itself
 	@$(RUN) -m pytest -n auto --engine=solutions --engine=chapters --ignore=$(HOSTILE)
 	@$(RUN) -m pytest --engine=solutions --engine=chapters $(HOSTILE)
 
-.venv/cluster: $(READY) cluster.lock
-	@echo "Installing what grading over a cluster needs into .venv."
-	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r cluster.lock
+.venv/cluster .venv/mutants: .venv/%: %.lock $(READY)
+	@echo "Installing the packages of $< into .venv."
+	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
 	@touch $@
+
+mutants: .venv/mutants ## how many changed references the checks of a chapter tell (CH=6)
+	@$(RUN) tests/strength mutants $(if $(CH),--chapter "$(CH)")
+
+seeds: $(READY) ## the checks on both right solutions with the numbers of 1,000 seeds (CH=6 SEEDS=100)
+	@$(RUN) tests/strength seeds $(if $(CH),--chapter "$(CH)") $(if $(SEEDS),--seeds "$(SEEDS)")
+
+table: $(READY) ## what make mutants and make seeds have measured, into tests/README.md
+	@$(RUN) tests/strength table
 
 lint: $(READY) ## style and types
 	@$(RUN) -m ruff check . $(OURS)

@@ -50,6 +50,7 @@ from corpus import (  # noqa: E402
     write,
 )
 from odd_files import RIGHT, SUMS, WRONG  # noqa: E402
+
 from table import table  # noqa: E402
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the walls are those of Linux")

@@ -125,6 +125,8 @@ def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
     read = READ
     places = [components(rng) for _ in range(6)]
     places = [(0.1 * x, 0.1 * y, 0.1 * z) for x, y, z in places]
+    x, y, z = places[0]
+    places[1] = (0.9 * x, 0.9 * y, 0.9 * z)  # two are too near, wherever the others are
     call = f"6 particles at {places[0]} ..., damping 0.2, Overcrowding(all, 1.0, 40.0) for each; "
     call += "600 frames of registry.update_forces(h), p.integrate(h)"
     cause = "everybody who is nearer than 1 m is pushed away, and pushes back"

@@ -192,8 +192,9 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
     name = f"{call}: how fast the worst one still closes, or parts if negative"
     # VELOCITY_TOLERANCE is 1e-12; what parts is right, and none parts faster than 100 m/s.
     expect_close(name, got, -50.0, cause=cause, read=read, tolerance=50.0 + 2e-12)
-    cause = "it returns how many it has resolved, which is more than 3 and less than the limit here"
-    expect_close(f"{call}: returned", used, 1000, cause=cause, read=read, tolerance=996)
+    # One resolution changes two bodies, and no two bodies have a part in all of the contacts.
+    cause = "it returns how many it has resolved, which is more than 1 and less than the limit here"
+    expect_close(f"{call}: returned", used, 1000, cause=cause, read=read, tolerance=998)
     before, now = (
         sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:6], velocities, strict=False))
         for velocities in ([v for _, v, _ in bodies], [v for _, v in after])

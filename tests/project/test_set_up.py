@@ -61,7 +61,9 @@ def test_a_whole_environment_is_marked_as_ready(
     assert "Set up: .venv is ready." in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(("name", "extras"), [("requirements", []), ("cluster", ["cluster"])])
+@pytest.mark.parametrize(
+    ("name", "extras"), [("requirements", []), ("cluster", ["cluster"]), ("mutants", ["mutants"])]
+)
 def test_a_lock_pins_what_the_project_asks_for_with_hashes(name: str, extras: list[str]) -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     lock = (ROOT / f"{name}.lock").read_text(encoding="utf-8")
@@ -75,9 +77,10 @@ def test_a_lock_pins_what_the_project_asks_for_with_hashes(name: str, extras: li
     assert "://" not in lock, "the lock names packages, not where they come from"
 
 
-def test_the_cluster_is_locked_to_the_packages_of_everything_else() -> None:
+@pytest.mark.parametrize("extra", ["cluster", "mutants"])
+def test_an_extra_is_locked_to_the_packages_of_everything_else(extra: str) -> None:
     pins, more = (
         set(re.findall(r"(?m)^[a-z].*?==\S+", (ROOT / name).read_text(encoding="utf-8")))
-        for name in ("requirements.lock", "cluster.lock")
+        for name in ("requirements.lock", f"{extra}.lock")
     )
     assert pins < more

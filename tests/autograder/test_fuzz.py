@@ -1,0 +1,138 @@
+"""Submissions that nobody would think of: every check has a verdict, and every loss a sentence.
+
+More of them: .venv/bin/python -m pytest tests/autograder/test_fuzz.py --hypothesis-profile=long
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import tempfile
+from pathlib import Path
+
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from autograder.definitions import functions
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.runner import LONGEST_MESSAGE, run_checks, with_needs
+from walls import behind_walls
+from wrong import Wrong, write_wrong
+
+CHAPTERS = load_chapters()
+FEW = settings(
+    max_examples=30, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
+)
+settings.register_profile("long", FEW, max_examples=3000, derandomize=False)
+
+# Whatever JSON can hold, and more: numbers without end, no numbers, half characters, tuples.
+plain = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.just(10**400) | st.floats() | st.text(),
+    lambda inner: (
+        st.lists(inner, max_size=4)
+        | st.tuples(inner, inner, inner)
+        | st.dictionaries(st.text(max_size=5), inner, max_size=3)
+    ),
+    max_leaves=6,
+)
+ERRORS = (
+    "ValueError AssertionError KeyError StopIteration SystemExit KeyboardInterrupt MemoryError "
+    "RecursionError NotImplementedError BaseException GeneratorExit OSError UnicodeError"
+).split()
+OTHER = [
+    "return self",
+    "return object()",
+    "return lambda *arguments: 1.0",
+    "return (number for number in (1.0, 2.0))",
+    "return type('Vector3', (), {'x': 1.0, 'y': 2.0, 'z': 3.0})()",
+    "return Ellipsis",
+    "return b'1.0'",
+    "yield 1.0",
+    "return __import__('sys')",
+    "globals().clear()",
+    "return nothing_of_this_name",
+    "class Own(Exception): __str__ = None\nraise Own",
+    "class Own(float): __eq__ = __lt__ = __repr__ = None\nreturn Own(1.0)",
+    "class Own(tuple): __len__ = __iter__ = None\nreturn Own((1.0, 2.0, 3.0))",
+    "assert False, 'got 1 wanted 1'",
+]
+bodies = (
+    plain.map(lambda value: f"nan, inf = float('nan'), float('inf')\nreturn {value!a}")
+    | st.tuples(st.sampled_from(ERRORS), st.text(max_size=50)).map(
+        lambda drawn: f"raise {drawn[0]}({drawn[1]!a})"
+    )
+    | st.sampled_from(OTHER)
+)
+
+
+def assert_verdicts_and_sentences(chapter: Chapter, exercises: list[str], folder: Path) -> None:
+    """Every check has a verdict of the student's, and whoever loses it reads why."""
+    engine = [folder, ROOT / "solutions", ROOT / "chapters"]
+    verdicts = run_checks(
+        chapter, engine, seed="1", exercises=exercises, behind=behind_walls(), time_limit=1.0
+    )
+    assert {verdict.exercise for verdict in verdicts} == {*with_needs(chapter, exercises)}
+    for verdict in verdicts:
+        assert verdict.status in ("passed", "failed", "blocked"), verdict
+        if verdict.status != "passed":
+            assert re.search(r"\w+ \w+", verdict.message), verdict
+            assert len(verdict.message) <= LONGEST_MESSAGE + 100
+            assert "Traceback" not in verdict.message
+
+
+@FEW
+@given(data=st.data())
+def test_any_result_and_any_error_of_a_body(data: st.DataObject) -> None:
+    chapter = data.draw(st.sampled_from(CHAPTERS), label="chapter")
+    exercise = data.draw(st.sampled_from([e for e in chapter.exercises if e.edit]))
+    wrongs = [Wrong("", edit, data.draw(bodies, label=edit)) for edit in exercise.edit]
+    with tempfile.TemporaryDirectory() as folder:
+        write_wrong(chapter, wrongs, Path(folder))
+        assert_verdicts_and_sentences(chapter, [exercise.id], Path(folder))
+
+
+@FEW
+@given(data=st.data())
+def test_any_damage_to_a_file(data: st.DataObject) -> None:
+    """Lines that are gone, a name that is another, one parameter too few or too many, odd bytes."""
+    chapter = data.draw(st.sampled_from(CHAPTERS), label="chapter")
+    exercise = data.draw(st.sampled_from([e for e in chapter.exercises if e.edit]))
+    module = exercise.edit[0].split(".")[0]
+    source = (ROOT / "solutions" / chapter.name / f"{module}.py").read_text(encoding="utf-8")
+    damage = data.draw(st.sampled_from([lines_gone, renamed, other_parameters, odd_bytes]))
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / chapter.name).mkdir()
+        (Path(folder) / chapter.name / f"{module}.py").write_bytes(damage(data, source))
+        assert_verdicts_and_sentences(chapter, [exercise.id], Path(folder))
+
+
+def lines_gone(data: st.DataObject, source: str) -> bytes:
+    lines = source.splitlines(keepends=True)
+    start = data.draw(st.integers(0, len(lines) - 1), label="first line that is gone")
+    count = data.draw(st.integers(1, 20), label="lines gone")
+    return "".join(lines[:start] + lines[start + count :]).encode()
+
+
+def renamed(data: st.DataObject, source: str) -> bytes:
+    names = sorted(set(re.findall(r"\b[a-zA-Z_]\w*\b", source)))
+    old, new = (data.draw(st.sampled_from(names), label=label) for label in ("name", "becomes"))
+    return re.sub(rf"\b{old}\b", new, source).encode()
+
+
+def other_parameters(data: st.DataObject, source: str) -> bytes:
+    tree = ast.parse(source)
+    found = functions(tree)
+    parameters = found[data.draw(st.sampled_from(sorted(found)), label="function")].args
+    if data.draw(st.booleans(), label="one more"):
+        parameters.args.append(ast.arg("one_more"))
+        parameters.defaults.clear()
+    elif parameters.args:
+        parameters.args.pop(data.draw(st.integers(0, len(parameters.args) - 1), label="gone"))
+        parameters.defaults.clear()
+    return ast.unparse(tree).encode()
+
+
+def odd_bytes(data: st.DataObject, source: str) -> bytes:
+    code = source.encode()
+    at = data.draw(st.integers(0, len(code)), label="place")
+    return code[:at] + data.draw(st.binary(min_size=1, max_size=8), label="bytes") + code[at:]

@@ -1,0 +1,51 @@
+"""How strong the checks are, and how fair: python tests/strength COMMAND; make calls the same."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parent.parent
+sys.path[1:1] = [str(TESTS), str(TESTS.parent)]
+
+
+def main() -> int:
+    """Run one command; return 0 if the checks are as they should be."""
+    from rich.console import Console
+
+    from autograder.manifest import select_chapters
+
+    parser = argparse.ArgumentParser(prog="python tests/strength", description=__doc__)
+    parser.add_argument("command", choices=["mutants", "seeds", "table"])
+    parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="at a time")
+    parser.add_argument("--seeds", type=int, default=1000, help="how many, from 1 on")
+    arguments = parser.parse_args()
+    try:
+        chapters = select_chapters(arguments.chapter)
+    except ValueError as error:
+        parser.error(str(error))
+    console = Console(highlight=False)
+    if arguments.command == "mutants":
+        from mutants import run_mutants
+
+        done = [run_mutants(chapter, arguments.jobs, console) for chapter in chapters]
+    elif arguments.command == "seeds":
+        from run_seeds import run_seeds
+
+        done = [run_seeds(chapters, arguments.seeds, arguments.jobs)]
+    else:
+        from table import write_table
+
+        done = [write_table(chapters, console)]
+    return 0 if all(done) else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        print("\nstopped; what is known stays", file=sys.stderr)
+        sys.exit(130)

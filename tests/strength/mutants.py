@@ -1,0 +1,204 @@
+"""Mutants of the reference: bodies with one operator or number changed, which checks should kill.
+
+What survives is as right as the reference, and said so in the chapter's survivors.toml, or it is a
+mistake that no check sees. The mutations are Cosmic Ray's. Results are kept under build/strength/:
+a mutant is run again when the file of the check that killed it has changed, or, if none did, any
+check of its chapter.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import json
+import re
+import tempfile
+import tomllib
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from cosmic_ray import plugins
+from cosmic_ray.ast import ast_nodes, get_ast
+from cosmic_ray.mutating import mutate_code
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+from autograder.definitions import functions
+from autograder.manifest import ROOT, Chapter
+from kept import FOLDER, keep
+from warm import run_checks_warm
+
+SHARE = 0.97  # of the mutants that do not do the same as the reference, at least
+# Shifts, bits and matrix products fail on every float, and so tell nothing of a check; and "is".
+IMPLAUSIBLE = re.compile("BitAnd|BitOr|BitXor|Shift|MatMult|Invert|Is")
+SEED = "1"
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A module of the reference with one change in a body that students write."""
+
+    file: str
+    edit: str  # the body, as manifests name it
+    line: str  # as it was, without its indent
+    became: str
+    code: str  # of the whole module
+
+    @property
+    def key(self) -> str:
+        return hashlib.sha256(f"{self.file}\n{self.code}".encode()).hexdigest()
+
+
+@dataclass(frozen=True)
+class Survivor:
+    """Mutants that do what the reference does, and why."""
+
+    edit: str
+    line: str
+    became: list[str]
+    reason: str
+
+
+def mutants_of(chapter: Chapter) -> Iterator[Mutant]:
+    """Yield the mutants of a chapter, file by file."""
+    operators = [
+        plugins.get_operator(name)
+        for name in sorted(plugins.operator_names())
+        if not IMPLAUSIBLE.search(name) and not plugins.get_operator(name).arguments()
+    ]
+    for file in chapter.edited_files:
+        source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
+        lines, tree = source.splitlines(), get_ast(source)
+        bodies = _bodies(chapter, file, source)
+        for operator in operators:
+            places = [
+                start
+                for node in ast_nodes(tree)
+                for start, _ in operator().mutation_positions(node)
+            ]
+            for occurrence, (row, _) in enumerate(places):
+                edit = next((e for e, (first, last) in bodies.items() if first <= row <= last), "")
+                if edit:
+                    code = mutate_code(source, operator(), occurrence)
+                    became = code.splitlines()[row - 1]
+                    yield Mutant(file, edit, lines[row - 1].strip(), became.strip(), code)
+
+
+def _bodies(chapter: Chapter, file: str, source: str) -> dict[str, tuple[int, int]]:
+    """Return the first and last line of each body in a file that students write."""
+    defined = functions(ast.parse(source))
+    bodies = {}
+    for edit in (edit for exercise in chapter.exercises for edit in exercise.edit):
+        module, _, name = edit.partition(".")
+        if f"{module}.py" == file:
+            bodies[edit] = (defined[name].body[0].lineno, defined[name].end_lineno or 0)
+    return bodies
+
+
+def killer_of(chapter: Chapter, mutant: Mutant) -> str:
+    """Return the first check that a mutant does not pass, or nothing where it survives.
+
+    Those of its own exercise come first: most die there.
+    """
+    (exercise,) = (e.id for e in chapter.exercises if mutant.edit in e.edit)
+    with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
+        (Path(folder) / chapter.name).mkdir()
+        (Path(folder) / chapter.name / mutant.file).write_text(mutant.code, encoding="utf-8")
+        engine = [Path(folder), ROOT / "solutions", ROOT / "chapters"]
+        for wanted in ([exercise], None):
+            verdicts = run_checks_warm(chapter, engine, seed=SEED, exercises=wanted)
+            for verdict in verdicts:
+                if verdict.status != "passed":
+                    return verdict.name
+    return ""
+
+
+def run_mutants(chapter: Chapter, jobs: int, console: Console) -> bool:
+    """Run a chapter's mutants that have no result yet, and print what lives; return success."""
+    mutants = {mutant.key: mutant for mutant in mutants_of(chapter)}
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    results = FOLDER / f"mutants_{chapter.name}.jsonl"
+    known = dict(_read(results, chapter))
+    todo = [mutant for key, mutant in mutants.items() if key not in known]
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
+    with (
+        results.open("a", encoding="utf-8") as out,
+        ThreadPoolExecutor(jobs) as pool,
+        Progress(*columns, TimeRemainingColumn(), console=console, transient=True) as progress,
+    ):
+        task = progress.add_task(f"mutants of chapter {chapter.number}", total=len(todo))
+        futures = {pool.submit(killer_of, chapter, mutant): mutant for mutant in todo}
+        try:
+            for future in as_completed(futures):
+                key, killer = futures[future].key, future.result()
+                known[key] = killer
+                line = {"mutant": key, "killer": killer, "checks": _state(chapter.name, killer)}
+                out.write(json.dumps(line) + "\n")
+                out.flush()
+                progress.update(task, advance=1)
+        except BaseException:  # Ctrl-C above all: what is known stays
+            pool.shutdown(cancel_futures=True)
+            raise
+    return _print_result(chapter, mutants, known, results, console)
+
+
+def _read(results: Path, chapter: Chapter) -> Iterator[tuple[str, str]]:
+    """Yield the mutants and killers of earlier runs that still hold."""
+    for line in results.read_text(encoding="utf-8").splitlines() if results.exists() else ():
+        result = json.loads(line)
+        if result["checks"] == _state(chapter.name, result["killer"]):
+            yield result["mutant"], result["killer"]
+
+
+@cache
+def _state(chapter: str, check: str) -> str:
+    """Return a hash of a check's file, or of all of its chapter, and of what checks share."""
+    folder = ROOT / "tests" / chapter
+    files = [*folder.glob("*probes.py"), *(ROOT / "tests").glob("*.py")]
+    for file in folder.glob("test_*.py"):
+        if not check or f"def {check}(" in file.read_text(encoding="utf-8"):
+            files.append(file)
+    digest = hashlib.sha256()
+    for file in sorted(files):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()
+
+
+def read_survivors(chapter: Chapter) -> list[Survivor]:
+    """Return the survivors that are known to do what the reference does."""
+    path = ROOT / "tests" / chapter.name / "survivors.toml"
+    if not path.exists():
+        return []
+    found = tomllib.loads(path.read_text(encoding="utf-8"))
+    return [Survivor(**entry) for entry in found["survivor"]]
+
+
+def _print_result(
+    chapter: Chapter,
+    mutants: dict[str, Mutant],
+    known: dict[str, str],
+    results: Path,
+    console: Console,
+) -> bool:
+    """Print the share that was killed, and what survives without a reason; return success."""
+    living = [mutant for key, mutant in mutants.items() if not known[key]]
+    told = {(s.edit, s.line, became) for s in read_survivors(chapter) for became in s.became}
+    same = [m for m in living if (m.edit, m.line, m.became) in told]
+    untold = [m for m in living if (m.edit, m.line, m.became) not in told]
+    for mutant in untold:
+        console.print(f"{mutant.edit}\n  - {mutant.line}\n  + {mutant.became}", markup=False)
+    others = told - {(m.edit, m.line, m.became) for m in living}
+    for edit, line, became in sorted(others):
+        console.print(f"no survivor: {edit}: {line} -> {became}", markup=False)
+    killed, others_of = len(mutants) - len(living), len(mutants) - len(same)
+    share = killed / others_of
+    console.print(
+        f"chapter {chapter.number}: {killed} of {others_of} mutants killed, {100.0 * share:.1f} %, "
+        f"and {len(same)} do what the reference does; {results}",
+        markup=False,
+    )
+    keep("mutants", chapter, killed=killed, of=others_of, same=len(same))
+    return share >= SHARE and not untold and not others

@@ -1,0 +1,44 @@
+"""Run the checks of many seeds on both right solutions: the reference and the second one."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from autograder.manifest import ROOT, Chapter
+from copies import copy_tree
+from kept import FILE, FOLDER, keep
+
+SECOND = FOLDER / "second"
+
+
+def run_seeds(chapters: list[Chapter], seeds: int, jobs: int) -> bool:
+    """Run the chapters' checks, each with its numbers of that many seeds; return success."""
+    shutil.rmtree(SECOND, ignore_errors=True)
+    for chapter in chapters:
+        copy_tree(ROOT / "tests" / chapter.name / "second", SECOND / chapter.name)
+    python = ".".join(platform.python_version_tuple()[:2])
+    success = True
+    for name, folders in (("reference", []), ("second solution", [SECOND])):
+        engine = [*folders, ROOT / "solutions", ROOT / "chapters"]
+        for chapter in chapters:
+            print(f"{name}, chapter {chapter.number}, {seeds} seeds, Python {python}:", flush=True)
+            held = _run(chapter, engine, seeds, jobs)
+            success = success and held
+            keep(f"seeds of {name}", chapter, **{python: seeds if held else 0})
+    print(f"kept in {FILE}: {'all' if success else 'not all'} earn every point")
+    return success
+
+
+def _run(chapter: Chapter, engine: list[Path], seeds: int, jobs: int) -> bool:
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "seeds", "--seeds", str(seeds)]
+    command += ["-n", str(jobs), *(word for folder in engine for word in ("--engine", str(folder)))]
+    environment = os.environ | {"PYTHONPATH": str(Path(__file__).parent)}
+    done = subprocess.run(
+        [*command, str(ROOT / "tests" / chapter.name)], cwd=ROOT, env=environment, check=False
+    )
+    return done.returncode == 0

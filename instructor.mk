@@ -24,7 +24,7 @@ figures: $(READY) ## draw the pictures of the chapters' READMEs anew, in a minut
 stubs: $(READY) ## make chapters/ from solutions/ again
 	@$(RUN) -m autograder stubs
 
-test: lint .venv/cluster ## run every test of the companion itself
+test: lint .venv/cluster .venv/mutants ## run every test of the companion itself
 	@$(RUN) -m pytest -n auto --engine=solutions --engine=chapters --ignore=$(HOSTILE)
 	@$(RUN) -m pytest --engine=solutions --engine=chapters $(HOSTILE)
 

@@ -35,10 +35,21 @@ plain = st.recursive(
     ),
     max_leaves=6,
 )
-ERRORS = (
-    "ValueError AssertionError KeyError StopIteration SystemExit KeyboardInterrupt MemoryError "
-    "RecursionError NotImplementedError BaseException GeneratorExit OSError UnicodeError"
-).split()
+ERRORS = [
+    "ValueError",
+    "AssertionError",
+    "KeyError",
+    "StopIteration",
+    "SystemExit",
+    "KeyboardInterrupt",
+    "MemoryError",
+    "RecursionError",
+    "NotImplementedError",
+    "BaseException",
+    "GeneratorExit",
+    "OSError",
+    "UnicodeError",
+]
 OTHER = [
     "return self",
     "return object()",

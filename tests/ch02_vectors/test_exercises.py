@@ -139,14 +139,14 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     expect_close(
         name, xyz(d), wanted, cause=cause_of(xyz(d), mistakes, cause), read=read, tolerance=1e-12
     )
-    # Rounding is divided by the length of d, which these draws leave at 0.001 and more.
+    # By its sine, a right angle is known to the root of a rounding only: of 1e-15, 5e-8.
     name = f"{call}, the third"
     mistakes = [
         (90.0, "that is in degrees: radians are wanted"),
         (math.acos(max(-1.0, min(along, 1.0))), "that is the angle between a and b, not a and d"),
     ]
     cause = cause_of(angle, mistakes, "the angle between a and d, in radians: a right one")
-    expect_close(name, angle, math.pi / 2.0, cause=cause, read=read, tolerance=1e-10)
+    expect_close(name, angle, math.pi / 2.0, cause=cause, read=read, tolerance=1e-7)
     cause = "add_scaled, -= and *= change the caller's vector: b - a * c makes a new one"
     expect_unchanged(call, "v", xyz(v), a, cause=cause, read="the docstring of remove_projection")
     expect_unchanged(call, "w", xyz(w), b, cause=cause, read="the docstring of remove_projection")
@@ -216,6 +216,18 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
             cause=cause,
             read=read,
         )
+    cause = "what is left counts as nothing where d is shorter than 1e-6, not only where it is 0"
+    x = Vector3(1.0, 0.0, 0.0)
+    # Both are 1 long to the last digit, and d is what they have along Y.
+    short, enough = (Vector3(math.sqrt(1.0 - y * y), y, 0.0) for y in (5e-7, 1.5e-6))
+    expect_error(
+        f"remove_projection(Vector3(1, 0, 0), Vector3({short.x!r}, 5e-07, 0))",
+        lambda: exercises.remove_projection(x, short),
+        ValueError,
+        allowed=lambda: exercises.remove_projection(x, enough),
+        cause=cause,
+        read=read,
+    )
 
 
 # 2.7 A position that changes with a velocity

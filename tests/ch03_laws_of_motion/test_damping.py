@@ -183,9 +183,8 @@ def test_the_frames_fill_the_total_time(rng: Random) -> None:
 
 @pytest.mark.exercise("3.5a")
 def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
-    seed = rng.randrange(1000)
+    seed, mean = rng.randrange(1000), 0.02
     read = "the docstring of random_frames"
-    mean = 0.02
     for jitter in (round(rng.uniform(0.2, 0.8), 3), 0.95):
         *frames, last = frames_of(mean, jitter, 8.0, seed)
         call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
@@ -232,12 +231,14 @@ def test_without_jitter_all_frames_are_equal() -> None:
         call = f"random_frames({mean}, 0.0, 1.0, 3)"
         got = frames_of(mean, 0.0, 1.0, 3)
         expect_close(call, got, [mean] * count, cause=cause, read=read, tolerance=1e-11)
-    cause = (
-        "a tenth of a microsecond is short, and still a thousand million times what rounding leaves"
-    )
+    cause = "a tenth of a microsecond is a thousand million times what rounding leaves"
     call = "random_frames(0.25, 0.0, 0.5000001, 3)"
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(call, got, [0.25, 0.25, 1e-7], cause=cause, read=read, tolerance=1e-12)
+    cause = "rounding is a share of the total: what is left here is a hundredth of it, and a frame"
+    call = "random_frames(4e-06, 0.0, 8.05e-06, 3)"
+    got = frames_of(4e-6, 0.0, 8.05e-6, 3)
+    expect_close(call, got, [4e-6, 4e-6, 5e-8], cause=cause, read=read, tolerance=1e-17)
 
 
 @pytest.mark.exercise("3.5a")
@@ -277,21 +278,21 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
     ],
 )
 def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
-    arguments = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
-    bad_ones: dict[str, Any] = arguments | {name: bad}
-    call = "random_frames({mean}, {jitter}, {total}, {seed})".format(**bad_ones)
-    cause = "such frames never fill a total: refuse what is not positive and finite, and a jitter "
-    cause += "that is not from 0 to below 1, before the first is drawn"
+    arguments: dict[str, Any] = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
+    cause = "such frames never fill a total: refuse what is not positive and finite, and jitters "
+    cause += "that are not from 0 to below 1, before the first is drawn"
     read = "the docstring of random_frames"
-    good: dict[str, Any] = arguments
-    expect_error(
-        call,
-        lambda: exercises.random_frames(**bad_ones),
-        ValueError,
-        allowed=lambda: exercises.random_frames(**good),
-        cause=cause,
-        read=read,
-    )
+    for value in (bad, 1.5) if bad == 1.0 else (bad,):  # at a limit, and beyond it
+        bad_ones = arguments | {name: value}
+        call = "random_frames({mean}, {jitter}, {total}, {seed})".format(**bad_ones)
+        expect_error(
+            call,
+            lambda bad_ones=bad_ones: exercises.random_frames(**bad_ones),
+            ValueError,
+            allowed=lambda: exercises.random_frames(**arguments),
+            cause=cause,
+            read=read,
+        )
 
 
 # 3.5b How far apart the two equations end

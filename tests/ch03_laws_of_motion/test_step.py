@@ -112,6 +112,7 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
         (drawn, [0.1, 0.2, 0.3, 0.4]),
         (drawn, [0.5]),
         (drawn, [2.0]),
+        (0.25, [0.5, 0.5]),  # a frame as long as the share that is kept in it: 0.25^0.5
         (0.99, [0.25] * 4),
         (1.5, [0.25] * 2),  # above 1 a particle gains speed; nothing forbids it
     ):

@@ -163,7 +163,8 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
     cause = "each shot has a particle of its own, and each range its own shots"
     at.shots[0].particle.velocity.x = 99.0
     call = f"{call}[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
-    expect_close(call, at.shots[3].particle.velocity.x, 0.0, cause=cause, read=read)
+    got = at.shots[3].particle.velocity.x
+    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=ROUNDED)
     call = f"{call}; BallisticRange().shots, how many"
     expect_exactly(call, len(BallisticRange().shots), 0, cause=cause, read=read)
 

@@ -88,14 +88,17 @@ def test_sparks_are_no_rockets() -> None:
 
 @pytest.mark.exercise("P4.1")
 def test_a_rocket_without_a_fuse_is_past_saving() -> None:
-    call = "rockets at (0, 20) with the age 0 and at (2, 20); find_rocket(display, 0, 20), its type"
-    cause = "an age of 0 bursts in the next update: otherwise one rocket could be clicked on twice"
     read = "the docstring of find_rocket"
-    a_game = game((1, 0.0, 20.0), (3, 2.0, 20.0))
-    a_game.show.fireworks[0].age = 0.0
-    found = display.find_rocket(a_game, 0.0, 20.0)
-    what = found is not None and found.type
-    expect_exactly(call, what, 3, cause=cause, read=read)
+    for age, cause in (
+        (0.0, "an age of 0 bursts in the next update: it could be clicked on twice otherwise"),
+        (-0.5, "below 0 there is no fuse left either: an age of 0 or less is past saving"),
+    ):
+        call = f"rockets at (0, 20) with the age {age} and at (2, 20); find_rocket(display, 0, 20)"
+        a_game = game((1, 0.0, 20.0), (3, 2.0, 20.0))
+        a_game.show.fireworks[0].age = age
+        found = display.find_rocket(a_game, 0.0, 20.0)
+        what = found is not None and found.type
+        expect_exactly(f"{call}, its type", what, 3, cause=cause, read=read)
 
 
 @pytest.mark.exercise("P4.1")

@@ -339,6 +339,7 @@ def test_births_that_mean_nothing_are_refused() -> None:
     for bad, births in (
         ("a type without a rule", [(1, 2, None), (7, 1, None)]),
         ("a negative count", [(1, 2, None), (2, -3, None)]),
+        ("a negative count", [(1, 2, None), (2, -1, None)]),
     ):
         call = f"show.light({births}), {bad}"
         expect_error(

@@ -126,7 +126,10 @@ def test_your_types_burn_and_come_to_an_end(rng: Random) -> None:
         call = f"own_types(), a show of all eleven with the seed {seed}; type {type} is lit 50 m "
         call += "up; show.update(0.05) 800 times; how many burn"
         counts = probes.own_show(type, seed, 0.05, 800)
-        cause = "each type burns for 0.1 s at least: a smallest age of 0.1 s"
+        cause = "each type burns for 0.1 s at least, whatever is drawn: a smallest age of 0.1 s"
+        (least,) = (rule[1] for rule in probes.own_rules() if rule[0] == type)
+        name = f"own_types(), the smallest age of type {type}, less than 0.1 s"
+        expect_exactly(name, least < 0.1, False, cause=cause, read=read)
         expect_exactly(f"{call}, any after 0.05 s", counts[0] > 0, True, cause=cause, read=read)
         cause = "after 40 s it is dark: fuses are too long, or a type leads back to itself"
         expect_exactly(f"{call}, after 40 s", counts[-1], 0, cause=cause, read=read)

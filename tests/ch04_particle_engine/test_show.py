@@ -76,15 +76,15 @@ def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
-    call = "one at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); show.update(0.125)"
+    call = "one at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); show.update(0.001)"
     cause = "y < 0 ends it, however much fuse is left, and its payload is lit all the same"
     rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
     a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
     a_show.update(0.0625)
-    name = f"{call.replace('0.125', '0.0625')}, types"
+    name = f"{call.replace('0.001', '0.0625')}, types"
     on_ground = "at y = 0 it is on the ground, not below it"
     expect_exactly(name, types(a_show), [1], cause=on_ground, read=READ)
-    a_show.update(0.125)
+    a_show.update(0.001)
     left = types(a_show)
     if left == []:
         cause = "y < 0 ends it, and its payload is lit all the same, behind those that burn on: "
@@ -94,7 +94,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     expect_exactly(f"{call}, types", left, [2, 2, 2], cause=cause, read=READ)
     cause = "at the place of the one that burnt out, although that is below the ground"
     height = a_show.fireworks[0].particle.position.y
-    wanted = (-8.0 - 9.81 * 0.0625) * 0.125
+    wanted = (-8.0 - 9.81 * 0.0625) * 0.001
     if height == 0.0:
         cause = "it starts on the ground, as without a parent: the burnt-out one is its parent"
     expect_close(f"{call}, a height", height, wanted, cause=cause, read=READ)

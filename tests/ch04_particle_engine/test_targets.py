@@ -61,6 +61,9 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
         ((1.5, 3.0, 17.0), (2.5, 5.0, 1.0), 0.5),
         ((-1.0, 3.0, 4.0), (7.0, 5.0, 8.0), 0.25),
         ((1.5, 10.0, 4.0), (2.5, -6.0, 8.0), 0.25),
+        # Past the box on Z before the end of the way, and between its other faces by then.
+        ((0.0, 3.0, 0.0), (4.0, 5.0, 16.0), 0.25),
+        ((4.0, 5.0, 16.0), (0.0, 3.0, 0.0), 0.4375),
     ):
         call = words(start, end)
         got = fraction(start, end)
@@ -95,14 +98,15 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
     sizes = tuple(round(rng.uniform(1.0, 3.0), 3) for _ in range(3))
     center = components(rng)
     away = tuple(number(rng, 4.0, 9.0) for _ in range(3))
-    start = tuple(c + a for c, a in zip(center, away, strict=True))
-    call = f"hit_fraction(Vector3{start}, Vector3{center}, block), "
-    call += f"block = TargetBlock(Vector3{center}, {sizes}, mass=10)"
-    block = TargetBlock(Vector3(*center), sizes, mass=10.0)
-    got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
-    expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
-    wanted = max(1.0 - side / 2.0 / abs(a) for side, a in zip(sizes, away, strict=True))
-    expect_close(call, got, wanted, cause=cause, read=READ, tolerance=ROUNDED)
+    for sign in (1.0, -1.0):  # from either side
+        start = tuple(c + sign * a for c, a in zip(center, away, strict=True))
+        call = f"hit_fraction(Vector3{start}, Vector3{center}, block), "
+        call += f"block = TargetBlock(Vector3{center}, {sizes}, mass=10)"
+        block = TargetBlock(Vector3(*center), sizes, mass=10.0)
+        got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
+        expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
+        wanted = max(1.0 - side / 2.0 / abs(a) for side, a in zip(sizes, away, strict=True))
+        expect_close(call, got, wanted, cause=cause, read=READ, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.3b")
@@ -131,12 +135,8 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
 def test_a_way_beside_before_or_behind_the_box_misses() -> None:
     for start, end, missed, cause in (
         ((3.5, 4.0, 1.0), (3.5, 4.0, 9.0), True, "it passes beside the box, along Z"),
-        (
-            (2.9, 4.0, 1.0),
-            (2.9, 4.0, 9.0),
-            False,
-            "half a side is 1 m, so 0.9 m off hits",
-        ),
+        ((2.9, 4.0, 1.0), (2.9, 4.0, 9.0), False, "half a side is 1 m, so 0.9 m off hits"),
+        ((1.1, 4.0, 1.0), (1.1, 4.0, 9.0), False, "0.9 m off the other way hits as well"),
         ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), True, "it passes below the box"),
         ((2.0, 4.0, 0.0), (2.0, 4.0, 2.9), True, "it ends before the box: fractions go up to 1"),
         ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), True, "it starts behind the box: fractions begin at 0"),
@@ -166,6 +166,7 @@ def test_touching_counts_and_so_does_a_start_inside() -> None:
     for start, end, wanted, cause in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 3.0), 1.0, "it ends on the face: touching counts"),
         ((3.0, 4.0, 1.0), (3.0, 4.0, 9.0), 0.25, "it runs along the face: touching counts"),
+        ((1.0, 4.0, 1.0), (1.0, 4.0, 9.0), 0.25, "it runs along the face: touching counts"),
         ((2.0, 4.0, 9.0), (2.0, 4.0, 12.0), 0.0, "it starts on the face: touching counts"),
         ((2.0, 4.0, 5.0), (2.0, 4.0, 30.0), 0.0, "it starts inside: there at once"),
         ((2.0, 4.0, 5.0), (2.5, 5.0, 7.0), 0.0, "it starts and ends inside"),

@@ -188,7 +188,7 @@ def test_no_way_back_from_what_is_no_orientation() -> None:
 @pytest.mark.exercise("9.3a")
 def test_a_product_without_j_and_k(rng: Random) -> None:
     read = PLANE
-    (r, i), (s, j) = ((number(rng), number(rng)) for _ in range(2))
+    (r, i), (s, j) = ((number(rng, 1.5), number(rng, 1.5)) for _ in range(2))
     call = f"product_without_j_and_k(Quaternion({r}, {i}, 0, 0), Quaternion({s}, {j}, 0, 0))"
     cause = "the scalar part is r r' - i i', since i i is -1, and beside i stands r i' + i r'"
     a, b = Quaternion(r, i, 0.0, 0.0), Quaternion(s, j, 0.0, 0.0)
@@ -215,7 +215,8 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
     r, i, n = number(rng), number(rng), number(rng)
     good = (r, i, 0.0, 0.0)
     cause = "a j or a k that is not zero would be lost: ValueError; a NaN is not zero either"
-    for bad in ((r, i, n, 0.0), (r, i, 0.0, n), (r, i, math.nan, 0.0), (r, i, 1e-12, 0.0)):
+    pairs = [(n, 0.0), (-n, 0.0), (0.0, n), (0.0, -n), (n, n), (n, -n), (math.nan, 0.0)]
+    for bad in ((r, i, *pair) for pair in (*pairs, (0.0, math.nan), (1e-12, 0.0), (0.0, -1e-12))):
         for a, b in ((bad, good), (good, bad)):
             expect_error(
                 f"product_without_j_and_k(Quaternion{a}, Quaternion{b})",
@@ -329,6 +330,8 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
             "an angle in degrees": math.degrees(missing),
         }
         why = named(error, cause, slips)
+        if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
+            why = f"acos loses half of the digits where the turn is small, as here: {cause}"
         expect_close(name, error, missing, cause=why, read=read, tolerance=1e-11)
         expect_unchanged(call, "orientation", rijk(orientation), q, read=read)
 
@@ -385,14 +388,12 @@ def test_a_turn_of_nothing_is_refused() -> None:
             cause=cause,
             read=BY_STEPS,
         )
-    cause = "four numbers are no Quaternion: TypeError"
-    q = (1.0, 0.0, 0.0, 0.0)
     for name, function in (("sense", turned_by_sense), ("steps", turned_by_steps)):
         expect_error(
             f"turned_by_{name}((1, 0, 0, 0), 1, 2)",
-            lambda function=function: function(q, 1.0, 2.0),
+            lambda function=function: function((1.0, 0.0, 0.0, 0.0), 1.0, 2.0),
             TypeError,
             allowed=lambda function=function: function(Quaternion(), 1.0, 2.0),
-            cause=cause,
+            cause="four numbers are no Quaternion: TypeError",
             read=FIRST_LINES,
         )

@@ -263,12 +263,12 @@ def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
 @pytest.mark.exercise("B9.5")
 def test_how_near_to_singular_is_too_near() -> None:
     read = INVERSE
-    # Rows of lengths 2, 3 and 3 whose determinant is 18 times the small number.
-    for small, regular in ((1.1e-13, True), (0.9e-13, False)):
-        m = (2.0, 0.0, 0.0, 3.0, 3.0 * small, 0.0, 0.0, 0.0, 3.0)
+    # Rows of lengths 2, 4 and 8 whose determinant is 64 times the small number, without rounding.
+    for small, regular in ((1.1e-13, True), (1e-13, False), (0.9e-13, False)):
+        m = (2.0, 0.0, 0.0, 4.0, 4.0 * small, 0.0, 0.0, 0.0, 8.0)
         cause = "|determinant| is above 1e-13 of the product of the rows' lengths: it has one"
         if not regular:
-            cause = "|determinant| is below 1e-13 of the product of the rows' lengths"
+            cause = f"|determinant| is {small} of the product of the rows' lengths: not above 1e-13"
             expect_no_inverse(m, cause)
             continue
         call = f"Matrix3{m}.inverse(), its first number"

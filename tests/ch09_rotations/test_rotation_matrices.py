@@ -66,7 +66,9 @@ def test_what_is_no_rotation(rng: Random) -> None:
     expect_rotation(tuple(1e200 * number for number in m), False, cause)
     cause = "it is a mirror: its rows are orthonormal, but its determinant is -1"
     expect_rotation((d, e, f, a, b, c, g, h, i), False, cause)
-    expect_rotation(tuple(-number for number in m), False, cause)
+    # The determinant of a mirror that passes for orthonormal is near -1, on either side of it.
+    for scale in (-1.0, -1.0 - 4e-6, 4e-6 - 1.0):
+        expect_rotation(tuple(scale * number for number in m), False, cause)
     cause = "it skews: rows of length 1 that do not stand at right angles"
     s, t = math.sin(0.3), math.cos(0.3)
     for n in (
@@ -215,6 +217,8 @@ def test_back_from_a_matrix(rng: Random) -> None:
     expect_back((1.0, 0.0, 0.0, 0.0), cause)
     for _ in range(4):
         expect_back(draw_quad(rng), cause)
+    for angle in (0.9, -0.9):  # r is the largest
+        expect_back(quad(components(rng), angle), cause)
 
 
 @pytest.mark.exercise("B9.13")

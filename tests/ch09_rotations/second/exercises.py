@@ -74,7 +74,7 @@ def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
     """Exercise 9.5: return the rotation and the position that a 3x4 matrix is made of, as new."""
     _must_be(Matrix4, matrix)
     origin = matrix.transform(Vector3())
-    columns = [part for axis in (_X, _Y, _Z) for part in matrix.transform_direction(axis)]
+    columns = [part for axis in (_X, _Y, _Z) for part in matrix.transform(axis) - origin]
     rotation = Matrix3(*columns).transpose()
     if not rotation.is_rotation():
         raise ValueError(f"the matrix does more than turn and move: {matrix!r}")

@@ -35,7 +35,8 @@ def run_checks_warm(
         process.join(PATIENCE)
         process.kill()
         current = None
-        for line in events.read_text(encoding="utf-8").splitlines():
+        told = events.read_text(encoding="utf-8") if events.exists() else ""  # it never began
+        for line in told.splitlines():
             current = ran._take(json.loads(line), current)
     if not ran.finished:
         return run_checks(chapter, engine, seed=seed, exercises=exercises)

@@ -172,6 +172,13 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
     p.integrate(0.5)
     wanted = tuple((v[i] + f[i] / mass * 0.5) * 0.5 for i in range(3))
     expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+    call = f"p = Particle(velocity=Vector3{v}, damping=0.25); p.integrate(0.5) twice; p.velocity"
+    cause = "a frame as long as the last one keeps the same share again, here a half"
+    p = Particle(velocity=Vector3(*v), damping=0.25)
+    p.integrate(0.5)
+    p.integrate(0.5)
+    wanted = tuple(0.25 * part for part in v)
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")

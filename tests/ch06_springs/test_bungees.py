@@ -117,6 +117,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             (-1.0, "a rope that grows longer is held back by its damping too: -(k x + c l') d^"),
             (0.5, "a stretched rope that shortens pulls less: -(k x + c l') d^"),
             (2.0, "where damping is more than the pull, the rope does nothing: it never pushes"),
+            (1.001, "a rope does not push a little either, where damping is just above the pull"),
         ):
             speed = -share * still
             velocity = (speed * d[0], speed * d[1], speed * d[2])

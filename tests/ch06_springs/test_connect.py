@@ -274,6 +274,21 @@ def test_connect_refuses_what_means_nothing() -> None:
     registry.update_forces(0.5)
     got = xyz(b.force_accumulator)
     expect_close(f"{call}; b.force_accumulator", got, ZERO, cause=cause, read=read)
+    call = "a at (1e10, 0, 0), velocity (1e10, 0, 0); b at minus that, with minus that velocity; "
+    cause = "the force is too large for a float: add_force, which alone changes a sum, refuses it"
+    near = Particle(), Particle(Vector3(1.0, 0.0, 0.0))
+    for stiffness, damping in ((1e308, 0.0), (0.0, 1e308)):
+        far = Particle(Vector3(1e10, 0.0, 0.0), Vector3(1e10, 0.0, 0.0))
+        away = Particle(Vector3(-1e10, 0.0, 0.0), Vector3(-1e10, 0.0, 0.0))
+        spring = Connection(far, away, stiffness, 1.0, damping)
+        expect_error(
+            f"{call}Connection(a, b, {stiffness}, 1.0, {damping}).update_force(a, 0.5)",
+            lambda spring=spring, far=far: spring.update_force(far, 0.5),
+            ValueError,
+            allowed=lambda: Connection(*near, 1.0, 1.0).update_force(near[0], 0.5),
+            cause=cause,
+            read=READ,
+        )
     call = "connect(registry, a, b, 3.0, 0.0), both of infinite mass; registry.update_forces(0.5)"
     cause = "a spring between two immovable particles is no error"
     still = Particle(mass=math.inf), Particle(mass=math.inf)

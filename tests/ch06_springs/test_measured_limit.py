@@ -133,7 +133,7 @@ def test_the_ends_of_what_is_measured() -> None:
     got = never_safe(h)
     expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-4 * 3600.0)
     cause = "nothing beyond STIFFEST / h^2 is looked at: that is returned"
-    for rate in (60.0, 30.0):
+    for rate in (60.0, 30.0, 1.25):
         call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step that bears 400 / h^2"
         most = 16.0 * rate**2
         got = measured(0.01, False, 0.5, 1.0 / rate)

@@ -109,18 +109,18 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
 @pytest.mark.exercise("G6.2")
 def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
     read = LOAD
-    places = [(2.0, 0.0, 0.0), (3.0, 0.5, 0.0), (5.0, 0.0, 1.0)]
+    places = [(-1.5, 0.0, 0.0), (-0.5, 0.5, 0.0), (1.5, 0.0, 1.0)]
     weight = positive_number(rng, 1.0, 900.0)
     for x, shares, cause in (
-        (2.25, (0.75, 0.25, 0.0), "the nearer a plank, the more it carries: 1 - s and s"),
-        (4.5, (0.0, 0.25, 0.75), "s goes from 0 at the one to 1 at the next: divide by the gap"),
-        (3.0, (0.0, 1.0, 0.0), "over a plank, that one carries all"),
+        (-1.25, (0.75, 0.25, 0.0), "the nearer a plank, the more it carries: 1 - s and s"),
+        (1.0, (0.0, 0.25, 0.75), "s goes from 0 at the one to 1 at the next: divide by the gap"),
+        (-0.5, (0.0, 1.0, 0.0), "over a plank, that one carries all"),
         (-7.0, (1.0, 0.0, 0.0), "before the first plank, that one carries all"),
         (9.0, (0.0, 0.0, 1.0), "after the last plank, that one carries all"),
-        (2.0, (1.0, 0.0, 0.0), "over the first plank, that one carries all"),
-        (5.0, (0.0, 0.0, 1.0), "over the last plank, that one carries all"),
+        (-1.5, (1.0, 0.0, 0.0), "over the first plank, that one carries all"),
+        (1.5, (0.0, 0.0, 1.0), "over the last plank, that one carries all"),
     ):
-        call = f"planks at x = 2, 3 and 5; load_bridge(planks, {x}, {weight})"
+        call = f"planks at x = -1.5, -0.5 and 1.5; load_bridge(planks, {x}, {weight})"
         forces = loaded(places, x, weight)
         got = [force[1] - 2.0 for force in forces]
         wanted = [-weight * share for share in shares]
@@ -139,7 +139,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         name = f"{call}: forces along x and z stay"
         got = [part for force in forces for part in (force[0], force[2])]
         expect_close(name, got, [1.0, 3.0] * 3, cause=cause, read=read)
-    call = f"one plank at x = 2; load_bridge([plank], 4.0, {weight})"
+    call = f"one plank at x = -1.5; load_bridge([plank], 4.0, {weight})"
     cause = "a single plank carries all"
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(call, got, -weight, cause=cause, read=read, tolerance=1e-12 * weight)

@@ -199,6 +199,7 @@ def _print_result(
         f"chapter {chapter.number}: {killed} of {others_of} mutants killed, {100.0 * share:.1f} %, "
         f"and {len(same)} do what the reference does; {results}",
         markup=False,
+        soft_wrap=True,
     )
     keep("mutants", chapter, killed=killed, of=others_of, same=len(same))
     return share >= SHARE and not untold and not others

@@ -141,11 +141,16 @@ def test_what_closes_bounces(rng: Random) -> None:
 def test_what_parts_goes_on(rng: Random) -> None:
     read = AFTER
     n = direction(rng)
-    for duration in (0.0, 0.5):
-        v = along(n, positive_number(rng), rng)
+    for duration, parting in (
+        (0.0, positive_number(rng)),
+        (0.5, positive_number(rng)),
+        (0.5, 0.25),
+        (0.0, 1e-6),
+    ):
+        v = along(n, parting, rng)
         call = f"a with velocity {v}; Contact(a, None, Vector3{n}, 0.5).velocity_after({duration})"
         cause = "what parts already does not bounce: it keeps its separating velocity, whatever "
-        cause += "pulls it"
+        cause += "pulls it, and however slow it is"
         down = Vector3(*n) * -G
         a = Particle(velocity=Vector3(*v), acceleration=down)
         got = Contact(a, None, Vector3(*n), 0.5).velocity_after(duration)

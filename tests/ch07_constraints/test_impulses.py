@@ -272,6 +272,8 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
     for depth, mass, cause in (
         (0.0, 2.0, "what only touches is not moved"),
         (-positive_number(rng), 2.0, "a negative penetration is a gap: it is not closed"),
+        (-0.125, 2.0, "a negative penetration is a gap: it is not closed"),
+        (-1e-10, 2.0, "a gap is not closed, however small: it is the resolver that has tolerances"),
         (1.0, math.inf, "both are immovable: 0 / 0 is an error, or a NaN"),
     ):
         call = f"a and b of {mass} kg; c = Contact(a, b, Vector3{n}, 0.5, {depth}); "

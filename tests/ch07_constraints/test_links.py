@@ -311,12 +311,14 @@ def test_equal_limits_both_act(rng: Random) -> None:
         expect_close(f"{call}: normals", seen, right, cause=cause, read=read, tolerance=1e-15)
     got = [number for contact in got for number in (contact[0], contact[1], contact[4])]
     expect_close(f"{call}: ends and depths", got, (0, 1, 0.0) * 2, cause=cause, read=read)
-    call = "a and b at one place; l = Limits(a, b, 2, 3); l.contacts()"
-    cause = "ends at one place have no direction: +Y stands for the one from a to b"
     same = [Particle(), Particle()]
-    link = Limits(*same, 2.0, 3.0)
-    wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, 2.0)]
-    expect_contacts(call, link, same, wanted, cause, read)
+    for low in (2.0, 0.5, 1e-3):
+        call = f"a and b at one place; l = Limits(a, b, {low}, 3); l.contacts()"
+        cause = "ends at one place have no direction: +Y stands for the one from a to b; and any "
+        cause += "min_length above 0 is a limit"
+        link = Limits(*same, low, 3.0)
+        wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
+        expect_contacts(call, link, same, wanted, cause, read)
     call += "; l.min_length = 0; l.contacts()"
     cause = "a min_length of 0 is no limit, not even where there is no distance"
     link.min_length = 0.0

@@ -119,6 +119,7 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
     depth, speed = round(rng.uniform(0.01, 0.2), 3), round(rng.uniform(0.01, 9.0), 3)
     for what, height, velocity, wanted, cause in (
         ("in the deck, falling", 4.5 - depth, -speed, (2, row), "the row that the deck names"),
+        ("in the deck, falling slowly", 4.5 - depth, -0.01, (2, row), "however slow it is"),
         (
             "in the deck, on its way up",
             4.5 - depth,

@@ -266,6 +266,21 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             got = (restitution, penetration)
             why = cause_of(got, mistakes, cause)
             expect_close(name, got, (c, depth), cause=why, read=read, tolerance=1e-12)
+    level = [((x, 4.0, -1.0), (x, 4.0, 1.0)) for x in (0.0, 2.0, 4.0)]
+    for y, cause in (
+        (4.5, "it touches where its lowest point is just at the deck: a contact of depth 0"),
+        (
+            3.5,
+            "only what is deeper than it is high is below: with its top just at the deck it is in",
+        ),
+    ):
+        call = (
+            f"a level deck at a height of 4, a ball of radius 0.5 at (2, {y}, 0): contacts(), and "
+        )
+        call += "the depth of each"
+        got = [depth for *_, depth in deck((2.0, y, 0.0), level, 0.5, 0.0)["contacts"]]
+        expect_exactly(f"{call}: how many", len(got), 2, cause=cause, read=read)
+        expect_close(call, got, (4.5 - y,) * 2, cause=cause, read=read)
     for where, lift, ends, cause in (
         ("just above it", radius + 1e-6, 0, "above the deck there is no contact"),
         ("whose top is just above it", 1e-6 - radius, 2, "in the deck it is lifted out"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import product
 from random import Random
 
 import pytest
@@ -123,6 +124,15 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     # Rounding of a few times 0.1 s, many times less than a step.
     name = f"{call}: left, dropped"
     expect_close(name, row[1:], (0.0, 0.1 * late), cause=cause, read=read, tolerance=1e-9)
+    cause = "what lacks less than SHARE of a step is dropped with the others, and nothing else is"
+    for duration, lack in product((1e-6, STEP, 1000.0), (1e-7, 1e-10)):
+        elapsed = duration * (5.0 - lack)
+        call = f"a FixedStep of {duration} s, max_steps=2; advance({elapsed!r})"
+        row = advanced(duration, [elapsed], 2)["rows"][0]
+        late = 2.0 if lack > 1e-9 else 3.0
+        name = f"{call}: left, dropped"
+        wanted = (elapsed - (2.0 + late) * duration, late * duration)
+        expect_close(name, row[1:], wanted, cause=cause, read=read, tolerance=1e-9 * duration)
     call = f"a FixedStep of {STEP} s, no max_steps; advance by 5000 steps"
     cause = "None means no limit"
     row = advanced(STEP, [5000.0 * STEP])["rows"][0]

@@ -91,6 +91,16 @@ def test_what_balances_a_platform(rng: Random) -> None:
     cause = "on either side of the pivot, m = -(sum of mass times place) / x; 0 kg turn nothing"
     got = balancing_mass(masses, [-place for place in places], x)
     expect_close(call, got, turn / x, cause=cause, read=read, tolerance=1e-12 * (1 + turn / x))
+    for place, x, wanted in (
+        (0.5, -0.25, 2.0),
+        (-0.5, 0.25, 2.0),
+        (0.5, -1.0, 0.5),
+        (-0.5, 1.0, 0.5),
+    ):
+        call = f"balancing_mass([1.0], [{place}], {x})"
+        cause = "however near the pivot, what is on the other side of it balances"
+        got = balancing_mass([1.0], [place], x)
+        expect_close(call, got, wanted, cause=cause, read=read)
     for masses, places, x, why in (
         ([2.0, 1.0], [-1.0, 2.0], 5.0, "what is balanced already needs no mass"),
         ([2.0, 1.0], [-1.0, 2.0], 0.0, "what is balanced already needs none at the pivot either"),
@@ -117,6 +127,8 @@ def test_what_cannot_be_balanced_is_refused() -> None:
             "it would have to be -1 kg: a mass on the side that sinks balances nothing",
         ),
         ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "on the left side it sinks as well"),
+        ([1.0], [0.5], 0.25, ValueError, "near the pivot it is on the side that sinks as well"),
+        ([1.0], [-0.5], -0.25, ValueError, "near the pivot it is on the side that sinks as well"),
         ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "a mass at the pivot turns nothing"),
         ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "a negative mass is refused"),
         ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "NaN is no mass"),

@@ -43,7 +43,7 @@ def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, in
     And how many contacts the student's resolver says that it has resolved, if it does.
 
     Instead of the physics a frame may do "nothing", put the projectile on the "ground", or let go
-    of it, "up" or "down", at a place and a speed that are given, the counterweight 1 m lower.
+    of it, "up" or "down", at a place and a speed that are given, the counterweight 4 m lower.
     """
     made = machine(numbers)
     times: list[float] = []
@@ -60,7 +60,7 @@ def throw(numbers: Sequence[float], instead: str = "") -> tuple[float, float, in
             made.projectile.position.y = 0.0
         if instead not in ("up", "down"):
             return
-        made.weight.position.y -= 1.0
+        made.weight.position.y -= 4.0
         made.projectile.position = Vector3(2.0, 8.0)
         made.projectile.velocity = Vector3(30.0, 10.0 if instead == "up" else -10.0)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -13,8 +14,11 @@ from ch08_mass_aggregate.sleep_probes import FRAME, Push, Touch, Wall, asleep, d
 from ch08_mass_aggregate.sleeping import SleepingWorld
 
 
-def parted(touching: int, frames: int) -> list[list[int]]:
-    """Let a slow particle touch a fast one for some frames; return who sleeps after each frame."""
+def parted(touching: int, frames: int, fast: int = 0) -> list[list[int]]:
+    """Let a slow particle touch a fast one for some frames; return who sleeps after each frame.
+
+    In one frame, counted from 1, it is fast itself.
+    """
     particles = [Particle(), Particle(Vector3(9.0), Vector3(0.0, 0.0, 9.0))]
     touch = Touch(particles, [(0, 1)])
     world = SleepingWorld(particles, [touch], sleep_energy=0.5, sleep_frames=5)
@@ -22,9 +26,22 @@ def parted(touching: int, frames: int) -> list[list[int]]:
     for i in range(frames):
         if i == touching:
             touch.pairs = []
+        particles[0].velocity.z = 9.0 if i == fast - 1 else 0.0
         world.step(FRAME)
         seen.append(asleep(world, particles))
     return seen
+
+
+def made_immovable(late: int, frames: int) -> list[int]:
+    """Let two particles that lie still touch, until one becomes immovable; return who sleeps."""
+    particles = [Particle(), Particle(Vector3(9.0))]
+    touch = Touch(particles, [(0, 1)])
+    world = SleepingWorld(particles, [touch], sleep_energy=0.5, sleep_frames=5)
+    for i in range(frames):
+        if i == late:
+            particles[1].mass = math.inf
+        world.step(FRAME)
+    return asleep(world, particles)
 
 
 def group_woken(pairs: Sequence[tuple[int, int]], first: int) -> tuple[list[int], list[int]]:
@@ -62,7 +79,7 @@ def touched_gently(order: tuple[int, int]) -> list[list[int]]:
     return [before, asleep(world, particles)]
 
 
-def woken_by_little(how: str, axis: str) -> tuple[list[int], list[int]]:
+def woken_by_little(how: str, axis: str, by: float) -> tuple[list[int], list[int]]:
     """Let three particles fall asleep on the ground, and do a little to the last two.
 
     Return who sleeps before, and after a frame.
@@ -75,10 +92,10 @@ def woken_by_little(how: str, axis: str) -> tuple[list[int], list[int]]:
     world.start_frame()
     for particle in made[1:]:
         if how == "force":
-            particle.add_force(Vector3(**{axis: 1e-3}))
+            particle.add_force(Vector3(**{axis: by}))
         else:
             vector = particle.velocity if how == "velocity" else particle.position
-            setattr(vector, axis, getattr(vector, axis) + 1e-3)
+            setattr(vector, axis, getattr(vector, axis) + by)
     world.run_physics(FRAME)
     return before, asleep(world, made)
 

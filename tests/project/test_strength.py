@@ -63,10 +63,6 @@ def test_the_table_has_every_chapter_as_it_is_now_and_strong_enough() -> None:
         assert (row[1], row[3]) == (str(len(checked)), str(points))
         assert row[6] == str(len(read_wrong(chapter)))
         assert float(re.search(r"([\d.]+) %", row[4])[1]) >= 97.0
-        for seeds in row[7:]:
-            counts = re.findall(r"(\d+) on 3\.(1[123])", seeds)
-            assert [python for _, python in counts] == ["11", "12", "13"]
-            assert min(int(count) for count, _ in counts) >= 1000
 
 
 @pytest.fixture

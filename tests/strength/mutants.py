@@ -189,7 +189,9 @@ def _print_result(
     same = [m for m in living if (m.edit, m.line, m.became) in told]
     untold = [m for m in living if (m.edit, m.line, m.became) not in told]
     for mutant in untold:
-        console.print(f"{mutant.edit}\n  - {mutant.line}\n  + {mutant.became}", markup=False)
+        console.print(
+            f"{mutant.edit}\n  - {mutant.line}\n  + {mutant.became}", markup=False, soft_wrap=True
+        )
     others = told - {(m.edit, m.line, m.became) for m in living}
     for edit, line, became in sorted(others):
         console.print(f"no survivor: {edit}: {line} -> {became}", markup=False)

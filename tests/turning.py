@@ -20,6 +20,8 @@ IDENTITY = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 X_AXIS, Y_AXIS, Z_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 # Rounding of a few dozen operations on numbers of about 1, with room for any order of them.
 TIGHT = 1e-12
+# The same of sums of products of numbers up to 90.
+LOOSE = 1e-11
 
 
 def rijk(q: Any) -> Any:

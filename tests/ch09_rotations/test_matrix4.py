@@ -13,6 +13,7 @@ from draw import Components, components
 from expect import expect_close, expect_error, expect_unchanged, xyz
 from turning import (
     IDENTITY,
+    LOOSE,
     Nine,
     added,
     applied,
@@ -31,8 +32,6 @@ POINT = "book 9.4.2, and the docstring of Matrix4.transform"
 TIMES = "book 9.4.2, and the docstring of Matrix4.product"
 INVERSE = "book 9.4.3, and the docstring of Matrix4.inverse"
 FIRST_LINES = "the first lines of matrix.py"
-# Sums of products of numbers up to 90.
-LOOSE = 1e-11
 
 
 @pytest.mark.exercise("B9.14")

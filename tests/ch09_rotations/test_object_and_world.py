@@ -13,6 +13,7 @@ from ch09_rotations.quaternion import Quaternion
 from draw import Components, components
 from expect import expect_close, expect_error, expect_unchanged, xyz
 from turning import (
+    LOOSE,
     TIGHT,
     Nine,
     added,
@@ -34,8 +35,6 @@ from turning import (
 WORLD = "book 9.4.5"
 BASIS = "book 9.4.6, and the docstring of change_basis"
 FIRST_LINES = "the first lines of matrix.py"
-# Sums of products of numbers up to 90.
-LOOSE = 1e-11
 
 
 @pytest.mark.exercise("B9.15")

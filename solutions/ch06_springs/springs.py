@@ -144,17 +144,12 @@ class Connection:
             return
         v, w = a.velocity, b.velocity
         rate = ((v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z) / length
-        pull = (self.stiffness * (self.rest_length - length) - self.damping * rate) / length
-        if 0.0 * pull != 0.0:  # an overflow: vectors have the range, and refuse what is not finite
-            force = spring_force(
-                place - other, v - w, self.stiffness, self.rest_length, self.damping
-            )
-            a.add_force(force)
-            b.add_force(-force)
-            return
-        x *= pull
-        y *= pull
-        z *= pull
+        push = self.stiffness * (self.rest_length - length) - self.damping * rate
+        if not math.isfinite(push):
+            raise ValueError(f"force must be finite, got {push!r}")
+        x = x / length * push
+        y = y / length * push
+        z = z / length * push
         # What add_force does, but for a look at the sums: as calls it would take a fifth longer.
         forces = a._forces
         sums = forces[0]

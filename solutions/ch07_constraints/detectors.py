@@ -218,7 +218,7 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     It is gap + v t + a t^2 / 2 in m, with v in m/s and a in m/s^2. Where it is closed already, the
     time is that at which it closes on, or begins to: 0 where it does so now, and where it lies
     still and is accelerated inwards. Where it is not accelerated inwards, a velocity inwards of
-    less than VELOCITY_TOLERANCE is no closing. math.inf where it never closes, or only just gets
+    VELOCITY_TOLERANCE or less is no closing. math.inf where it never closes, or only just gets
     there, and turns round. The arguments are not checked.
     """
     if acceleration >= 0.0 and velocity >= -VELOCITY_TOLERANCE:

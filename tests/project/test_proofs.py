@@ -182,13 +182,3 @@ def test_a_wrong_submission_is_told_the_same_both_ways(
     assert beside == run_checks(chapter, engine, seed=SEED, exercises=ids, behind=behind_walls())
     failed = {verdict.exercise for verdict in beside if verdict.status == "failed"}
     assert failed == set(ids)
-
-
-@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
-def test_every_exercise_has_two_wrong_submissions(chapter: Chapter) -> None:
-    counts = {
-        exercise.id: sum(wrong.edit in exercise.edit for wrong in read_wrong(chapter))
-        for exercise in chapter.exercises
-        if exercise.edit
-    }
-    assert {id_: count for id_, count in counts.items() if count < 2} == {}

@@ -86,7 +86,7 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
     (ax, ay, az), x, y = components(rng), number(rng), number(rng)
     cause = "solve a.x x + a.y y + a.z z = 0 for z, however small a.z is"
     read = "book 2.1.7"
-    for z in (az, az * 1e-12):
+    for z in (az, -az, az * 1e-12, az * -1e-12):
         call = f"make_perpendicular(Vector3{(ax, ay, z)}, {x}, {y})"
         got = exercises.make_perpendicular(Vector3(ax, ay, z), x, y)
         # Rounding of two terms up to 100 that may cancel, divided by z.

@@ -137,8 +137,8 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     seen = cause_of(got, mistakes, cause)
     expect_close(call, got, (-8.0, 6.0, 0.0), cause=seen, read=read)
     places, wanted = [], []
-    for _ in range(3):
-        angle, radius = positive_number(rng, 0.1, 6.0), positive_number(rng, 0.01, 3.0)
+    for most in (0.1, 0.9, 3.0):  # inside of 1 m as well as outside
+        angle, radius = positive_number(rng, 0.1, 6.0), positive_number(rng, 0.01, most)
         c, s = math.cos(angle), math.sin(angle)
         places.append((hub[0] + radius * c, hub[1] + radius * s, hub[2] + number(rng)))
         wanted.append((already[0] - force * s, already[1] + force * c, already[2]))

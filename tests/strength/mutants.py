@@ -84,7 +84,17 @@ def mutants_of(chapter: Chapter) -> Iterator[Mutant]:
                 if edit:
                     code = mutate_code(source, operator(), occurrence)
                     became = code.splitlines()[row - 1]
-                    yield Mutant(file, edit, lines[row - 1].strip(), became.strip(), code)
+                    if _is_python(code):
+                        yield Mutant(file, edit, lines[row - 1].strip(), became.strip(), code)
+
+
+def _is_python(code: str) -> bool:
+    """Return whether it compiles: an operator may put a "not" where none can stand."""
+    try:
+        ast.parse(code)
+    except SyntaxError:
+        return False
+    return True
 
 
 def _bodies(chapter: Chapter, file: str, source: str) -> dict[str, tuple[int, int]]:

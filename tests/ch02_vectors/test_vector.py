@@ -25,9 +25,11 @@ ZERO = (0.0, 0.0, 0.0)
 
 
 def whole_length(rng: Random) -> tuple[Components, float]:
-    """Draw whole components whose length is whole too, by the formula of Lebesgue."""
-    m, n, p, q = (rng.randint(1, 6) for _ in range(4))
-    x, y, z = m * m + n * n - p * p - q * q, 2 * (m * q + n * p), 2 * (n * q - m * p)
+    """Draw whole components, none of them 0, whose length is whole too, as Lebesgue's formula."""
+    x = z = 0
+    while not x or not z:
+        m, n, p, q = (rng.randint(1, 6) for _ in range(4))
+        x, y, z = m * m + n * n - p * p - q * q, 2 * (m * q + n * p), 2 * (n * q - m * p)
     return (float(x), float(y), float(z)), float(m * m + n * n + p * p + q * q)
 
 

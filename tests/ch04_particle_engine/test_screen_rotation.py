@@ -19,7 +19,7 @@ ROUNDED = 1e-12  # some roundings of numbers up to 10, and of a sine
 @pytest.mark.exercise("G4.1")
 def test_the_angle_grows_by_the_rate(rng: Random) -> None:
     read = ANGLE
-    start, rate = round(rng.uniform(-0.5, 0.5), 3), round(rng.uniform(0.2, 0.9), 3)
+    start, rate = round(rng.uniform(-0.5, 0.5), 3), round(rng.uniform(0.85, 1.0), 3)
     for turning in (rate, -rate):
         call = f"screen_angle({start}, {turning}, 2.5)"
         cause = "start + rate x time, from -pi to pi: a turn backwards makes it negative"
@@ -38,7 +38,10 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
 @pytest.mark.exercise("G4.1")
 def test_whole_turns_are_left_out(rng: Random) -> None:
     read = ANGLE
-    for rate in (round(rng.uniform(3.0, 9.0), 3), -round(rng.uniform(3.0, 9.0), 3)):
+    turns = rng.randint(10, 25)
+    beyond = rng.uniform(0.3, 1.2), rng.uniform(3.5, 4.5)  # to either side of half a turn
+    for angle in (way * (turns * 2.0 * math.pi + part) for way in (1.0, -1.0) for part in beyond):
+        rate = round((angle - 0.5) / 20.0, 3)
         call = f"screen_angle(0.5, {rate}, 20)"
         cause = "from -pi to pi: what is beyond has whole turns in it"
         got = screen_rotation.screen_angle(0.5, rate, 20.0)

@@ -124,11 +124,12 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     expect_unchanged(call, "block.particle.position", now, center, cause=cause, read=read)
     # Where the first answer counts, so that this is no check of doing nothing.
     inside = Vector3(*center)
-    call = f"hit_fraction(middle, end, block), middle = Vector3{center}, twice"
-    answers = [targets.hit_fraction(inside, last, block) for _ in range(2)]
+    call = f"hit_fraction(middle, end, block), middle = Vector3{center}, twice, and the other way"
+    other = Vector3(*(2.0 * c - e for c, e in zip(center, end, strict=True)))
+    answers = [targets.hit_fraction(inside, there, block) for there in (last, last, other)]
     cause = "a way that starts inside hits at once: 0, and never before its start"
     expect_exactly(f"{call} is None", answers[0] is None, False, cause=cause, read=read)
-    expect_close(call, answers, (0.0, 0.0), cause=cause, read=read, tolerance=0.0)
+    expect_close(call, answers, (0.0, 0.0, 0.0), cause=cause, read=read, tolerance=0.0)
 
 
 @pytest.mark.exercise("4.3b")

@@ -116,7 +116,8 @@ def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
 
 @pytest.mark.exercise("2.6", weight=2)
 def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
-    a, b = direction(rng), direction(rng)
+    # Of length 1 to rounding, and never just 1.
+    a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     call = f"v, w = Vector3{a}, Vector3{b}; remove_projection(v, w)"
     cause = "these are unit vectors, to rounding: compare with the tolerance of 1e-6, not with =="

@@ -199,7 +199,7 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
     rules = [
         (1, 0.5, 1.4, (-5.0, 25.0, -5.0), (5.0, 28.0, 5.0), 0.1, ((3, many), (5, 2))),
         (3, 0.5, 1.5, (-1.0, 5.0, -1.0), (1.0, 9.0, 1.0), 0.1, ((5, 3),)),
-        (5, 90.0, 90.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.001, ()),
+        (5, 4.5, 4.5, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.001, ()),
     ]
     call = f"type 1 leaves {many} of 3 and 2 of 5, type 3 leaves 3 of 5; launch 1 twice; "
     call += "show.update(0.05) 80 times; how many of each type burn"
@@ -231,7 +231,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     seed = rng.randrange(10**6)
     rules = [
         (1, 0.1, 0.4, (-5.0, 5.0, -5.0), (5.0, 8.0, 5.0), 0.1, ((3, 5),)),
-        (3, 0.1, 2.5, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), 0.1, ()),
+        (3, 0.7, 2.5, (-5.0, 5.0, -5.0), (5.0, 9.0, 5.0), 0.1, ()),
     ]
     call = f"two shows with the seed {seed}: launch 1, 1, 3; show.update(0.05) 12 times"
     cause = "nothing is drawn but from self.random, and in the same order each time"

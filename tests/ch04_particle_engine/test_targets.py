@@ -98,7 +98,8 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
     sizes = tuple(round(rng.uniform(1.0, 3.0), 3) for _ in range(3))
     center = components(rng)
     away = tuple(number(rng, 4.0, 9.0) for _ in range(3))
-    for sign in (1.0, -1.0):  # from either side
+    for sign, turn in ((1.0, 0), (-1.0, 0), (1.0, 1), (1.0, 2)):  # the last face on each axis
+        sizes, away = sizes[turn:] + sizes[:turn], away[turn:] + away[:turn]
         start = tuple(c + sign * a for c, a in zip(center, away, strict=True))
         call = f"hit_fraction(Vector3{start}, Vector3{center}, block), "
         call += f"block = TargetBlock(Vector3{center}, {sizes}, mass=10)"

@@ -142,12 +142,13 @@ def test_an_exercise_needs_no_other_than_it_says(
     ("chapter", "wrong"), WRONG, ids=[f"{w.edit}: {w.mistake}" for _, w in WRONG]
 )
 def test_a_wrong_submission_loses_exactly_its_checks(
-    chapter: Chapter, wrong: Wrong, tmp_path: Path
+    chapter: Chapter, wrong: Wrong, tmp_path: Path, pytestconfig: pytest.Config
 ) -> None:
     write_wrong(chapter, [wrong], tmp_path)
     exercise = exercise_of(chapter, wrong)
     reached = built_on(chapter, exercise)
-    verdicts = run_checks_warm(chapter, engine_with(tmp_path), seed=SEED, exercises=reached)
+    seed = pytestconfig.getoption("seed")
+    verdicts = run_checks_warm(chapter, engine_with(tmp_path), seed=seed, exercises=reached)
     failed = [verdict for verdict in verdicts if verdict.status != "passed"]
     assert {verdict.name for verdict in failed} == set(wrong.loses)
     first = next(verdict for verdict in failed if verdict.exercise == exercise.id)

@@ -72,12 +72,8 @@ def test_without_drag_no_frame_is_too_long() -> None:
 @pytest.mark.exercise("B5.8")
 def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> None:
     read = LIMITS
-    k1, k2, mass, speed = (
-        positive_number(rng),
-        positive_number(rng),
-        positive_number(rng),
-        positive_number(rng, 1.0, 90.0),
-    )
+    k1, mass, speed = positive_number(rng), positive_number(rng), positive_number(rng, 5.0, 90.0)
+    k2 = round(positive_number(rng, 0.3, 3.0) * k1 / speed, 6)  # both parts of the drag count
     call = f"drag_limits({k1}, {k2}, {mass}, {speed})"
     cause = "the limits are where 1 - (k1 + k2 |v|) h / m is 0, and where it is -1"
     first, second = drag_limits(k1, k2, mass, speed)

@@ -21,25 +21,26 @@ READ = "the docstring of PenaltyGround"
 @pytest.mark.exercise("G6.1")
 def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
     read = READ
-    height, k, depth = number(rng), positive_number(rng), positive_number(rng)
+    high, k, depth = positive_number(rng, 0.5, 9.5), positive_number(rng), positive_number(rng)
     f = components(rng)
-    call = f"p at (3, {height - depth}, 5); p.add_force(Vector3{f}); "
-    call += f"PenaltyGround({height}, {k}).update_force(p, 0.5); p.force_accumulator"
-    cause = "a push of k times the depth below the height, upwards, beside the other forces"
-    p = Particle(Vector3(3.0, height - depth, 5.0), Vector3(7.0, 0.0, 7.0), mass=2.0)
-    p.add_force(Vector3(*f))
-    PenaltyGround(height, k).update_force(p, 0.5)
-    wanted = (f[0], f[1] + k * depth, f[2])
-    got = xyz(p.force_accumulator)
-    pushes = {
-        "a push downwards": -k * depth,
-        "a push out of a ground at height 0, not at self.height": k * (depth - height),
-        "a push times the mass": 2.0 * k * depth,
-        "no push, though p is below the ground": 0.0,
-    }
-    slips = {slip: (f[0], f[1] + size, f[2]) for slip, size in pushes.items()}
-    cause = named(got, cause, slips)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    for height in (-high, high):
+        call = f"p at (3, {height - depth}, 5); p.add_force(Vector3{f}); "
+        call += f"PenaltyGround({height}, {k}).update_force(p, 0.5); p.force_accumulator"
+        cause = "a push of k times the depth below the height, upwards, beside the other forces"
+        p = Particle(Vector3(3.0, height - depth, 5.0), Vector3(7.0, 0.0, 7.0), mass=2.0)
+        p.add_force(Vector3(*f))
+        PenaltyGround(height, k).update_force(p, 0.5)
+        wanted = (f[0], f[1] + k * depth, f[2])
+        got = xyz(p.force_accumulator)
+        pushes = {
+            "a push downwards": -k * depth,
+            "a push out of a ground at height 0, not at self.height": k * (depth - height),
+            "a push times the mass": 2.0 * k * depth,
+            "no push, though p is below the ground": 0.0,
+        }
+        slips = {slip: (f[0], f[1] + size, f[2]) for slip, size in pushes.items()}
+        cause = named(got, cause, slips)
+        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
 
 
 @pytest.mark.exercise("G6.1")

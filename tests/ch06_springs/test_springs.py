@@ -239,7 +239,9 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     read = "book 6.2.2 and the docstring of AnchoredSpring"
     here, v = components(rng), components(rng)
     first, second = components(rng), components(rng)
-    k, rest, c = positive_number(rng), positive_number(rng), positive_number(rng)
+    # It is too long at the first anchor, and too short at the second.
+    rest, longer = round(0.5 * math.dist(here, first), 3), round(2.0 * math.dist(here, second), 3)
+    k, c = positive_number(rng), positive_number(rng)
     call = f"p at {here}, velocity {v}; s = AnchoredSpring(Vector3{first}, {k}, {rest}, {c}); "
     p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
     s = AnchoredSpring(Vector3(*first), k, rest, c)
@@ -266,13 +268,13 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     call += (
         f"; p.clear_forces(); s.anchor = Vector3{second}; s.stiffness, s.rest_length, s.damping = "
     )
-    call += f"{2 * k}, {3 * rest}, {4 * c}; s.update_force(p, 0.5)"
+    call += f"{2 * k}, {longer}, {4 * c}; s.update_force(p, 0.5)"
     cause = "read the attributes each time: a camera's anchor moves"
     p.clear_forces()
-    s.anchor, s.stiffness, s.rest_length, s.damping = Vector3(*second), 2 * k, 3 * rest, 4 * c
+    s.anchor, s.stiffness, s.rest_length, s.damping = Vector3(*second), 2 * k, longer, 4 * c
     s.update_force(p, 0.5)
     offset = tuple(a - b for a, b in zip(here, second, strict=True))
-    wanted = hooke(offset, v, 2.0 * k, 3.0 * rest, 4.0 * c)
+    wanted = hooke(offset, v, 2.0 * k, longer, 4.0 * c)
     got = xyz(p.force_accumulator)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
 

@@ -108,10 +108,11 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     read = PAIRS
     n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
     q = components(rng)
+    cells = "in any two cells, also below 0: math.floor, where int cuts off towards 0"
     for radius, distance, wanted, cause in (
         (0.75, 1.500001, None, "more than two radii apart there is no contact"),
-        (0.75, 1.25, 0.25, "middles 1.25 m apart, two radii 1.5 m: they touch, in any two cells"),
-        (4.0, 0.5, 7.5, "middles 0.5 m apart, two radii 8 m: they touch, in any two cells"),
+        (0.75, 1.25, 0.25, f"middles 1.25 m apart, two radii 1.5 m: they touch, {cells}"),
+        (4.0, 0.5, 7.5, f"middles 0.5 m apart, two radii 8 m: they touch, {cells}"),
     ):
         p = tuple(x + distance * part for x, part in zip(q, n, strict=True))
         call = f"a at {p}, b at {q}; ParticlePairs([a, b], {radius}, {c}).contacts()"
@@ -120,6 +121,11 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         expect_pairs(
             call, got, [] if wanted is None else [(0, 1, n, c, wanted)], cause, read, 2 * radius
         )
+    call = "a at (-2, 0, 0), b at (-1, 0, 0); ParticlePairs([a, b], 0.75).contacts()"
+    cause = f"middles 1 m apart, two radii 1.5 m: they touch, {cells}"
+    pair = [Particle(Vector3(-2.0)), Particle(Vector3(-1.0))]
+    got = told(ParticlePairs(pair, 0.75).contacts(), pair)
+    expect_pairs(call, got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.5)], cause, read, 1.5)
     call = "a at (3, 0, 0), b at (5, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
     cause = "exactly two radii apart they touch, with a penetration of 0"
     pair = [Particle(Vector3(3.0)), Particle(Vector3(5.0))]

@@ -148,18 +148,14 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
         (1e-11, 0.0, 1, "faster than VELOCITY_TOLERANCE is to be resolved"),
         (0.5, -1.0, 1, "how deep a contact is does not matter here"),
         (-0.5, 1.0, 0, "what parts is left alone, however deep it is"),
-        (
-            0.0,
-            1.0,
-            0,
-            "it neither closes nor parts: the listing resolves what is deep as well, here the "
-            "other phase does",
-        ),
+        (0.0, 1.0, 0, "the listing resolves what is deep as well: here the other phase does"),
         (1e-13, 1.0, 0, "slower than VELOCITY_TOLERANCE is rounding, however deep it is"),
         (1e-11, 1.0, 1, "faster than VELOCITY_TOLERANCE is to be resolved"),
     ):
         u = components(rng)  # what is fast along the contact closes no faster
         v = tuple(p - (closing + dot(u, n)) * q for p, q in zip(u, n, strict=True))
+        if closing == 0.0:
+            v = (n[1], -n[0], 0.0)  # straight across, without a rounding
         call = f"a with velocity {v}; resolve_velocities([Contact(a, None, Vector3{n}, 0, {depth})]"
         call += ", 9, 0.5)"
         bodies = [(ZERO, v, 2.0)]
@@ -180,14 +176,15 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
 def test_many_contacts_come_to_an_end(rng: Random) -> None:
     read = FASTEST
     bodies = [(components(rng), components(rng), positive_number(rng)) for _ in range(6)]
-    bodies.append((ZERO, ZERO, math.inf))
-    contacts = []
-    for a, b in [(0, 6), (1, 0), (2, 0), (2, 1), (3, 1), (3, 6), (4, 2), (5, 3), (5, 4)]:
+    # Two more, one behind the other on their way to the immovable one: it throws both back.
+    bodies += [*row(5.0, 2.0), (ZERO, ZERO, math.inf)]
+    contacts = touching((7, 6), (8, 7), restitution=0.5)
+    for a, b in [(0, 8), (1, 0), (2, 0), (2, 1), (3, 1), (3, 8), (4, 2), (5, 3), (5, 4)]:
         n = direction(rng)
         if dot(bodies[a][1], n) > dot(bodies[b][1], n):
             n = (-n[0], -n[1], -n[2])
         contacts.append((a, b, n, 0.5, 0.0))
-    call = "7 particles, one of them immovable, with 9 contacts that all close, restitution 0.5; "
+    call = "9 particles, one of them immovable, with 11 contacts that all close, restitution 0.5; "
     call += "resolve_velocities, limit 2000"
     cause = "it goes on until nothing closes faster than VELOCITY_TOLERANCE"
     used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
@@ -199,7 +196,7 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
     cause = "it returns how many it has resolved, which is more than 1 and less than the limit here"
     expect_close(f"{call}: returned", used, 1000, cause=cause, read=read, tolerance=998)
     before, now = (
-        sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:6], velocities, strict=False))
+        sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:8], velocities, strict=False))
         for velocities in ([v for _, v, _ in bodies], [v for _, v in after])
     )
     cause = "an impulse at restitution 0.5 takes energy out, and never puts some in"

@@ -170,13 +170,13 @@ def test_rest_is_told_with_its_time() -> None:
 @pytest.mark.exercise("B7.12")
 def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
     read = "book 7.3; simultaneous impacts are resolved one after the other"
-    speed = positive_number(rng, 0.5, 3.0)  # what passes on late, or early, is so by far
+    speed = positive_number(rng, 0.5, 3.0)  # so slow that passing on too late shows
     for count in (1, 2, 3):
         speeds = [speed if i < count else 0.0 for i in range(5)]
-        gap = speed  # 1 s away
+        gap = 0.75 * speed  # they arrive in the middle of a frame
         places = [2.0 * i - (gap if i < count else 0.0) for i in range(5)]
         call = f"five spheres of radius 1, mass 2, restitution 1; the first {count} arrive with "
-        call += f"{speed} m/s after 1 s, the others touch; 2 s in frames of 0.5 s: velocities"
+        call += f"{speed} m/s after 0.75 s, the others touch; 2 s in frames of 0.5 s: velocities"
         cause = (
             "each impact passes the motion on to the next sphere, at the same time: as many leave"
         )
@@ -241,10 +241,8 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
         ((9.0, 90.0, 0.0), ZERO, ZERO, (8.0, 0.0, 0.0), 2.0),
         ((9.0, 9.0, 9.0), (1.0, 2.0, 3.0), ZERO, (1.0, 2.0, 3.0), math.inf),
     ]
-    call = f"p of {mass} kg, damping {d}, at (0, {high}, 0), velocity (3, -4, 0), "
-    call += (
-        f"acceleration {own}, and a force {force}; a frame of {h} s, ground at 0, restitution 0.5; "
-    )
+    call = f"p of {mass} kg, damping {d}, at (0, {high}, 0), velocity (3, -4, 0), acceleration "
+    call += f"{own}, and a force {force}; a frame of {h} s, ground at 0, restitution 0.5; "
     speed, rest = 0.5 * (4.0 - a * fall), h - fall
     height = speed * rest + 0.5 * a * rest * rest
     end = 0.5 * (speed + a * rest)

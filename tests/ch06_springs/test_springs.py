@@ -184,7 +184,8 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
 def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     read = "book 6.2.1 and the docstring of Spring"
     here, there, v, w, f = (components(rng) for _ in range(5))
-    k, rest, c = positive_number(rng), positive_number(rng), positive_number(rng)
+    k, c = positive_number(rng), positive_number(rng)
+    rest = round(2.0 * math.dist(here, there), 3)  # it is too short, and below too long
     call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; p.add_force(Vector3{f}); "
     call += f"p has 2 kg, q 3 kg; s = Spring(q, {k}, {rest}, {c}); s.update_force(p, 0.5)"
     p = Particle(Vector3(*here), Vector3(*v), mass=2.0)

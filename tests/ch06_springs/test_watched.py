@@ -19,7 +19,7 @@ CALL = "step = watched(integrator, {}); step(particles, apply_forces, h)"
 @pytest.mark.exercise("B6.10")
 def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
     read = READ
-    frames, limit = rng.randint(2, 5), positive_number(rng)
+    frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
     call = f"{CALL.format(limit)}, {frames} times, h = 0.25, 1.25, ..."
     cause = "pass particles, apply_forces and duration on as they are, once a call"
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames

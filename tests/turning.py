@@ -136,6 +136,17 @@ def draw_matrix(rng: Random) -> Nine:
     return tuple(m)
 
 
+def draw_mirror(rng: Random) -> Nine:
+    """Draw such a matrix whose determinant is negative."""
+    m = draw_matrix(rng)
+    return m if determinant(m) < 0.0 else tuple(-number for number in m)
+
+
+def draw_slight_turn(rng: Random) -> Nine:
+    """Draw the matrix of a turn so slight that a determinant with a mistake is positive too."""
+    return matrix_of(quad(components(rng), positive_number(rng, 0.3, 0.6)))
+
+
 def named(
     got: Any,
     cause: str,

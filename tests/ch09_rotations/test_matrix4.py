@@ -19,6 +19,7 @@ from turning import (
     applied,
     determinant,
     draw_matrix,
+    draw_mirror,
     entries,
     joined,
     moved,
@@ -129,7 +130,7 @@ def overwritten(m: Nine, p: Components) -> tuple[Nine, Components]:
 @pytest.mark.exercise("B9.14")
 def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     read = "book 9.4.3, and E-28"
-    m, p = draw_matrix(rng), components(rng)
+    m, p = draw_mirror(rng), components(rng)
     twelve = joined(m, p)
     call = f"Matrix4{twelve}.determinant()"
     cause = "that of the nine numbers without the last column"
@@ -154,7 +155,7 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     read = INVERSE
     drawn = draw_matrix(rng)
     small = tuple(1e-7 * number for number in drawn)
-    ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, 5.0, 0.0, 0.0)
+    ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.0, 0.0)
     listing = "a Matrix4 has entries 0 to 11, and the book's listing reads entry 15 too (E-13)"
     tiny = "what is small is not singular: Matrix3.inverse, of the nine numbers, knows that"
     zeros = (
@@ -205,11 +206,13 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
     cause = "its nine numbers are singular, whatever the translation: Matrix3.inverse refuses them"
-    a, b = components(rng), components(rng)
-    # In one plane but for rounding; and not a number, or not finite.
-    plane = (*a, *b, *(1.3 * x - 0.7 * y for x, y in zip(a, b, strict=True)))
+    planes = []
+    for _ in range(6):  # in one plane but for rounding, of which now and then none is left
+        a, b = components(rng), components(rng)
+        plane = (*a, *b, *(1.3 * x - 0.7 * y for x, y in zip(a, b, strict=True)))
+        planes += [plane, tuple(1e6 * number for number in plane)]
     bad = [(*plane[:4], n, *IDENTITY[5:]) for n in (math.nan, math.inf)]
-    for linear in (flat, (0.0,) * 9, plane, tuple(1e6 * number for number in plane), *bad):
+    for linear in (flat, (0.0,) * 9, *planes, *bad):
         twelve = joined(linear, components(rng))
         expect_error(
             f"Matrix4{twelve}.inverse()",

@@ -19,6 +19,7 @@ from turning import (
     added,
     applied,
     draw_matrix,
+    draw_mirror,
     draw_quad,
     entries,
     joined,
@@ -209,7 +210,7 @@ def test_a_turn_told_in_other_axes() -> None:
 @pytest.mark.exercise("B9.16")
 def test_any_matrix_in_any_axes(rng: Random) -> None:
     read = BASIS
-    m, basis = draw_matrix(rng), draw_matrix(rng)
+    m, basis = draw_matrix(rng), draw_mirror(rng)
     one, other = Matrix3(*m), Matrix3(*basis)
     call = f"change_basis(Matrix3{m}, Matrix3{basis}), times the basis"
     cause = "basis m basis^-1, where the axes need not be at right angles"
@@ -226,7 +227,7 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
 @pytest.mark.exercise("B9.16")
 def test_a_motion_told_from_another_place(rng: Random) -> None:
     read = BASIS
-    m, p, basis, q = draw_matrix(rng), components(rng), draw_matrix(rng), components(rng)
+    m, p, basis, q = draw_matrix(rng), components(rng), draw_mirror(rng), components(rng)
     first, second = joined(m, p), joined(basis, q)
     a = components(rng)
     call = f"change_basis(Matrix4{first}, Matrix4{second}).transform, where the basis takes {a}"
@@ -244,7 +245,7 @@ def test_a_motion_told_from_another_place(rng: Random) -> None:
 @pytest.mark.exercise("B9.16", weight=0.5)
 def test_a_basis_must_fit(rng: Random) -> None:
     read = BASIS
-    nine, twelve = draw_matrix(rng), joined(draw_matrix(rng), components(rng))
+    nine, twelve = draw_mirror(rng), joined(draw_matrix(rng), components(rng))
     small, large = Matrix3(*nine), Matrix4(*twelve)
     flat = Matrix3(*(0.0,) * 9)
     v = Vector3(1.0, 2.0, 3.0)

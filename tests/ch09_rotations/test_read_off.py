@@ -16,6 +16,7 @@ from turning import (
     TIGHT,
     applied,
     draw_quad,
+    draw_slight_turn,
     entries,
     joined,
     matrix_of,
@@ -32,7 +33,7 @@ EASY = "the docstring of easy_inverse"
 @pytest.mark.exercise("9.5")
 def test_rotation_and_position_are_read_off(rng: Random) -> None:
     read = OFF
-    m, p = matrix_of(draw_quad(rng)), components(rng)
+    m, p = draw_slight_turn(rng), components(rng)
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
     call = f"read_off(Matrix4{twelve})"
@@ -61,7 +62,7 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
 @pytest.mark.exercise("9.5", weight=0.5)
 def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     read = OFF
-    m, p = matrix_of(draw_quad(rng)), components(rng)
+    m, p = draw_slight_turn(rng), components(rng)
     good = joined(m, p)
     near = tuple(n * (1.0 + 4e-6) for n in m)
     call = f"read_off(Matrix4{joined(near, p)}): of how many parts"

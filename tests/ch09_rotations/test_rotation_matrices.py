@@ -11,7 +11,7 @@ import pytest
 
 from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
-from draw import components
+from draw import components, positive_number
 from expect import expect_close, expect_error, expect_exactly, expect_unchanged
 from turning import (
     IDENTITY,
@@ -19,6 +19,7 @@ from turning import (
     Nine,
     Quad,
     draw_quad,
+    draw_slight_turn,
     entries,
     matrix_of,
     named,
@@ -31,6 +32,8 @@ from turning import (
 IS_ROTATION = "the docstring of is_rotation"
 FROM = "book 9.4.4, and E-11"
 TO = "the docstring of to_quaternion"
+# Half a turn about (2, 2, 1), of whose determinant few terms alone have the right sign.
+HALF_TURN = tuple(n / 9.0 for n in (-1.0, 8.0, 4.0, 8.0, -1.0, 4.0, 4.0, 4.0, -7.0))
 
 
 def expect_rotation(m: Nine, wanted: bool, cause: str) -> None:
@@ -45,7 +48,7 @@ def test_rotations_are_known(rng: Random) -> None:
     cause = "its rows have length 1, stand at right angles, and are right-handed: it is one"
     expect_rotation(IDENTITY, True, cause)
     cause += ". Its numbers are rounded: ask whether a product is near, never whether it is equal"
-    for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng))):
+    for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng)), HALF_TURN):
         expect_rotation(m, True, cause)
 
 
@@ -66,6 +69,7 @@ def test_what_is_no_rotation(rng: Random) -> None:
     expect_rotation(tuple(1e200 * number for number in m), False, cause)
     cause = "it is a mirror: its rows are orthonormal, but its determinant is -1"
     expect_rotation((d, e, f, a, b, c, g, h, i), False, cause)
+    expect_rotation(tuple(-number for number in HALF_TURN), False, cause)
     # The determinant of a mirror that passes for orthonormal is near -1, on either side of it.
     for scale in (-1.0, -1.0 - 4e-6, 4e-6 - 1.0):
         expect_rotation(tuple(scale * number for number in m), False, cause)
@@ -81,7 +85,7 @@ def test_what_is_no_rotation(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.6")
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
-    m = matrix_of(draw_quad(rng))
+    m = draw_slight_turn(rng)
     limit = "products of rows may be off by ROTATION_TOLERANCE, 1e-5"
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
         cause = f"{limit}: each row times itself is off by {2.0 * scale:.2g} here. The determinant"
@@ -215,10 +219,17 @@ def expect_back(q: Quad, cause: str) -> None:
 def test_back_from_a_matrix(rng: Random) -> None:
     cause = "the sum of the diagonal is 4 r^2 - 1; h - f is 4 i r, c - g is 4 j r, d - b is 4 k r"
     expect_back((1.0, 0.0, 0.0, 0.0), cause)
+    for longest in range(3):
+        # Two of i, j and k are negative, so that no lost sign looks like another one.
+        axis = [-positive_number(rng, 0.5, 5.0) for _ in range(3)]
+        axis[longest] = 10.0
+        for angle in (0.9, 2.6):  # r is the largest, or that of the longest
+            expect_back(quad(axis, angle), cause)
     for _ in range(4):
         expect_back(draw_quad(rng), cause)
-    for angle in (0.9, -0.9):  # r is the largest
-        expect_back(quad(components(rng), angle), cause)
+    expect_back(quad(components(rng), -0.9), cause)
+    cause = "it is a rotation, though the product of its diagonal is negative: ask is_rotation()"
+    expect_back(quad((2.0, 2.1, 1.0), 3.0), cause)
 
 
 @pytest.mark.exercise("B9.13")
@@ -245,6 +256,7 @@ def test_what_comes_back_has_length_one(rng: Random) -> None:
     read = TO
     cause = "normalise what you return: the matrix may be off by rounding, or by more"
     half_turns = [(0.0, 0.8, 0.6, 0.0), (0.0, 0.0, 0.8, 0.6), (0.0, 0.6, 0.0, 0.8)]
+    half_turns.append((0.0, 2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0))
     for q in (draw_quad(rng), quad(components(rng), 0.3), *half_turns):
         m = tuple(number * (1.0 + 3e-6) for number in matrix_of(q))
         call = f"Matrix3{m}.to_quaternion(), its length"
@@ -255,7 +267,7 @@ def test_what_comes_back_has_length_one(rng: Random) -> None:
 @pytest.mark.exercise("B9.13", weight=0.5)
 def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
     read = TO
-    m = matrix_of(draw_quad(rng))
+    m = draw_slight_turn(rng)
     cause = "ask is_rotation() first"
     for n in (
         tuple(2.0 * number for number in m),

@@ -38,6 +38,20 @@ def draw_stones(rng: Random, count: int = 4) -> Stones:
     ]
 
 
+def draw_telling_stones(rng: Random) -> Stones:
+    """Draw masses of stones of which each likely mistake of an edge at 0.3 puts one amiss."""
+    a, b, c, d = (
+        round(positive_number(rng, 0.9, 1.1) * mass, 3) for mass in (0.53, 0.15, 0.08, 0.4)
+    )
+    return [
+        ("a pebble", a, 0.81, 0.09),
+        ("slate", b, 0.45, 0.46),
+        ("a pebble", c, 0.2, 0.83),
+        ("quartz", a, 0.31, 0.27),
+        ("the box", d, 0.39, 0.84),
+    ]
+
+
 def middle(stones: Stones) -> complex:
     """Return the centre of mass as a complex number."""
     total = math.fsum(mass for _, mass, _, _ in stones)
@@ -47,6 +61,19 @@ def middle(stones: Stones) -> complex:
 def left_of(point: complex, angle: float) -> float:
     """Return how far to the left of a line through 0 a point is."""
     return (point * complex(math.cos(angle), -math.sin(angle))).imag
+
+
+def from_edge(stones: Stones, angle: float) -> list[tuple[float, float]]:
+    """Return how far to the left of the edge each stone is, and its mass."""
+    line = left_of(middle(stones), angle)
+    return [(left_of(complex(x, y), angle) - line, mass) for _, mass, x, y in stones]
+
+
+def beside(stones: Stones, angle: float) -> tuple[float, float]:
+    """Return the masses on the left and on the right of the edge."""
+    sides = from_edge(stones, angle)
+    left = math.fsum(mass for side, mass in sides if side > 0.0)
+    return left, math.fsum(mass for side, mass in sides if side < 0.0)
 
 
 def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
@@ -142,22 +169,15 @@ def test_it_balances_though_the_masses_differ() -> None:
 def test_the_masses_on_both_sides(rng: Random) -> None:
     read = BESIDE
     cause = "a stone is on the left where its own offset is larger than the edge's"
-    tried = 0
-    while tried < 4:
+    cases = [(draw_telling_stones(rng), 0.3)]
+    while len(cases) < 4:
         stones, angle = draw_stones(rng), number(rng, 0.1, 3.0)
-        line = left_of(middle(stones), angle)
-        sides = [left_of(complex(x, y), angle) - line for _, _, x, y in stones]
-        if min(map(abs, sides)) < 1e-3:  # a stone on the edge has a check of its own
-            continue
-        tried += 1
-        masses = [mass for _, mass, _, _ in stones]
-        pairs = list(zip(sides, masses, strict=True))
-        wanted = (
-            math.fsum(mass for side, mass in pairs if side > 0.0),
-            math.fsum(mass for side, mass in pairs if side < 0.0),
-        )
+        # A stone on the edge has a check of its own.
+        if min(abs(side) for side, _ in from_edge(stones, angle)) > 1e-3:
+            cases.append((stones, angle))
+    for stones, angle in cases:
         call = f"masses_beside({stones}, {angle})"
-        got = tuple(masses_beside(stones, angle))
+        got, wanted = tuple(masses_beside(stones, angle)), beside(stones, angle)
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
 
 
@@ -190,19 +210,14 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
 @pytest.mark.parametrize("name", ["center_of_stones", "balance_offset", "masses_beside"])
 def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     read = "the first lines of exercises.py"
-    stones = [*draw_stones(rng), ("the box", 0.4, 0.9, 0.1), ("a last one", 0.01, 0.2, 0.3)]
+    stones = draw_telling_stones(rng)
     call = f"{name}({stones}{'' if name == 'center_of_stones' else ', 0.3'})"
     cause = "the call must not change its list: sort, or take from, a copy"
     center = middle(stones)
-    line = left_of(center, 0.3)
-    sides = [(left_of(complex(x, y), 0.3) - line, mass) for _, mass, x, y in stones]
     wanted = {
         "center_of_stones": (center.real, center.imag),
-        "balance_offset": line,
-        "masses_beside": (
-            math.fsum(mass for side, mass in sides if side > 0.0),
-            math.fsum(mass for side, mass in sides if side < 0.0),
-        ),
+        "balance_offset": left_of(center, 0.3),
+        "masses_beside": beside(stones, 0.3),
     }[name]
     got, after = stones_after(name, stones)
     expect_unchanged(call, "the list", after, stones, cause=cause, read=read)

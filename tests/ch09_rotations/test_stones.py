@@ -41,14 +41,14 @@ def draw_stones(rng: Random, count: int = 4) -> Stones:
 def draw_telling_stones(rng: Random) -> Stones:
     """Draw masses of stones of which each likely mistake of an edge at 0.3 puts one amiss."""
     a, b, c, d = (
-        round(positive_number(rng, 0.9, 1.1) * mass, 3) for mass in (0.53, 0.15, 0.08, 0.4)
+        round(positive_number(rng, 0.9, 1.1) * mass, 3) for mass in (0.22, 0.07, 0.47, 0.51)
     )
     return [
-        ("a pebble", a, 0.81, 0.09),
-        ("slate", b, 0.45, 0.46),
-        ("a pebble", c, 0.2, 0.83),
-        ("quartz", a, 0.31, 0.27),
-        ("the box", d, 0.39, 0.84),
+        ("a pebble", a, 0.43, 0.94),
+        ("slate", b, 0.28, 0.61),
+        ("a pebble", c, 0.83, 0.51),
+        ("quartz", a, 0.66, 0.55),
+        ("the box", d, 0.49, 0.18),
     ]
 
 

@@ -11,7 +11,7 @@ from random import Random
 from typing import Any
 
 import expect
-from draw import Components, components, positive_number
+from draw import Components, components, number, positive_number
 from expect import NoVector, is_plain
 
 Quad = tuple[float, float, float, float]
@@ -129,8 +129,11 @@ def draw_quad(rng: Random) -> Quad:
 
 
 def draw_matrix(rng: Random) -> Nine:
-    """Draw a matrix that is far from singular: the diagonal outweighs the rest of each row."""
-    m = [round(rng.uniform(-2.0, 2.0), 3) for _ in range(9)]
+    """Draw a matrix that is far from singular: the diagonal outweighs the rest of each row.
+
+    No number is near zero, so that each sign counts.
+    """
+    m = [number(rng, 0.1, 2.0) for _ in range(9)]
     for place in (0, 4, 8):
         m[place] = rng.choice((-1.0, 1.0)) * positive_number(rng, 5.0, 9.0)
     return tuple(m)

@@ -15,6 +15,15 @@ WIDER = "the docstring of swings_wider"
 LARGEST = "the docstring of largest_stable_stiffness"
 
 
+def draw_step(rng: Random) -> tuple[float, float]:
+    """Draw the share of its force that a step lets count, and a damping, of which mistakes tell.
+
+    With a share of 1 it would be the book's step, and -ln 0.567 is 0.567.
+    """
+    share = rng.choice((0.745, 1.42)) * rng.uniform(0.985, 1.015)
+    return round(share, 3), rng.choice((0.43, 0.74))
+
+
 def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
     """Return the stiffness that such a step can bear when only a share of its force counts."""
     keep = damping**h
@@ -55,7 +64,7 @@ def test_how_the_particle_is_released() -> None:
 def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None:
     read = WIDER
     h = 1.0 / 60.0
-    damping, share = round(rng.uniform(0.4, 0.8), 3), round(rng.uniform(0.6, 1.6), 3)
+    share, damping = draw_step(rng)
     limit = limit_of(share, explicit, damping, h)
     for part, wanted, cause in (
         (0.98, False, "2 % below the limit the swings die out: they are not wider"),
@@ -99,8 +108,8 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
 @pytest.mark.parametrize("explicit", [True, False], ids=["the_book_s_step", "velocity_first"])
 def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     read = LARGEST
-    share = round(rng.uniform(0.6, 1.6), 3)
-    drawn = round(rng.uniform(0.4, 0.8), 3), rng.choice([1.0 / 60.0, 1.0 / 30.0])
+    share, damping = draw_step(rng)
+    drawn = damping, rng.choice([1.0 / 60.0, 1.0 / 40.0])
     for damping, h in (drawn, (0.9, 1.0 / 20.0)):  # a limit of 1 N/m or so for the book's step
         call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), a step of the check's own"
         cause = "measure it with the integrator that is given, by halving the gap between a "

@@ -175,7 +175,7 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
 @pytest.mark.exercise("B7.5")
 def test_many_contacts_come_to_an_end(rng: Random) -> None:
     read = FASTEST
-    bodies = [(components(rng), components(rng), positive_number(rng)) for _ in range(6)]
+    bodies = [(components(rng), components(rng), positive_number(rng, 2.0, 5.0)) for _ in range(6)]
     # Two more, one behind the other on their way to the immovable one: it throws both back.
     bodies += [*row(5.0, 2.0), (ZERO, ZERO, math.inf)]
     contacts = touching((8, 7), (7, 6), restitution=0.5)

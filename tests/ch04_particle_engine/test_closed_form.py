@@ -49,7 +49,7 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
     read = FACTORS
     for damping, time in (
         (0.5, 1.0),
-        (round(rng.uniform(0.1, 0.9), 3), round(rng.uniform(1.0, 9.0), 3)),
+        (round(rng.uniform(0.1, 0.3), 3), round(rng.uniform(5.0, 9.0), 3)),  # too far for a series
         (1.5, round(rng.uniform(1.0, 3.0), 3)),  # above 1 it gains speed, by the same formula
         (0.9999, 3000.0),  # what counts as small is k t, not k
     ):

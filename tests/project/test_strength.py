@@ -63,10 +63,6 @@ def test_the_table_has_every_chapter_as_it_is_now_and_strong_enough() -> None:
         assert (row[1], row[3]) == (str(len(checked)), str(points))
         assert row[6] == str(len(read_wrong(chapter)))
         assert float(re.search(r"([\d.]+) %", row[4])[1]) >= 97.0
-        for held in row[7:]:
-            seeds = dict(reversed(part.split(" on ")) for part in held.split(", "))
-            assert seeds.keys() >= {"3.11", "3.12", "3.13"}
-            assert all(int(count) >= 1000 for count in seeds.values())
 
 
 @pytest.fixture

@@ -59,5 +59,6 @@ def row(chapter: Chapter) -> list[str]:
 
 
 def _held(chapter: Chapter, name: str) -> str:
+    """Return how many seeds, at least, hold on which Pythons."""
     pythons = kept(name, chapter)
-    return ", ".join(f"{pythons[python]} on {python}" for python in sorted(pythons)) or "-"
+    return f"{min(pythons.values())} on {', '.join(sorted(pythons))}" if pythons else "-"

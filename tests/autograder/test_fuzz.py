@@ -10,6 +10,7 @@ import re
 import tempfile
 from pathlib import Path
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -20,10 +21,14 @@ from walls import behind_walls
 from wrong import Wrong, write_wrong
 
 CHAPTERS = load_chapters()
-FEW = settings(
-    max_examples=30, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
+LONG = settings.get_current_profile_name() == "long"
+submissions = settings(
+    max_examples=(settings.default.max_examples if LONG else 32) // len(CHAPTERS),
+    derandomize=not LONG,
+    deadline=None,
+    suppress_health_check=list(HealthCheck),
 )
-settings.register_profile("long", FEW, max_examples=3000, derandomize=False)
+each_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 
 # Whatever JSON can hold, and more: numbers without end, no numbers, half characters, tuples.
 plain = st.recursive(
@@ -91,10 +96,10 @@ def assert_verdicts_and_sentences(chapter: Chapter, exercises: list[str], folder
             assert "Traceback" not in verdict.message
 
 
-@FEW
+@each_chapter
+@submissions
 @given(data=st.data())
-def test_any_result_and_any_error_of_a_body(data: st.DataObject) -> None:
-    chapter = data.draw(st.sampled_from(CHAPTERS), label="chapter")
+def test_any_result_and_any_error_of_a_body(chapter: Chapter, data: st.DataObject) -> None:
     exercise = data.draw(st.sampled_from([e for e in chapter.exercises if e.edit]))
     wrongs = [Wrong("", edit, data.draw(bodies, label=edit)) for edit in exercise.edit]
     with tempfile.TemporaryDirectory() as folder:
@@ -102,11 +107,11 @@ def test_any_result_and_any_error_of_a_body(data: st.DataObject) -> None:
         assert_verdicts_and_sentences(chapter, [exercise.id], Path(folder))
 
 
-@FEW
+@each_chapter
+@submissions
 @given(data=st.data())
-def test_any_damage_to_a_file(data: st.DataObject) -> None:
+def test_any_damage_to_a_file(chapter: Chapter, data: st.DataObject) -> None:
     """Lines that are gone, a name that is another, one parameter too few or too many, odd bytes."""
-    chapter = data.draw(st.sampled_from(CHAPTERS), label="chapter")
     exercise = data.draw(st.sampled_from([e for e in chapter.exercises if e.edit]))
     module = exercise.edit[0].split(".")[0]
     source = (ROOT / "solutions" / chapter.name / f"{module}.py").read_text(encoding="utf-8")

@@ -76,7 +76,8 @@ def explain_exception(
     words: dict[str, str] = {}  # a check keeps what it calls, the likely cause and where to read
     for frame, _ in traceback.walk_tb(error.__traceback__):
         local = frame.f_locals
-        if Path(frame.f_code.co_filename).name.startswith("test_") and "call" in local:
+        file = Path(frame.f_code.co_filename).name
+        if (file.startswith("test_") or file == "expect.py") and "call" in local:
             words = {name: str(local[name]) for name in ("call", "cause", "read") if name in local}
     lines = [f"called    {words['call']}"] if "call" in words else []
     lines.append(f"got       {fault.first_line}")

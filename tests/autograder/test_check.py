@@ -9,8 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from autograder.explain import explain_exception
 from autograder.manifest import ROOT, load_chapters, select_chapters
 from copies import copy_tree
+from expect import expect_error
 
 SAMPLES = "sample_class"
 SQUARES = "math.sqrt(self.x**2 + self.y**2 + self.z**2)"
@@ -189,3 +191,15 @@ def test_a_slip_is_named(engine: Path, old: str, new: str, words: str) -> None:
     assert words in done.stdout.split("First to repair")[1]
     assert "called    " in done.stdout
     assert "read      " in done.stdout
+
+
+def test_code_that_refuses_what_is_right_is_told_so_and_where() -> None:
+    def refuse() -> None:
+        raise ValueError("mass must be positive")
+
+    with pytest.raises(ValueError, match="positive") as caught:
+        expect_error("mass(0)", refuse, ValueError, allowed=refuse, cause="by 0?", read="book 3")
+    message = explain_exception(caught.value, [Path(__file__).parent])
+    assert "called    as in mass(0), but with arguments that are right\n" in message
+    assert "\nwhere     autograder/test_check.py, line " in message
+    assert "likely    what is right must not be refused\n" in message

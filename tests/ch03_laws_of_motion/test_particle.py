@@ -144,6 +144,7 @@ def expect_refusal(
     name: str, bad: Any, error: type[Exception], *, good: float, cause: str, read: str
 ) -> None:
     """Expect that the attribute takes a good value, and then refuses a bad one and stays."""
+    call = f"p = Particle(); p.{name} = {good}; p.{name} = {bad!r}"
     p = Particle()
 
     def attempt() -> None:
@@ -152,7 +153,6 @@ def expect_refusal(
     def allowed() -> None:
         setattr(p, name, good)
 
-    call = f"p.{name} = {good}; p.{name} = {bad!r}"
     expect_error(call, attempt, error, allowed=allowed, cause=cause, read=read)
     cause = "refuse a value before anything is changed"
     expect_close(f"{call}; p.{name}", getattr(p, name), good, cause=cause, read=read)

@@ -22,14 +22,15 @@ ROUNDED = 1e-12  # some roundings of numbers up to 30
 
 def thrown(*, frames: int, others: tuple[str, ...] = ()) -> tuple[str, Any]:
     """Throw a grenade, fire others, and let frames of a quarter of a second pass."""
+    fired = "; ".join(f'r.fire("{name}")' for name in ("grenade", *others))
+    call = f"{fired}; r.update(0.25) {frames} times; r.shots"
     at = ballistics.BallisticRange()
     at.fire("grenade")
     for name in others:
         at.fire(name)
     for _ in range(frames):
         at.update(0.25)
-    fired = "; ".join(f'r.fire("{name}")' for name in ("grenade", *others))
-    return f"{fired}; r.update(0.25) {frames} times; r.shots", at
+    return call, at
 
 
 @pytest.mark.exercise("4.1")

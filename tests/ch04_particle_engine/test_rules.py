@@ -119,8 +119,9 @@ def test_your_types_are_like_no_other() -> None:
 
 
 @pytest.mark.exercise("4.2")
-def test_your_types_burn_and_come_to_an_end(rng: Random) -> None:
-    seed = rng.randrange(10**6)
+def test_your_types_burn_and_come_to_an_end() -> None:
+    # Always the same show: that fuses of one's own are short enough must not be luck.
+    seed = 5
     read = READ
     for type in (10, 11):
         call = f"own_types(), a show of all eleven with the seed {seed}; type {type} is lit 50 m "

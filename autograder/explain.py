@@ -30,6 +30,7 @@ SLIPS = (
     ("unexpected keyword", "an argument of the def has another name than its docstring says"),
     ("and 'method'", "a method is named but not called: its brackets are missing"),
     ("can't decode", "save the file as UTF-8 in your editor"),
+    ("null bytes", "save the file as UTF-8 in your editor"),
 )
 # Others may be slips, or what a mistake in the physics leads to: the check's cause follows them.
 PERHAPS = (
@@ -45,6 +46,7 @@ PERHAPS = (
     ),
     ("is not callable", "what is called here is no function: a property, or a name used twice?"),
     ("values to unpack", "another number of results is wanted: the docstring says which"),
+    ("unterminated", "a quotation mark is missing, or one of three: here, or further up"),
     ("cannot unpack", "another number of results is wanted: the docstring says which"),
     ("has no attribute", "a name is misspelt, or this is not the type that you think"),
 )

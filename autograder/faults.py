@@ -61,6 +61,8 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
         text = str(error.msg)
         if error.lineno:
             syntax = (short(error.filename or ""), error.lineno, (error.text or "").strip())
+    if isinstance(error, ImportError) and type(error.path) is str:
+        text = text.replace(f" ({error.path})", "")  # where it lies on the grader's machine
     frames = [
         Frame(short(frame.f_code.co_filename), line, frame.f_code.co_name)
         for frame, line in traceback.walk_tb(error.__traceback__)

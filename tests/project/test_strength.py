@@ -63,6 +63,10 @@ def test_the_table_has_every_chapter_as_it_is_now_and_strong_enough() -> None:
         assert (row[1], row[3]) == (str(len(checked)), str(points))
         assert row[6] == str(len(read_wrong(chapter)))
         assert float(re.search(r"([\d.]+) %", row[4])[1]) >= 97.0
+        for cell in row[7:]:  # the reference, and the second solution
+            seeds, _, pythons = cell.partition(" on ")
+            assert int(seeds) >= 1000
+            assert pythons == "3.11, 3.12, 3.13"
 
 
 @pytest.fixture

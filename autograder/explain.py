@@ -46,9 +46,9 @@ PERHAPS = (
     ),
     ("is not callable", "what is called here is no function: a property, or a name used twice?"),
     ("values to unpack", "another number of results is wanted: the docstring says which"),
-    ("unterminated", "a quotation mark is missing, or one of three: here, or further up"),
     ("cannot unpack", "another number of results is wanted: the docstring says which"),
     ("has no attribute", "a name is misspelt, or this is not the type that you think"),
+    ("unterminated", "a quotation mark is missing, or one of three: here, or further up"),
 )
 ESCAPED = re.compile(
     r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"

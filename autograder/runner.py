@@ -31,6 +31,7 @@ TIME_LIMIT = 3.0  # seconds for one check, which takes a few milliseconds
 HURRIED = 0.25  # of that for the checks that are left, once one function has not ended twice
 RUN_LIMIT = 90.0  # seconds for all the checks of a chapter
 LONGEST_MESSAGE = 8000  # characters: what a student returns may be large, and is shown
+ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # of an object: another one in every run
 GRACE = 10.0  # seconds of silence beyond a check's limit, then the process is ended from outside
 
 
@@ -279,6 +280,7 @@ class _Run:
             message = words.get(status, "")
         if self.behind:
             message = clean(message)
+        message = ADDRESS.sub("", message)
         if len(message) > LONGEST_MESSAGE:
             message = f"{message[: LONGEST_MESSAGE - 50]}\n... {len(message)} characters in all"
         place = (point[0], point[1]) if point else None

@@ -196,9 +196,7 @@ class Handle:
 
     def __repr__(self) -> str:
         shown = self._session().ask("show", self)
-        if type(shown) is not str:
-            return "an object that does not show itself"
-        return clean(re.sub(r" at 0x[0-9a-fA-F]+", "", shown))  # an address, another in every run
+        return clean(shown) if type(shown) is str else "an object that does not show itself"
 
 
 def _operation(name: str) -> Callable[..., Any]:

@@ -127,6 +127,13 @@ def test_leaving_costs_the_check_and_no_other(
     assert re.search(words, verdicts["test_double"].message)
 
 
+def test_an_object_is_told_in_the_same_words_in_every_run(
+    root: Path, chapter: Chapter, run: Run
+) -> None:
+    verdicts = run(root, chapter, "def double(x):\n    raise ValueError(object())\n")
+    assert "ValueError: <object object>\n" in verdicts["test_double"].message
+
+
 @pytest.mark.parametrize(
     ("code", "words"),
     [

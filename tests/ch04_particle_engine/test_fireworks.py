@@ -86,13 +86,11 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     call = f"make_firework(rule, Random({seed})).particle.velocity, from {low} to {high}"
     read = "the docstring of make_firework; book 4.2.1"
     made = probes.lit(FIRST, seed, MANY)
-    velocities = [firework[5:8] for firework in made]
-    for axis in range(3):
+    columns = {}
+    for i, axis in enumerate("XYZ"):
         cause = "random.uniform of the smallest and the largest on this axis"
-        drawn = [velocity[axis] for velocity in velocities]
-        name = f"{call}, on {'XYZ'[axis]}"
-        expect_even(name, drawn, low[axis], high[axis], cause=cause, read=read)
-    columns = dict(zip("XYZ", zip(*velocities, strict=True), strict=True))
+        columns[axis] = [firework[5 + i] for firework in made]
+        expect_even(f"{call}, on {axis}", columns[axis], low[i], high[i], cause=cause, read=read)
     ages = [firework[1] for firework in made]
     if min(ages) < max(ages):  # a check of their own says whether they are drawn
         columns["the age"] = ages

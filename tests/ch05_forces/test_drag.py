@@ -121,19 +121,20 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     v, f = components(rng), components(rng)
     k1, k2, mass = draw_coefficient(rng), draw_coefficient(rng), round(rng.uniform(2.0, 9.0), 3)
     speed = math.hypot(*v)
+    h = 0.0625  # short enough for a drag that is cut off where it would turn the motion round
     read = "the docstring of Drag"
     call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
-    call += f"drag = Drag({k1}, {k2}); drag.update_force(p, 0.0625); p.force_accumulator"
+    call += f"drag = Drag({k1}, {k2}); drag.update_force(p, {h}); p.force_accumulator"
     cause = "add the drag to the forces that are there; it is a force, whatever the mass"
     p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
     p.add_force(Vector3(*f))
-    drag.update_force(p, 0.0625)
+    drag.update_force(p, h)
     force = [-v[i] * (k1 + k2 * speed) for i in range(3)]
     wanted = tuple(f[i] + force[i] for i in range(3))
     got = xyz(p.force_accumulator)
     slips = {
         "the sum with the drag divided by the mass": [f[i] + force[i] / mass for i in range(3)],
-        "the sum with the drag times the duration": [f[i] + force[i] * 0.0625 for i in range(3)],
+        "the sum with the drag times the duration": [f[i] + force[i] * h for i in range(3)],
         "the sum with k1 and k2 exchanged": [f[i] - v[i] * (k2 + k1 * speed) for i in range(3)],
         "the drag alone, without the other force": force,
         "the other force alone; the drag is that of p.velocity": f,
@@ -141,11 +142,11 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     cause = named(got, cause, slips)
     # A few roundings of numbers up to 150.
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
-    call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, 0.0625)"
+    call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, {h})"
     cause = "read self.k1 and self.k2 each time"
     p.clear_forces()
     drag.k1, drag.k2 = k2, k1
-    drag.update_force(p, 0.0625)
+    drag.update_force(p, h)
     wanted = tuple(-v[i] * (k2 + k1 * speed) for i in range(3))
     got = xyz(p.force_accumulator)
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)

@@ -28,12 +28,19 @@ def along(
     return [((v[0] + s * n[0], v[1] + s * n[1], v[2] + s * n[2]), name) for s, name in mistakes]
 
 
+def closing_velocities(rng: Random, n: Components) -> tuple[Components, Components]:
+    """Draw velocities of two that close along n, and faster than what only comes to rest."""
+    v, w = components(rng), components(rng)
+    while dot(w, n) - dot(v, n) < 1.0:
+        v, w = components(rng), components(rng)
+    return v, w
+
+
 @pytest.mark.exercise("B7.3")
 def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
     read = IMPULSE
-    v, w, n = components(rng), components(rng), direction(rng)
-    if dot(v, n) > dot(w, n):
-        v, w = w, v
+    n = direction(rng)
+    v, w = closing_velocities(rng, n)
     samples = [
         ((3.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), 1.0, 2.0, 0.5),
         (v, w, n, positive_number(rng), positive_number(rng), round(rng.uniform(0.1, 0.9), 3)),
@@ -82,9 +89,7 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
     read = "book 7.1.2 and E-7"
     n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
     for c in (0.0, 0.5, 1.0):
-        v, w = components(rng), components(rng)
-        while dot(w, n) - dot(v, n) < 1.0:  # they close, and faster than what only comes to rest
-            v, w = components(rng), components(rng)
+        v, w = closing_velocities(rng, n)
         call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; "
         call += f"Contact(a, b, Vector3{n}, {c}).resolve_velocity()"
         cause = "momentum is kept whatever the restitution: what a gains b loses"

@@ -29,6 +29,7 @@ class Exercise:
     files: list[str] = field(default_factory=list)
     needs: list[str] = field(default_factory=list)
     chart: list[str] = field(default_factory=list)  # of open ones: what cost and error are
+    robust: str = ""  # why an engine needs the robust checks, where the exercise has any
 
 
 @dataclass(frozen=True)

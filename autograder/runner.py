@@ -40,7 +40,10 @@ Point = tuple[float, float]  # on the chart of an open exercise: cost, in counte
 
 @dataclass(frozen=True)
 class Verdict:
-    """What became of one check. Status: passed, failed, blocked, inherited or error."""
+    """What became of one check. Status: passed, failed, blocked, inherited or error.
+
+    ``robust`` says that the check is about bad arguments, overflow or NaN, and not the physics.
+    """
 
     name: str
     exercise: str
@@ -49,6 +52,7 @@ class Verdict:
     message: str
     hidden: bool = False
     on_chart: Point | None = None
+    robust: bool = False
 
 
 class GraderError(Exception):
@@ -284,8 +288,16 @@ class _Run:
         if len(message) > LONGEST_MESSAGE:
             message = f"{message[: LONGEST_MESSAGE - 50]}\n... {len(message)} characters in all"
         place = (point[0], point[1]) if point else None
-        verdict = Verdict(name, check["exercise"], check["weight"], status, message, hidden, place)
-        self.verdicts[name] = verdict
+        self.verdicts[name] = Verdict(
+            name,
+            check["exercise"],
+            check["weight"],
+            status,
+            message,
+            hidden,
+            place,
+            check["robust"],
+        )
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def give_up(self) -> None:
@@ -356,9 +368,10 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 def _mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
     """Turn failures of exercises that build on a failing one from failed into blocked.
 
-    A check that passes all the same keeps its verdict: what works earns its points.
+    Only the physics of an exercise counts: its robust checks block nothing. A check that passes
+    all the same keeps its verdict: what works earns its points.
     """
-    failing = {verdict.exercise for verdict in verdicts if verdict.status != "passed"}
+    failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
     marked = []
     for verdict in verdicts:
         needs = [need for need in chapter.exercise(verdict.exercise).needs if need in failing]

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from autograder.manifest import Chapter, Exercise
 from autograder.runner import Point, Verdict
 
+PHYSICS_SHARE = 0.85  # of the points of an exercise, where it has robust checks as well
+
 
 @dataclass(frozen=True)
 class Result:
@@ -21,6 +23,21 @@ class Result:
     status: str
     score: float | None
     checks: list[Verdict]
+
+    @property
+    def physics(self) -> list[Verdict]:
+        """The checks of the physics tier, which unlocks what builds on the exercise."""
+        return [check for check in self.checks if not check.robust]
+
+    @property
+    def robust(self) -> list[Verdict]:
+        """The checks of the robust tier: bad arguments, overflow and NaN."""
+        return [check for check in self.checks if check.robust]
+
+    @property
+    def works(self) -> bool:
+        """Whether the physics passes, whatever the robust checks say."""
+        return bool(self.checks) and all(check.status == "passed" for check in self.physics)
 
     @property
     def on_chart(self) -> Point | None:
@@ -39,18 +56,30 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     """Return the result of one exercise: its points, times the weight of the checks that pass.
 
-    An exercise without checks is an error of ours, not a zero.
+    Where it has both tiers, PHYSICS_SHARE of the points are for the physics and the rest for the
+    robust checks. An exercise without checks is an error of ours, not a zero.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
     statuses = {check.status for check in checks}
     if not checks or "error" in statuses:
         return Result(exercise, "error", None, checks)
-    passed = sum(check.weight for check in checks if check.status == "passed")
-    score = exercise.points * passed / sum(check.weight for check in checks)
+    tiers = [
+        (PHYSICS_SHARE, [check for check in checks if not check.robust]),
+        (1.0 - PHYSICS_SHARE, [check for check in checks if check.robust]),
+    ]
+    tiers = [(share, tier) for share, tier in tiers if tier]
+    earned = sum(share * _passing(tier) for share, tier in tiers)
+    score = exercise.points * earned / sum(share for share, _ in tiers)
     order = ("failed", "blocked", "inherited", "passed")
     status = next(status for status in order if status in statuses)
     return Result(exercise, status, round(score, 2), checks)
+
+
+def _passing(checks: Sequence[Verdict]) -> float:
+    """Return the weight of the checks that pass as a fraction of the weight of all of them."""
+    passed = sum(check.weight for check in checks if check.status == "passed")
+    return passed / sum(check.weight for check in checks)
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, int]:

@@ -60,7 +60,7 @@ class Recorder:
             if _marker(item).args[0] not in self.config["known"]:
                 raise pytest.UsageError(f"{item.nodeid} is of an exercise that there is not")
         items[:] = [item for item in items if _marker(item).args[0] in order]
-        items.sort(key=lambda item: order[_marker(item).args[0]])
+        items.sort(key=lambda item: (order[_marker(item).args[0]], _is_robust(item)))
         hidden = [item for item in items if "/hidden/" in item.path.as_posix()]
         for number, item in enumerate(hidden, 1):
             item.user_properties.append(("rationale", _rationale(item)))
@@ -71,6 +71,7 @@ class Recorder:
                 "name": item.name,
                 "exercise": _marker(item).args[0],
                 "weight": _marker(item).kwargs.get("weight", 1),
+                "robust": _is_robust(item),
                 "rationale": dict(item.user_properties).get("rationale"),
             }
             for item in items
@@ -145,6 +146,11 @@ def _marker(item: pytest.Item) -> pytest.Mark:
     if marker is None or not marker.args:
         raise pytest.UsageError(f"{item.nodeid} has no exercise marker with an id")
     return marker
+
+
+def _is_robust(item: pytest.Item) -> bool:
+    """Say whether a check belongs to the robust tier of its exercise, not to the physics."""
+    return item.get_closest_marker("robust") is not None
 
 
 def main() -> int:

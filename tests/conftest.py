@@ -25,6 +25,9 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line(
         "markers", "exercise(id, weight=1): the exercise of the manifest that a check belongs to"
     )
+    config.addinivalue_line(
+        "markers", "robust: the check is about bad arguments, overflow or NaN, and not the physics"
+    )
     folders = config.getoption("engine") or ["chapters"]
     for folder in folders:
         if not (TESTS.parent / folder).is_dir():

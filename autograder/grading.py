@@ -287,6 +287,7 @@ def _exercise(chapter: Chapter, result: Result, better: Result) -> dict[str, Any
                 "message": check.message,
                 "weight": check.weight,
                 "hidden": check.hidden,
+                "robust": check.robust,
             }
             for check in result.checks
         ],

@@ -6,6 +6,7 @@ rich is loaded when it is needed: by then the checks run in their own process, s
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ from autograder.answers import answered
 from autograder.commands import command
 from autograder.manifest import ROOT, Chapter, Exercise, chapters_below
 from autograder.places import next_place
+from autograder.runner import Verdict
 from autograder.scores import Result, place_on_chart, shown, total
 
 if TYPE_CHECKING:
@@ -22,12 +24,14 @@ if TYPE_CHECKING:
 URGENCY = {"blocked": 1, "inherited": 2}  # what is shown last: another failure is behind it
 STYLES = {
     "passed": "green",
+    "works": "green",
     "failed": "red",
     "blocked": "yellow",
     "inherited": "cyan",
     "error": "magenta",
 }
 UNWRITTEN = "not written yet"
+WORKS = "works"
 BAR = 40
 
 
@@ -91,36 +95,39 @@ def print_report(
     if not open_ones:
         console.print(f"Everything that can be checked passes{on_given}.", style="bold green")
         return True
-    first = min(open_ones, key=lambda pair: URGENCY.get(pair[1].status, 0))
+    # The physics of everything comes before the robust checks of anything.
+    first = min(open_ones, key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)))
     print_failure(console, *first, engine)
     return False
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
     """Print the table of a chapter, its points, and what of the folder is not handed in."""
-    from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
     chapter, results = report.chapter, report.results
     console.print(f"\nChapter {chapter.number}: {chapter.title}", style="bold")
-    table = Table("", "exercise", "stars", "state", box=SIMPLE_HEAD, pad_edge=False)
-    table.add_column("checks", justify="right")
-    table.add_column("points", justify="right")
+    table = Table("", "exercise", "", "state", box=None, pad_edge=False)
+    for column in ("physics", "robust", "points"):
+        table.add_column(column, justify="right")
     written = _answered(chapter, engine)
     for result in results:
         exercise = result.exercise
         state = _state(result, written)
-        passed = sum(check.status == "passed" for check in result.checks)
         table.add_row(
             exercise.id,
             exercise.title,
             "*" * exercise.stars,
             state,
-            f"{passed}/{len(result.checks)}" if result.checks else "",
+            passing(result.physics),
+            passing(result.robust),
             f"{shown(result.score)}/{exercise.points}",
             style=STYLES.get(state, ""),
         )
     console.print(table)
+    console.print()
+    if any(_state(result, written) == WORKS for result in results):
+        console.print(f"{WORKS}: the physics passes, and robust checks are still open.\n")
     earned, points = total(results)
     answers = sum(result.exercise.points for result in results) - points
     more = f", and {answers} for written answers, which a person marks" if answers else ""
@@ -140,6 +147,12 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
             markup=False,
             soft_wrap=True,
         )
+
+
+def passing(checks: Sequence[Verdict]) -> str:
+    """Return how many checks of a tier pass, such as 3/4; nothing for a tier without checks."""
+    passed = sum(check.status == "passed" for check in checks)
+    return f"{passed}/{len(checks)}" if checks else ""
 
 
 def bar(part: float, whole: float) -> str:
@@ -232,6 +245,8 @@ def _state(result: Result, written: set[str]) -> str:
         return "answered" if result.exercise.id in written else "to answer"
     if result.status == "inherited":
         return result.status
+    if result.works and result.status == "failed":
+        return WORKS
     lost = [check for check in result.checks if check.status != "passed"]
     if not lost or any(UNWRITTEN not in check.message for check in lost):
         return result.status

@@ -33,8 +33,17 @@ CHAPTERS = [
 ]
 
 
-def check(name: str, status: str, message: str = "", *, hidden: bool = False) -> dict[str, Any]:
-    return {"name": name, "status": status, "message": message, "weight": 1.0, "hidden": hidden}
+def check(
+    name: str, status: str, message: str = "", *, hidden: bool = False, robust: bool = False
+) -> dict[str, Any]:
+    return {
+        "name": name,
+        "status": status,
+        "message": message,
+        "weight": 1.0,
+        "hidden": hidden,
+        "robust": robust,
+    }
 
 
 def report_of(student: str = "ada", **changes: Any) -> dict[str, Any]:

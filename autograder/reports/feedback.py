@@ -17,8 +17,15 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from autograder.manifest import Chapter
 from autograder.reports.class_stats import exercise_rates, histogram, most_missed
 from autograder.reports.scatter import Scatter, scatter
-from autograder.reports.texts import Report, check_title, clean_all, number, replace_file
-from autograder.scores import place_on_chart
+from autograder.reports.texts import (
+    Report,
+    check_title,
+    clean_all,
+    number,
+    replace_file,
+    tiers,
+)
+from autograder.scores import PHYSICS_SHARE, place_on_chart
 from autograder.submissions.find import file_name
 
 SYMBOLS = {  # beside the word, so that no status is told by colour alone
@@ -35,13 +42,13 @@ SYMBOLS = {  # beside the word, so that no status is told by colour alone
 MEANINGS = {
     "passed": "every check passes",
     "failed": "a check found a mistake in it",
-    "blocked": "an exercise that it builds on fails: mend that one first",
+    "blocked": "an exercise that it builds on fails: fix that one first",
     "inherited": "the mistake lies in an earlier chapter: on the given ones it passes",
     "error": "the grader failed: no zero, it will be graded again",
     "waiting": "a person will read it",
     "marked": "a person has given the points",
 }
-TO_MEND = ("failed", "inherited", "blocked")  # in the order in which to mend them
+TO_FIX = ("failed", "inherited", "blocked")  # in the order in which to fix them
 
 
 def write_feedback(out: Path, report: Report) -> Path:
@@ -58,7 +65,8 @@ def write_feedback(out: Path, report: Report) -> Path:
         inherited=None if own is None or given is None else round(given - own, 2),
         by_hand_points=sum(e["points"] for e in exercises if e["kind"] == "written"),
         waiting=[e["id"] for e in exercises if e["status"] == "waiting"],
-        next=next((e for state in TO_MEND for e in exercises if e["status"] == state), None),
+        next=_first_to_fix(exercises),
+        physics_percent=round(100 * PHYSICS_SHARE),
         meanings=[(state, text) for state, text in MEANINGS.items() if state in states],
     )
     replace_file(path, page)
@@ -107,7 +115,9 @@ def _exercise(number_on_page: int, exercise: dict[str, Any]) -> dict[str, Any]:
         "anchor": f"exercise-{number_on_page}",
         "gains": own is not None and given is not None and given > own,
         "comment": exercise.get("comment") or "",
-        "uneven": len({check["weight"] for check in checks}) > 1,
+        "uneven": len({(check["robust"], check["weight"]) for check in checks})
+        > len(tiers(checks)),
+        "tiers": tiers(checks),
         "lost": _groups([check for check in checks if check["status"] != "passed"]),
         "passed": [
             "hidden check" if check["hidden"] else check_title(check["name"])
@@ -115,6 +125,16 @@ def _exercise(number_on_page: int, exercise: dict[str, Any]) -> dict[str, Any]:
             if check["status"] == "passed"
         ],
     }
+
+
+def _first_to_fix(exercises: list[dict[str, Any]]) -> dict[str, Any] | None:
+    """Return the exercise to go on with: physics that fails comes before robust checks."""
+
+    def urgency(exercise: dict[str, Any]) -> tuple[bool, int]:
+        works = all(passed == of for tier, passed, of in exercise["tiers"] if tier == "physics")
+        return works, TO_FIX.index(exercise["status"])
+
+    return min((e for e in exercises if e["status"] in TO_FIX), key=urgency, default=None)
 
 
 def _charts(reports: Sequence[Report]) -> list[Scatter]:
@@ -136,13 +156,14 @@ def _groups(checks: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Return lost checks, those with the same message as one: a file that cannot be read."""
     groups: dict[tuple[Any, ...], dict[str, Any]] = {}
     for check in checks:
-        key = check["status"], check["message"], check["hidden"]
+        key = check["status"], check["message"], check["hidden"], check["robust"]
         group = groups.setdefault(
             key,
             {
                 "status": check["status"],
                 "message": check["message"],
                 "hidden": check["hidden"],
+                "robust": check["robust"],
                 "titles": [],
                 "count": 0,
             },

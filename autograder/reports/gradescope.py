@@ -6,7 +6,15 @@ import json
 from pathlib import Path
 from typing import Any
 
-from autograder.reports.texts import Report, check_title, clean, clean_line, number, replace_file
+from autograder.reports.texts import (
+    Report,
+    check_title,
+    clean,
+    clean_line,
+    number,
+    replace_file,
+    tiers,
+)
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
@@ -95,12 +103,14 @@ def _output(exercise: dict[str, Any]) -> str:
         return f"marked by a person\n{clean(exercise['comment'])}".strip()
     lost = [check for check in checks if check["status"] != "passed"]
     blocks = [OURS] if status == "error" else []
-    blocks.append(f"{status}: {len(checks) - len(lost)} of {len(checks)} checks passed")
+    passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))
+    blocks.append(f"{status}; checks that pass: {passing}")
     if status == "inherited":
         blocks.append("the mistake lies in an earlier chapter: on the given ones this passes")
     if chart := exercise.get("chart"):
         blocks.append(f"your work: {place_on_chart(chart['axes'], chart['own'])}")
     for check in lost:
         title = "a hidden check" if check["hidden"] else check_title(check["name"])
-        blocks.append(f"{check['status']}: {title}\n{clean(check['message'])}".strip())
+        tier = "robust, " if check["robust"] else ""
+        blocks.append(f"{tier}{check['status']}: {title}\n{clean(check['message'])}".strip())
     return "\n\n".join(blocks)

@@ -44,7 +44,14 @@ EXERCISE = {
     "comment": str,
     "checks": list,
 }
-CHECK = {"name": str, "status": str, "message": str, "weight": NUMBER, "hidden": bool}
+CHECK = {
+    "name": str,
+    "status": str,
+    "message": str,
+    "weight": NUMBER,
+    "hidden": bool,
+    "robust": bool,
+}
 REPORT_STATES = {"graded", "error, retry"}
 CHECK_STATES = {"passed", "failed", "blocked", "inherited", "error"}
 EXERCISE_STATES = CHECK_STATES | {"waiting", "marked"}

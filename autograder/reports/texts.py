@@ -59,6 +59,16 @@ def check_title(name: str) -> str:
     return clean_line(name).removeprefix("test_").replace("_", " ")
 
 
+def tiers(checks: list[dict[str, Any]]) -> list[tuple[str, int, int]]:
+    """Return for each tier that has checks its name, how many pass, and how many there are."""
+    found = []
+    for name, robust in (("physics", False), ("robust", True)):
+        states = [check["status"] for check in checks if check["robust"] is robust]
+        if states:
+            found.append((name, states.count("passed"), len(states)))
+    return found
+
+
 def replace_file(path: Path, text: str) -> None:
     """Write a file beside its place and move it there, so that it is never half written."""
     path.parent.mkdir(parents=True, exist_ok=True)

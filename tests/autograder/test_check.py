@@ -44,7 +44,7 @@ def test_every_exercise_is_shown_with_its_state_and_the_first_failure_in_full(en
     done = autograder("check", "--chapter", "2", "--engine", str(engine))
     assert done.returncode == 1
     for exercise in load_chapters()[0].exercises:
-        assert f"\n {exercise.id} " in done.stdout
+        assert f"\n{exercise.id} " in done.stdout
     assert "First to repair: B2.5 Add and subtract" in done.stdout
     rows = [line.split() for line in done.stdout.splitlines()]
     assert ["B2.4", "Normalise", "*", "passed", "4/4", "3/3"] in rows
@@ -61,7 +61,7 @@ def test_every_exercise_is_shown_with_its_state_and_the_first_failure_in_full(en
 def test_one_exercise_is_shown_with_what_it_builds_on() -> None:
     done = autograder("check", "--exercise", "2.1", "--engine", "solutions")
     assert done.returncode == 0
-    shown = [line.split()[0] for line in done.stdout.splitlines() if line.startswith((" B", " 2"))]
+    shown = [line.split()[0] for line in done.stdout.splitlines() if line.startswith(("B", "2"))]
     assert shown == ["B2.1", "B2.2", "B2.4", "2.1"]
 
 
@@ -97,7 +97,8 @@ def test_a_written_exercise_is_shown_as_such() -> None:
     for engine, state in (("chapters", "to answer"), ("solutions", "answered")):
         done = autograder("check", "--exercise", "2.3", "--engine", engine)
         assert done.returncode == 0
-        assert f"2.3   A vector times itself   *       {state}" in done.stdout
+        row = next(line for line in done.stdout.splitlines() if line.startswith("2.3 "))
+        assert row.split()[:-1] == ["2.3", "A", "vector", "times", "itself", "*", *state.split()]
 
 
 def test_a_console_that_lacks_a_character_is_no_crash() -> None:

@@ -157,10 +157,10 @@ def test_a_student_sees_scores_and_what_they_mean(tmp_path: Path) -> None:
 
 def test_a_student_sees_each_exercise_and_what_was_lost_in_it(tmp_path: Path) -> None:
     page = student_page(tmp_path, report_of())
-    assert page.row("B2.1")[1:] == ["✓ passed", "2 of 2"]
-    assert page.row("2.2")[1:] == ["✗ failed", "1 of 4"]
-    assert page.row("2.3")[1:] == ["… waiting", "none yet, of 3"]
-    assert page.row("B3.1")[1:] == ["↑ inherited", "0 of 5"]
+    assert page.row("B2.1")[1:] == ["✓ passed", "physics 2 of 2", "2 of 2"]
+    assert page.row("2.2")[1:] == ["✗ failed", "physics 1 of 3", "1 of 4"]
+    assert page.row("2.3")[1:] == ["… waiting", "", "none yet, of 3"]
+    assert page.row("B3.1")[1:] == ["↑ inherited", "physics 0 of 1", "0 of 5"]
     assert "on given chapters 5" in page.text
     assert "1 of 3 checks pass: right angle." in page.text
     assert "✗ failed: angle got 1 wanted 2" in page.text
@@ -192,7 +192,7 @@ def test_a_message_that_many_checks_share_is_shown_once(tmp_path: Path) -> None:
 
 def test_a_mark_is_shown_with_its_comment(tmp_path: Path) -> None:
     page = student_page(tmp_path, MARKED)
-    assert page.row("2.3")[1:] == ["✎ marked", "2.5 of 3"]
+    assert page.row("2.3")[1:] == ["✎ marked", "", "2.5 of 3"]
     assert "Say why." in page.text
     assert "Every written answer is marked." in page.text
 
@@ -208,7 +208,7 @@ def test_an_error_of_the_grader_is_said_to_be_one(tmp_path: Path) -> None:
     page = student_page(tmp_path, failed_run())
     assert "Error of the grader, retry." in page.text
     assert "Score none yet, of 11" in page.text
-    assert page.row("B3.1")[1:] == ["! error", "none yet, of 5"]
+    assert page.row("B3.1")[1:] == ["! error", "physics 0 of 1", "none yet, of 5"]
     assert "the disk is full" in page.text
     index = index_page(tmp_path, failed_run(), nothing_done())
     assert "1 of 2 students could not be graded in full" in index.text

@@ -1,4 +1,4 @@
-"""The exercises of the book's chapter 2, as functions of their data.
+"""The exercises of the book's chapter 2 and exercise B2.11, as functions of their data.
 
 None of them changes the vectors it is given. Angles are in radians.
 """
@@ -81,6 +81,23 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     (0.6, Vector3(0.0, 0.8, 0.0), 1.570796)
     """
     raise NotImplementedError("Exercise 2.6: What is left without the projection")
+
+
+def checked_duration(duration: float) -> float:
+    """Exercise B2.11: return a duration in s as a float, or refuse one that no step can use.
+
+    A step needs a duration that is positive and finite. Check it before you compute anything, so
+    that a refused call changes nothing. The message of the error says which argument is wrong, what
+    it must be, and which value came: ``duration must be positive and finite, got -1.5``.
+
+    Raises:
+        ValueError: for zero, a negative number, an infinity or NaN.
+        TypeError: for anything that is not a number, such as None or the text "0.5".
+
+    >>> checked_duration(2)
+    2.0
+    """
+    raise NotImplementedError("Exercise B2.11: Refuse what makes no sense")
 
 
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:

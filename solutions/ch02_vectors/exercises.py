@@ -1,4 +1,4 @@
-"""The exercises of the book's chapter 2, as functions of their data.
+"""The exercises of the book's chapter 2 and exercise B2.11, as functions of their data.
 
 None of them changes the vectors it is given. Angles are in radians.
 """
@@ -109,6 +109,28 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     return c, d, angle_by_scalar_product(a, d)
 
 
+def checked_duration(duration: float) -> float:
+    """Exercise B2.11: return a duration in s as a float, or refuse one that no step can use.
+
+    A step needs a duration that is positive and finite. Check it before you compute anything, so
+    that a refused call changes nothing. The message of the error says which argument is wrong, what
+    it must be, and which value came: ``duration must be positive and finite, got -1.5``.
+
+    Raises:
+        ValueError: for zero, a negative number, an infinity or NaN.
+        TypeError: for anything that is not a number, such as None or the text "0.5".
+
+    >>> checked_duration(2)
+    2.0
+    """
+    if not isinstance(duration, (int, float)):
+        raise TypeError(f"duration must be a number, got {duration!r}")
+    # NaN compares false with everything, so ask for what is wanted and refuse the rest.
+    if not 0.0 < duration < math.inf:
+        raise ValueError(f"duration must be positive and finite, got {duration!r}")
+    return float(duration)
+
+
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
     """Exercise 2.7: return the position after moving with a constant velocity (Eq. 2.7).
 
@@ -119,6 +141,4 @@ def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vec
     >>> position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     Vector3(13.0, -5.0, 16.0)
     """
-    if not (math.isfinite(duration) and duration > 0.0):
-        raise ValueError(f"duration must be positive and finite, got {duration!r}")
-    return position + velocity * duration
+    return position + velocity * checked_duration(duration)

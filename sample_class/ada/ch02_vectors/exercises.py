@@ -50,7 +50,13 @@ def remove_projection(a, b):
     return c, d, angle_by_scalar_product(a, d)
 
 
-def position_after(position, velocity, duration):
+def checked_duration(duration):
+    if not isinstance(duration, (int, float)):
+        raise TypeError(f"duration must be a number: {duration!r}")
     if duration > 0 and duration != math.inf:
-        return position + velocity * duration
-    raise ValueError(f"duration: {duration}")
+        return float(duration)
+    raise ValueError(f"duration must be above 0 and finite: {duration!r}")
+
+
+def position_after(position, velocity, duration):
+    return position + velocity * checked_duration(duration)

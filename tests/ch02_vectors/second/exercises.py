@@ -65,6 +65,15 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     return c, d, math.atan2(a.cross(d).magnitude(), a @ d)
 
 
+def checked_duration(duration: float) -> float:
+    if isinstance(duration, str) or not hasattr(duration, "__float__"):
+        raise TypeError(f"duration should be a number, not {duration!r}")
+    seconds = float(duration)
+    if not math.isfinite(seconds) or seconds <= 0:
+        raise ValueError(f"duration is {duration!r} s, but has to be finite and above 0")
+    return seconds
+
+
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
     """Return the position after a time of constant velocity."""
     if not 0 < duration < math.inf:

@@ -97,12 +97,14 @@ def _read(file: Path) -> str | None:
 def stub_module(source: str, messages: dict[str, str]) -> str:
     """Return a module's source with the named bodies taken out.
 
-    ``messages`` gives, for each name such as ``Vector3.dot``, what its stub raises. Helpers that
-    only those bodies use lose their bodies too; imports and private constants that only they use
-    go. Public constants stay: docstrings speak of them.
+    ``messages`` gives, for each name such as ``Vector3.dot``, what its stub raises. Private
+    helpers, constants and imports that only those bodies use are left out, since they belong to the
+    reference's way of writing them. Public helpers lose their bodies and stay, as public constants
+    do: docstrings mention them.
     Raises ValueError where the module does not define a name.
     """
     defined = functions(ast.parse(source))
+    edited = messages.keys()
     if missing := messages.keys() - defined.keys():
         raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")
     module = cst.parse_module(source)
@@ -110,6 +112,8 @@ def stub_module(source: str, messages: dict[str, str]) -> str:
     while helpers := _helpers_of(defined, messages, _used_names(source) - _used_names(stub.code)):
         messages = messages | helpers
         stub = without_bodies(module, messages)
+    private = {name for name in messages.keys() - edited if _short(name).startswith("_")}
+    stub = _without_functions(stub, private)
     gone = _used_names(source) - _used_names(stub.code)
     kept = [statement for statement in stub.body if _private_constant(statement) not in gone]
     return _tidied(stub.with_changes(body=kept).code)
@@ -133,15 +137,36 @@ def _helpers_of(
 
     Where several have one name, as the methods of a Protocol, a use may mean any: they stay.
     """
-    short_names = [name.rpartition(".")[2] for name in defined]
+    short_names = [_short(name) for name in defined]
     return {
         name: message
         for name in defined.keys() - messages.keys()
-        if short_names.count(name.rpartition(".")[2]) == 1
+        if short_names.count(_short(name)) == 1
         for user, message in reversed(messages.items())
-        if (short := name.rpartition(".")[2]) in gone
-        and short in _used_names(ast.unparse(defined[user]))
+        if _short(name) in gone and _short(name) in _used_names(ast.unparse(defined[user]))
     }
+
+
+def _short(name: str) -> str:
+    """Return the name of a function without its class."""
+    return name.rpartition(".")[2]
+
+
+def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
+    """Return the module without these functions and methods."""
+
+    def kept(nodes: Any, prefix: str = "") -> list[Any]:
+        left = []
+        for node in nodes:
+            if isinstance(node, cst.FunctionDef) and prefix + node.name.value in names:
+                continue
+            if isinstance(node, cst.ClassDef):
+                members = kept(node.body.body, f"{node.name.value}.")
+                node = node.with_changes(body=node.body.with_changes(body=members))
+            left.append(node)
+        return left
+
+    return module.with_changes(body=kept(module.body))
 
 
 def _used_names(source: str) -> set[str]:

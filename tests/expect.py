@@ -18,8 +18,8 @@ from typing import Any
 # involved. A thousand times that still leaves no room for a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "NaN compares false with everything, so it gets through a test such as x <= 0. Ask for what you "
-    "want, such as 0.0 < x < math.inf, or use the functions of arguments.py."
+    "NaN compares false with everything, so it gets through a test such as x <= 0. Ask for what "
+    "you want, such as 0.0 < x < math.inf, or use the functions of arguments.py."
 )
 LOST = "v is as it was: assign to self.x, self.y and self.z, for a new vector is lost"
 

@@ -19,13 +19,15 @@ class Particle:
     names the one that is not, TypeError what is no Vector3. Their components may be changed one by
     one, as in ``particle.velocity.y = 3.0``, and are then yours to keep finite.
 
-    ``damping`` is the share of the velocity that is kept per second: 1 keeps all of it.
-    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves. What is kept
-    is ``_inverse_mass`` and ``_damping``; ``__slots__`` names all that there can be.
+    ``damping`` is the fraction of the velocity that is kept per second: 1 keeps all of it.
+    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves.
+
+    A particle can only have the attributes that ``__slots__`` lists. The engine keeps 1 / mass in
+    ``_inverse_mass`` and the damping in ``_damping``. If your code needs to remember something
+    else, add its name there.
     """
 
-    # _frame is for integrate: the last duration, and the share of the velocity kept in it.
-    __slots__ = ("_damping", "_frame", "_inverse_mass", "acceleration", "position", "velocity")
+    __slots__ = ("_damping", "_inverse_mass", "acceleration", "position", "velocity")
 
     position: Vector3
     velocity: Vector3

@@ -64,8 +64,3 @@ def tick(display: Display, duration: float) -> None:
     display.show.update(duration)
     if not over:
         display.time += duration
-
-
-def _rockets(display: Display) -> list[Firework]:
-    """Return the fireworks whose rule has payloads, with a fuse or without."""
-    raise NotImplementedError("Exercise P4.1: Keep the display alive")

@@ -25,7 +25,8 @@ class ForceGenerator(Protocol):
 class ForceRegistry:
     """Pairs of a particle and a generator that acts on it, in the order in which they were added.
 
-    What is kept is ``_pairs``, a list of tuples (particle, generator).
+    The constructor makes ``_pairs``, an empty list for tuples (particle, generator). You may keep
+    the pairs in another way.
     """
 
     def __init__(self) -> None:

@@ -14,8 +14,10 @@ Numbers = tuple[float, float, float]
 class Particle(particle.Particle):
     """A particle of chapter 3 that adds up the forces of a frame until its next step uses them.
 
-    What is kept is ``_forces``, a list of two: the sum since the last step, and the sum that the
-    last step used. Each is three numbers, or None where no force was added.
+    Where the forces are kept is your choice. Here ``_forces`` is a list with two entries: the sum
+    since the last step, and the sum that the last step used. Each is three numbers, or None while
+    no force was added. If you keep them in another way, change ``__slots__``, the constructor and
+    ``__copy__`` to match.
     """
 
     __slots__ = ("_forces",)

@@ -19,9 +19,8 @@ then somewhere on their way.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 
-from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 
 ApplyForces = Callable[[float], None]
@@ -145,37 +144,3 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     Raises ValueError where the limit is not positive and finite.
     """
     raise NotImplementedError("Exercise B6.10: A warning when it explodes")
-
-
-def _forces_of(particles: Iterable[Particle]) -> list[Vector3]:
-    """Return the forces in the accumulators."""
-    raise NotImplementedError("Exercise B6.7: Velocity Verlet")
-
-
-def _evaluate(
-    particles: Sequence[Particle],
-    by_hand: list[Vector3],
-    apply_forces: ApplyForces,
-    duration: float,
-) -> list[Vector3]:
-    """Return the forces on the particles as they are now, with those that were added by hand."""
-    raise NotImplementedError("Exercise B6.7: Velocity Verlet")
-
-
-def _end(
-    particle: Particle, place: Vector3, velocity: Vector3, force: Vector3, duration: float
-) -> None:
-    """End a step at a place; chapter 5's step gives the velocity, by the mean force."""
-    raise NotImplementedError("Exercise B6.7: Velocity Verlet")
-
-
-def _put(particle: Particle, place: Vector3, velocity: Vector3) -> None:
-    """Give a particle a place and a velocity, in the vectors that it has: others may hold them."""
-    raise NotImplementedError("Exercise B6.8: Runge-Kutta of order 4")
-
-
-def _per_mass(
-    x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
-) -> tuple[float, float, float]:
-    """Return the duration, and stiffness and damping for 1 kg, after a look at all arguments."""
-    raise NotImplementedError("Exercise B6.9: Implicit steps for one spring")

@@ -15,7 +15,6 @@ from collections.abc import Iterable, Sequence
 from typing import Protocol
 
 from ch02_vectors.arguments import finite, not_negative, positive
-from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, a_particle, a_restitution
 
@@ -108,19 +107,6 @@ class ParticlePairs:
         beyond this detector. An immovable one has none.
         """
         raise NotImplementedError("Exercise B7.11: When do two spheres meet?")
-
-    def _near_pairs(self) -> list[tuple[int, int]]:
-        """Return pairs of places in the list, lower first: all that touch, and some others."""
-        raise NotImplementedError("Exercise B7.9: Pairs of spheres")
-
-    def _time_to_touch(self, a: Particle, b: Particle) -> float:
-        """Return when two spheres, of the same acceleration, impact, and math.inf for never."""
-        raise NotImplementedError("Exercise B7.11: When do two spheres meet?")
-
-
-def _flight(particle: Particle) -> tuple[Vector3, Vector3]:
-    """Return the velocity and acceleration by which a particle flies on: none if immovable."""
-    raise NotImplementedError("Exercise B7.11: When do two spheres meet?")
 
 
 class Detectors:

@@ -54,13 +54,3 @@ def time_division_step(
     ``max_impacts`` of them: the particles are then where they are at its time, not yet damped.
     """
     raise NotImplementedError("Exercise B7.12: From impact to impact")
-
-
-def _use_forces(particle: Particle, duration: float) -> None:
-    """Let integrate move the forces into last_acceleration, and take its move back."""
-    raise NotImplementedError("Exercise B7.12: From impact to impact")
-
-
-def _fly(particles: Sequence[Particle], time: float) -> None:
-    """Move particles on by a time in s without an impact."""
-    raise NotImplementedError("Exercise B7.12: From impact to impact")

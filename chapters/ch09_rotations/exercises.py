@@ -138,8 +138,3 @@ def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
     Raises what balance_offset raises.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")
-
-
-def _quaternion(name: str, q: Quaternion) -> None:
-    """Refuse what is no Quaternion."""
-    raise NotImplementedError("Exercise 9.2: One turn back to the reference")

@@ -225,23 +225,3 @@ def change_basis(m: M, basis: M) -> M:
     one size.
     """
     raise NotImplementedError("Exercise B9.16: A change of basis")
-
-
-def _rows(m: Matrix3) -> tuple[Vector3, Vector3, Vector3]:
-    """Return the rows as vectors."""
-    raise NotImplementedError("Exercise B9.5: Determinant and inverse")
-
-
-def _linear(m: Matrix4) -> Matrix3:
-    """Return the numbers without the translation."""
-    raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")
-
-
-def _translation(m: Matrix4) -> Vector3:
-    """Return the translation."""
-    raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")
-
-
-def _joined(linear: Matrix3, translation: Vector3) -> Matrix4:
-    """Return a Matrix4 of its two parts."""
-    raise NotImplementedError("Exercise B9.14: A matrix that turns and moves")

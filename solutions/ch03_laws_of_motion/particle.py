@@ -25,13 +25,15 @@ class Particle:
     names the one that is not, TypeError what is no Vector3. Their components may be changed one by
     one, as in ``particle.velocity.y = 3.0``, and are then yours to keep finite.
 
-    ``damping`` is the share of the velocity that is kept per second: 1 keeps all of it.
-    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves. What is kept
-    is ``_inverse_mass`` and ``_damping``; ``__slots__`` names all that there can be.
+    ``damping`` is the fraction of the velocity that is kept per second: 1 keeps all of it.
+    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves.
+
+    A particle can only have the attributes that ``__slots__`` lists. The engine keeps 1 / mass in
+    ``_inverse_mass`` and the damping in ``_damping``. If your code needs to remember something
+    else, add its name there.
     """
 
-    # _frame is for integrate: the last duration, and the share of the velocity kept in it.
-    __slots__ = ("_damping", "_frame", "_inverse_mass", "acceleration", "position", "velocity")
+    __slots__ = ("_damping", "_inverse_mass", "acceleration", "position", "velocity")
 
     position: Vector3
     velocity: Vector3
@@ -95,7 +97,6 @@ class Particle:
     def damping(self, damping: float) -> None:
         """Set the damping. Raises ValueError where it is negative or not finite."""
         self._damping = not_negative("damping", damping)
-        self._frame = [math.nan, 1.0]  # NaN equals no duration: the next step works the share out
 
     def kinetic_energy(self) -> float:
         """Exercise 3.3: return m |v|^2 / 2 in J.
@@ -131,15 +132,13 @@ class Particle:
         An immovable particle stays as it is. Raises ValueError where the duration is not positive
         and finite; the particle is then as it was.
         """
-        frame = self._frame
-        last, keep = frame
-        if duration != last:  # mostly it is the last one again, which saves question and power
-            if not (type(duration) is float and 0.0 < duration < math.inf):
-                positive("duration", duration)  # takes an int too, and refuses the rest by name
-            keep = self._damping**duration
-            frame[0], frame[1] = duration, keep
+        if not (type(duration) is float and 0.0 < duration < math.inf):
+            positive("duration", duration)  # accepts an int too, and refuses the rest by name
         if not self._inverse_mass:
             return
+        keep = self._damping
+        if keep != 1.0:  # without damping no power has to be computed
+            keep **= duration
         # Plain floats: operators make new vectors, and the step takes many times as long.
         position = self.position
         velocity = self.velocity

@@ -17,8 +17,10 @@ Numbers = tuple[float, float, float]
 class Particle(particle.Particle):
     """A particle of chapter 3 that adds up the forces of a frame until its next step uses them.
 
-    What is kept is ``_forces``, a list of two: the sum since the last step, and the sum that the
-    last step used. Each is three numbers, or None where no force was added.
+    Where the forces are kept is your choice. Here ``_forces`` is a list with two entries: the sum
+    since the last step, and the sum that the last step used. Each is three numbers, or None while
+    no force was added. If you keep them in another way, change ``__slots__``, the constructor and
+    ``__copy__`` to match.
     """
 
     __slots__ = ("_forces",)
@@ -92,17 +94,15 @@ class Particle(particle.Particle):
         Raises ValueError where the duration is not positive and finite; the particle, and the sum
         of its forces, are then as they were.
         """
-        frame = self._frame
-        last, keep = frame
-        if duration != last:  # as in chapter 3: what is kept of the last frame saves a power
-            if not (type(duration) is float and 0.0 < duration < math.inf):
-                positive("duration", duration)
-            keep = self._damping**duration
-            frame[0], frame[1] = duration, keep
+        if not (type(duration) is float and 0.0 < duration < math.inf):
+            positive("duration", duration)
         force, last_force = self._forces
         if not self._inverse_mass:
             self._forces = [None, force]
             return
+        keep = self._damping
+        if keep != 1.0:
+            keep **= duration
         position = self.position
         velocity = self.velocity
         acceleration = self.acceleration

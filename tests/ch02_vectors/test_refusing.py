@@ -85,7 +85,7 @@ def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
     call = f"the message of the error of checked_duration({value!r})"
     cause = (
         "The message must say which argument is wrong and what came. Put the name "
-        f"and the value into it: f\"duration must be positive and finite, got {{duration!r}}\""
+        'and the value into it: f"duration must be positive and finite, got {duration!r}"'
     )
     wanted = ("duration", str(value))
     got = tuple(word for word in wanted if word in message)

@@ -160,11 +160,6 @@ class Cube:
 
     def weight(self) -> float:
         return 1.0
-
-
-def _cube(x: float) -> float:
-    """Return x^3."""
-    raise NotImplementedError("Exercise 1: Volume")
 '''
     )
 

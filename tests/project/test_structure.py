@@ -102,15 +102,15 @@ def test_every_command_of_the_readmes_is_there() -> None:
     makefiles = "".join(
         (ROOT / name).read_text(encoding="utf-8") for name in ("Makefile", "instructor.mk")
     )
-    targets = set(re.findall(r"(?m)^([a-z]+):", makefiles))
-    listed = set(re.findall(r"(?m)^([a-z]+): .*## \S", makefiles))
+    targets = set(re.findall(r"(?m)^([a-z-]+):", makefiles))
+    listed = set(re.findall(r"(?m)^([a-z-]+): .*## \S", makefiles))
     assert listed == targets, "make help lists every command"
     for readme in (
         ROOT / "README.md",
         *ROOT.glob("*/README.md"),
         *ROOT.glob("chapters/*/README.md"),
     ):
-        commands = re.findall(r"(?:^ {4}|`)make ([a-z]+)", readme.read_text(encoding="utf-8"), re.M)
+        commands = re.findall(r"(?:^(?: {4})?|`)make ([a-z-]+)", readme.read_text(encoding="utf-8"), re.M)
         assert set(commands) <= targets, readme
 
 

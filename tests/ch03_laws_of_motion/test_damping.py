@@ -125,7 +125,8 @@ def expect_refusal(
     )
 
 
-@pytest.mark.exercise("B3.3", weight=0.5)
+@pytest.mark.exercise("B3.3")
+@pytest.mark.robust
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
@@ -136,7 +137,8 @@ def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
     expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0), cause=cause, read=read)
 
 
-@pytest.mark.exercise("B3.3", weight=0.5)
+@pytest.mark.exercise("B3.3")
+@pytest.mark.robust
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 def test_both_equations_refuse_text(name: str) -> None:
     cause = "the functions of arguments.py raise the TypeError for you"
@@ -145,7 +147,8 @@ def test_both_equations_refuse_text(name: str) -> None:
         expect_refusal(name, *numbers, TypeError, good=(0.5, 0.5), cause=cause, read=read)
 
 
-@pytest.mark.exercise("B3.3", weight=0.5)
+@pytest.mark.exercise("B3.3")
+@pytest.mark.robust
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
@@ -260,7 +263,8 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
     expect_exactly(name, in_order, False, cause=cause, read=read)
 
 
-@pytest.mark.exercise("3.5a", weight=0.5)
+@pytest.mark.exercise("3.5a")
+@pytest.mark.robust
 @pytest.mark.parametrize(
     ("name", "bad"),
     [
@@ -379,20 +383,23 @@ def expect_no_difference(
     )
 
 
-@pytest.mark.exercise("3.5b", weight=0.5)
+@pytest.mark.exercise("3.5b")
+@pytest.mark.robust
 def test_no_run_has_no_mean() -> None:
     cause = "a mean over nothing is a division by zero: say so with a ValueError"
     expect_no_difference(0.9, [], good=(0.9, [[0.5]]), cause=cause)
 
 
-@pytest.mark.exercise("3.5b", weight=0.5)
+@pytest.mark.exercise("3.5b")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
     cause = "the two equations refuse it, if you use them"
     expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]), cause=cause)
 
 
-@pytest.mark.exercise("3.5b", weight=0.5)
+@pytest.mark.exercise("3.5b")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
     cause = "the two equations refuse it, if you use them"

@@ -1,4 +1,4 @@
-"""Exercises 3.1, 3.2 and 3.4; 3.3 is in test_particle.py, 3.5 in test_damping.py."""
+"""Exercises 3.1, 3.2 and 3.4; test_particle.py has 3.3, other files the parts of 3.5."""
 
 from __future__ import annotations
 

@@ -10,20 +10,13 @@ import pytest
 
 from ch05_forces.closed_form import coasting_speed, quadratic_fall, terminal_speed
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly, named
+from expect import expect_close, expect_exactly, named
 
 TERMINAL = "the docstring of terminal_speed"
 FALL = "the docstring of quadratic_fall"
 COAST = "the docstring of coasting_speed"
 # Formulas of a few operations each, of which none loses digits: relative.
 ROUNDED = 1e-12
-
-
-def bad_numbers(good: tuple[float, ...]) -> list[tuple[float, ...]]:
-    """Return these arguments with NaN, and with infinity, in each place in turn."""
-    return [
-        (*good[:i], bad, *good[i + 1 :]) for i in range(len(good)) for bad in (math.nan, math.inf)
-    ]
 
 
 # B5.6 Terminal speed
@@ -100,29 +93,6 @@ def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * u)
 
 
-@pytest.mark.exercise("B5.6")
-@pytest.mark.robust
-def test_a_terminal_speed_needs_weight_and_drag() -> None:
-    read = TERMINAL
-    for bad in (
-        (0.0, 0.3, 0.05),
-        (-9.81, 0.3, 0.05),
-        (9.81, -0.3, 0.05),
-        (9.81, 0.3, -0.05),
-        (9.81, 0.0, 0.0),
-        *bad_numbers((9.81, 0.3, 0.05)),
-    ):
-        cause = "refuse what means nothing with ValueError; without any drag there is no such speed"
-        expect_error(
-            f"terminal_speed{bad}",
-            lambda bad=bad: terminal_speed(*bad),
-            ValueError,
-            allowed=lambda: terminal_speed(9.81, 0.3, 0.05),
-            cause=cause,
-            read=read,
-        )
-
-
 # B5.7 Falling and coasting without steps
 
 
@@ -197,7 +167,7 @@ def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
 
 
 def expect_terminal_speed(rng: Random, angles: tuple[float, ...], cause: str) -> None:
-    """Expect falls with these g t / u to end at the terminal speed u, after the distance it gives."""
+    """Expect falls with these g t / u to end at the terminal speed u, at the distance it gives."""
     read = FALL
     mass, g, k2 = (
         positive_number(rng, 0.5),
@@ -358,51 +328,3 @@ def test_coasting_for_ever_ends_in_rest(rng: Random) -> None:
     call = f"coasting_speed({v}, {k1}, {k2}, 2.0, 1e9)"
     got = coasting_speed(v, k1, k2, 2.0, 1e9)
     expect_close(call, got, 0.0, cause=cause, read=read, tolerance=ROUNDED * v)
-
-
-@pytest.mark.exercise("B5.7")
-@pytest.mark.robust
-def test_a_fall_needs_numbers_that_mean_something() -> None:
-    read = FALL
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
-    for bad in (
-        (0.0, 9.81, 0.05, 3.0),
-        (2.0, 0.0, 0.05, 3.0),
-        (2.0, 9.81, 0.0, 3.0),
-        (-2.0, 9.81, -0.05, 3.0),  # the signs cancel below the root
-        (-2.0, -9.81, 0.05, 3.0),
-        (2.0, 9.81, 0.05, -3.0),
-        *bad_numbers((2.0, 9.81, 0.05, 3.0)),
-    ):
-        expect_error(
-            f"quadratic_fall{bad}",
-            lambda bad=bad: quadratic_fall(*bad),
-            ValueError,
-            allowed=lambda: quadratic_fall(2.0, 9.81, 0.05, 3.0),
-            cause=cause,
-            read=read,
-        )
-
-
-@pytest.mark.exercise("B5.7")
-@pytest.mark.robust
-def test_coasting_needs_numbers_that_mean_something() -> None:
-    read = COAST
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
-    for bad in (
-        (-20.0, 0.3, 0.05, 2.0, 1.5),
-        (20.0, -0.3, 0.05, 2.0, 1.5),
-        (20.0, 0.3, -0.05, 2.0, 1.5),
-        (20.0, 0.3, 0.05, 0.0, 1.5),
-        (20.0, 0.3, 0.05, -2.0, 1.5),
-        (20.0, 0.3, 0.05, 2.0, -1.5),
-        *bad_numbers((20.0, 0.3, 0.05, 2.0, 1.5)),
-    ):
-        expect_error(
-            f"coasting_speed{bad}",
-            lambda bad=bad: coasting_speed(*bad),
-            ValueError,
-            allowed=lambda: coasting_speed(20.0, 0.3, 0.05, 2.0, 1.5),
-            cause=cause,
-            read=read,
-        )

@@ -31,7 +31,7 @@ def finite_vector(name, v):
     return v.copy()
 """
 
-# Bodies of the reference that go out of their way for huge and tiny numbers, written plainly.
+# Bodies that go out of their way for NaN, or for huge and tiny numbers, written plainly.
 BODIES = {
     "ch05_forces": {
         "forces.InverseSquareGravity.update_force": """
@@ -50,7 +50,16 @@ s = k1 * time / mass
 gained = math.expm1(s) / k1 if s else time / mass
 return speed / (math.exp(s) + k2 * speed * gained)
 """,
-    }
+    },
+    "ch09_rotations": {
+        "matrix.Matrix3.is_rotation": """
+identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+for got, wanted in zip(self.product(self.transpose()), identity, strict=True):
+    if abs(got - wanted) > ROTATION_TOLERANCE:
+        return False
+return not self.determinant() < 0.0
+""",
+    },
 }
 
 

@@ -78,7 +78,8 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     expect_exactly(f"{call}, the second", got, "right", cause=cause, read=read)
 
 
-@pytest.mark.exercise("2.2a", weight=0.5)
+@pytest.mark.exercise("2.2a")
+@pytest.mark.robust
 def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
     call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     cause = "NaN is neither positive nor negative nor zero: raise ValueError, do not say a word"
@@ -191,6 +192,7 @@ def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None
 
 
 @pytest.mark.exercise("2.5")
+@pytest.mark.robust
 @pytest.mark.parametrize("name", ["angle_by_scalar_product", "angles_by_vector_product"])
 def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
     a = components(rng)
@@ -210,6 +212,7 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
 
 
 @pytest.mark.exercise("2.5", weight=0.5)
+@pytest.mark.robust
 def test_nan_has_no_angle() -> None:
     lost, good = Vector3(math.nan, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)
     call = "angle_by_scalar_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"

@@ -96,6 +96,7 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
 
 
 @pytest.mark.exercise("2.4")
+@pytest.mark.robust
 def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
     x, y, _ = components(rng)
     call = f"make_perpendicular(Vector3({x}, {y}, 0), 1, 2)"
@@ -159,6 +160,7 @@ def remove_projection_of_length(length: float) -> object:
 
 
 @pytest.mark.exercise("2.6")
+@pytest.mark.robust
 def test_what_is_not_a_unit_vector_is_refused() -> None:
     cause = "a length within 1e-6 of 1 is rounding: compare with that tolerance, not with =="
     read = "the docstring of remove_projection"
@@ -188,6 +190,7 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
 
 
 @pytest.mark.exercise("2.6", weight=0.5)
+@pytest.mark.robust
 def test_nan_is_not_a_unit_vector() -> None:
     call = "remove_projection(Vector3(0, nan, 0), Vector3(0.6, 0.8, 0))"
     cause = "its length is NaN, which is not 1"
@@ -203,6 +206,7 @@ def test_nan_is_not_a_unit_vector() -> None:
 
 
 @pytest.mark.exercise("2.6")
+@pytest.mark.robust
 def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
     a = direction(rng)
     cause = "d is zero but for rounding, and has no direction to measure: raise ValueError"
@@ -266,7 +270,8 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
     expect_unchanged(call, "v", xyz(v), velocity, cause=cause, read=read)
 
 
-@pytest.mark.exercise("2.7", weight=0.5)
+@pytest.mark.exercise("2.7")
+@pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -1.0, math.inf, math.nan])
 def test_a_duration_must_be_positive_and_finite(duration: float) -> None:
     call = f"position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), {duration})"

@@ -98,6 +98,7 @@ def test_a_vector_minus_itself_in_place(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B2.5")
+@pytest.mark.robust
 def test_a_vector_plus_a_number_is_refused(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)

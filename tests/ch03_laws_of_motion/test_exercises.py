@@ -1,4 +1,4 @@
-"""Exercises 3.1, 3.2 and 3.4; 3.3 is in test_particle.py, 3.5 in test_damping.py."""
+"""Exercises 3.1, 3.2 and 3.4; test_particle.py has 3.3, other files the parts of 3.5."""
 
 from __future__ import annotations
 
@@ -40,7 +40,8 @@ def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
     expect_close(call, got, second / first, cause=cause, read=read)
 
 
-@pytest.mark.exercise("3.1", weight=0.5)
+@pytest.mark.exercise("3.1")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
     cause = "positive of arguments.py refuses it in one line"
@@ -92,7 +93,8 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
         expect_close(call, got, wanted, cause=cause, read=read)
 
 
-@pytest.mark.exercise("3.2", weight=0.5)
+@pytest.mark.exercise("3.2")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
     cause = "positive of arguments.py refuses it in one line"
@@ -109,7 +111,8 @@ def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
         )
 
 
-@pytest.mark.exercise("3.2", weight=0.5)
+@pytest.mark.exercise("3.2")
+@pytest.mark.robust
 def test_text_is_no_mass_and_no_distance() -> None:
     cause = "positive of arguments.py raises the TypeError for you"
     read = "the docstring of gravity_between"
@@ -171,7 +174,8 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
         expect_unchanged(call, "a", xyz(acceleration), a, cause=cause, read=read)
 
 
-@pytest.mark.exercise("3.4a", weight=0.5)
+@pytest.mark.exercise("3.4a")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
     call = f"position_by_equation({EXAMPLE}, {bad})"
@@ -242,7 +246,8 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
 BAD_STEPS = [(0.0, 5), (-1.0, 5), (math.inf, 5), (math.nan, 5), (1.0, 0), (1.0, -1)]
 
 
-@pytest.mark.exercise("3.4b", weight=0.5)
+@pytest.mark.exercise("3.4b")
+@pytest.mark.robust
 @pytest.mark.parametrize(("duration", "steps"), BAD_STEPS)
 def test_steps_need_a_duration_and_a_number(duration: float, steps: int) -> None:
     expect_refusal("state_by_steps", duration, steps)
@@ -295,7 +300,8 @@ def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
     expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-10)
 
 
-@pytest.mark.exercise("3.4d", weight=0.25)
+@pytest.mark.exercise("3.4d")
+@pytest.mark.robust
 @pytest.mark.parametrize(("duration", "steps"), BAD_STEPS)
 def test_an_error_needs_a_duration_and_a_number(duration: float, steps: int) -> None:
     expect_refusal("stepping_error", duration, steps)

@@ -158,7 +158,8 @@ def expect_refusal(
     expect_close(f"{call}; p.{name}", getattr(p, name), good, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B3.1", weight=0.5)
+@pytest.mark.exercise("B3.1")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
     cause = "nothing can be divided by a mass of 0, and a negative one would go the wrong way: "
@@ -166,7 +167,8 @@ def test_a_mass_must_be_positive(bad: float) -> None:
     expect_refusal("mass", bad, ValueError, good=4.0, cause=cause, read="the docstring of mass")
 
 
-@pytest.mark.exercise("B3.1", weight=0.5)
+@pytest.mark.exercise("B3.1")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
     cause = "an infinite inverse mass is a mass of 0, and a negative one is no mass: not_negative "
@@ -175,7 +177,8 @@ def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
     expect_refusal("inverse_mass", bad, ValueError, good=0.25, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B3.1", weight=0.5)
+@pytest.mark.exercise("B3.1")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.1, math.inf, math.nan])
 def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
     cause = "the share of the velocity that is kept is a number, and never below 0: not_negative "
@@ -184,7 +187,8 @@ def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
     expect_refusal("damping", bad, ValueError, good=0.5, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B3.1", weight=0.5)
+@pytest.mark.exercise("B3.1")
+@pytest.mark.robust
 @pytest.mark.parametrize(
     ("name", "good"), [("mass", 4.0), ("inverse_mass", 0.25), ("damping", 0.5)]
 )

@@ -262,7 +262,8 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     expect_close(call, got, (a[1], a[2], a[0]), cause=cause, read=read)
 
 
-@pytest.mark.exercise("B3.4", weight=0.5)
+@pytest.mark.exercise("B3.4")
+@pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan])
 def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
     read = "the docstring of integrate"
@@ -288,7 +289,8 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
         expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B3.4", weight=0.5)
+@pytest.mark.exercise("B3.4")
+@pytest.mark.robust
 def test_text_is_no_duration() -> None:
     call = 'Particle().integrate("0.5")'
     cause = "positive of arguments.py raises the TypeError for you"

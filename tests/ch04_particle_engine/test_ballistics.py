@@ -88,7 +88,8 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("4.3a", weight=0.5)
+@pytest.mark.exercise("4.3a")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_angles_are_finite(bad: float) -> None:
     cause = "finite and not_negative of arguments.py, in chapter 2, refuse it in one line"
@@ -226,7 +227,8 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B4.2", weight=0.5)
+@pytest.mark.exercise("B4.2")
+@pytest.mark.robust
 def test_what_cannot_be_fired_is_refused_and_nothing_flies() -> None:
     cause = "look for the name first, and make the shot before it joins the others"
     read = "the docstring of fire"

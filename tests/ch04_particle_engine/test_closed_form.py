@@ -243,7 +243,8 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B4.8", weight=0.5)
+@pytest.mark.exercise("B4.8")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
     cause = "not_negative of arguments.py, in chapter 2, refuses it in one line"
@@ -334,7 +335,8 @@ def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     expect_close(call, got, 0, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B4.9", weight=0.5)
+@pytest.mark.exercise("B4.9")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_burst_starts_somewhere(bad: float) -> None:
     cause = "finite of arguments.py refuses it in one line; the rest drag_factors refuses"

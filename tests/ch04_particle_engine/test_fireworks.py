@@ -318,7 +318,8 @@ def test_the_same_seed_launches_the_same(rng: Random) -> None:
     expect_exactly(call, same, 0, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B4.5", weight=0.5)
+@pytest.mark.exercise("B4.5")
+@pytest.mark.robust
 def test_births_that_mean_nothing_are_refused() -> None:
     call = "show.launch(7), rules for 1 to 4"
     cause = "look for the type first, and name it in the ValueError"

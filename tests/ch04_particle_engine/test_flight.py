@@ -157,7 +157,8 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
     expect_close(call, errors[0] / errors[1], 2.0, cause=cause, read=read, tolerance=0.01)
 
 
-@pytest.mark.exercise("B4.3", weight=0.5)
+@pytest.mark.exercise("B4.3")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_is_positive_and_finite_and_a_refused_one_moves_nothing(bad: float) -> None:
     cause = "look at the duration first, whether or not there are shots"

@@ -90,7 +90,8 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
         expect_close(call, drop, 0.5 * gravity * 0.2**2, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B4.1", weight=0.5)
+@pytest.mark.exercise("B4.1")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, math.inf, math.nan])
 def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
     cause = "positive of arguments.py, in chapter 2, refuses it in one line"
@@ -113,7 +114,8 @@ def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
         )
 
 
-@pytest.mark.exercise("B4.1", weight=0.5)
+@pytest.mark.exercise("B4.1")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_gravity_are_finite(bad: float) -> None:
     cause = "finite and not_negative of arguments.py, in chapter 2, refuse it in one line"
@@ -133,7 +135,8 @@ def test_speed_and_gravity_are_finite(bad: float) -> None:
         )
 
 
-@pytest.mark.exercise("B4.1", weight=0.5)
+@pytest.mark.exercise("B4.1")
+@pytest.mark.robust
 def test_text_is_no_number() -> None:
     cause = "positive, not_negative and finite of arguments.py raise the TypeError for you"
     read = "the first lines of scaling.py"

@@ -108,7 +108,8 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("G4.1", weight=0.5)
+@pytest.mark.exercise("G4.1")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_what_is_drawn_is_finite(bad: float) -> None:
     cause = "finite and positive of arguments.py, in chapter 2, refuse it in one line"

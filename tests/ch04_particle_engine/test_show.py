@@ -249,7 +249,8 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     expect_exactly(call, same, 0, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B4.6", weight=0.5)
+@pytest.mark.exercise("B4.6")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_of_a_show_is_positive_and_finite(bad: float) -> None:
     call = f"show.update({bad})"

@@ -155,7 +155,8 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     expect_exactly(f"{call}: show.dropped", show.dropped, 7 + 2, cause=cause, read=read)
 
 
-@pytest.mark.exercise("4.4", weight=0.5)
+@pytest.mark.exercise("4.4")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_wheel_turns_for_a_positive_and_finite_time(bad: float) -> None:
     call = f"wheel.update({bad})"

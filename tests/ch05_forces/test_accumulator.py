@@ -190,7 +190,8 @@ def expect_refusal(
     expect_close(f"{call}; p.force_accumulator", got, so_far, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B5.1", weight=0.5)
+@pytest.mark.exercise("B5.1")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_force_must_be_finite(bad: float) -> None:
     cause = "refuse it with ValueError: finite_vector of arguments.py does"
@@ -199,7 +200,8 @@ def test_a_force_must_be_finite(bad: float) -> None:
         expect_refusal((4.0, 5.0, 6.0), call, Vector3(*numbers), ValueError, cause)
 
 
-@pytest.mark.exercise("B5.1", weight=0.5)
+@pytest.mark.exercise("B5.1")
+@pytest.mark.robust
 def test_the_sum_must_be_finite() -> None:
     cause = "1e308 + 1e308 is too large for a float: look at the sum too, before it is kept"
     for i in range(3):
@@ -210,7 +212,8 @@ def test_the_sum_must_be_finite() -> None:
             expect_refusal(so_far, call, Vector3(*force), ValueError, cause)
 
 
-@pytest.mark.exercise("B5.1", weight=0.5)
+@pytest.mark.exercise("B5.1")
+@pytest.mark.robust
 def test_a_force_must_be_a_vector() -> None:
     cause = "refuse it with TypeError: finite_vector of arguments.py does"
     for bad in (3.0, (1.0, 2.0, 3.0), None, "up"):

@@ -168,7 +168,8 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     expect_close("how many frames", len(shares), tries, cause="one for each try", read=read)
 
 
-@pytest.mark.exercise("5.2", weight=0.5)
+@pytest.mark.exercise("5.2")
+@pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
     read = READ

@@ -10,20 +10,13 @@ import pytest
 
 from ch05_forces.closed_form import coasting_speed, quadratic_fall, terminal_speed
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly, named
+from expect import expect_close, expect_exactly, named
 
 TERMINAL = "the docstring of terminal_speed"
 FALL = "the docstring of quadratic_fall"
 COAST = "the docstring of coasting_speed"
 # Formulas of a few operations each, of which none loses digits: relative.
 ROUNDED = 1e-12
-
-
-def bad_numbers(good: tuple[float, ...]) -> list[tuple[float, ...]]:
-    """Return these arguments with NaN, and with infinity, in each place in turn."""
-    return [
-        (*good[:i], bad, *good[i + 1 :]) for i in range(len(good)) for bad in (math.nan, math.inf)
-    ]
 
 
 # B5.6 Terminal speed
@@ -100,28 +93,6 @@ def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random
         expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * u)
 
 
-@pytest.mark.exercise("B5.6")
-def test_a_terminal_speed_needs_weight_and_drag() -> None:
-    read = TERMINAL
-    for bad in (
-        (0.0, 0.3, 0.05),
-        (-9.81, 0.3, 0.05),
-        (9.81, -0.3, 0.05),
-        (9.81, 0.3, -0.05),
-        (9.81, 0.0, 0.0),
-        *bad_numbers((9.81, 0.3, 0.05)),
-    ):
-        cause = "refuse what means nothing with ValueError; without any drag there is no such speed"
-        expect_error(
-            f"terminal_speed{bad}",
-            lambda bad=bad: terminal_speed(*bad),
-            ValueError,
-            allowed=lambda: terminal_speed(9.81, 0.3, 0.05),
-            cause=cause,
-            read=read,
-        )
-
-
 # B5.7 Falling and coasting without steps
 
 
@@ -195,17 +166,16 @@ def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
         )
 
 
-@pytest.mark.exercise("B5.7")
-def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
+def expect_terminal_speed(rng: Random, angles: tuple[float, ...], cause: str) -> None:
+    """Expect falls with these g t / u to end at the terminal speed u, at the distance it gives."""
     read = FALL
     mass, g, k2 = (
         positive_number(rng, 0.5),
         positive_number(rng, 1.0, 20.0),
         positive_number(rng, 0.01, 0.5),
     )
-    cause = "cosh of a large number does not fit in a float, but its logarithm, x - ln 2, does"
     u = math.sqrt(mass * g / k2)
-    for time in (600.0, 1e6):
+    for time in (round(angle * u / g, 3) for angle in angles):
         call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
         speed, distance = quadratic_fall(mass, g, k2, time)
         tolerance = ROUNDED * u
@@ -215,6 +185,19 @@ def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
         expect_close(
             f"{call}, the distance", distance, wanted, cause=cause, read=read, tolerance=tolerance
         )
+
+
+@pytest.mark.exercise("B5.7")
+def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
+    cause = "after a long time the speed is u, and the distance u t - u^2 / g ln 2"
+    expect_terminal_speed(rng, (60.0, 600.0), cause)  # cosh of 711 is too large for a float
+
+
+@pytest.mark.exercise("B5.7")
+@pytest.mark.robust
+def test_a_fall_without_an_end_fits_in_a_float(rng: Random) -> None:
+    cause = "cosh of a large number does not fit in a float, but its logarithm, x - ln 2, does"
+    expect_terminal_speed(rng, (800.0, 1e6), cause)
 
 
 @pytest.mark.exercise("B5.7")
@@ -324,13 +307,12 @@ def test_coasting_with_little_linear_drag_keeps_its_digits(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B5.7")
-def test_coasting_begins_with_its_speed_and_ends_in_rest(rng: Random) -> None:
+def test_coasting_begins_with_its_speed_and_rest_stays_rest(rng: Random) -> None:
     read = COAST
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
     for speed, time, wanted, cause in (
         (v, 0.0, v, "at the time 0 it is the speed itself"),
         (0.0, 2.0, 0.0, "what is at rest stays so"),
-        (v, 1e9, 0.0, "in the end nothing is left, and e^s is too large a number"),
     ):
         call = f"coasting_speed({speed}, {k1}, {k2}, 2.0, {time})"
         got = coasting_speed(speed, k1, k2, 2.0, time)
@@ -338,46 +320,11 @@ def test_coasting_begins_with_its_speed_and_ends_in_rest(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B5.7")
-def test_a_fall_needs_numbers_that_mean_something() -> None:
-    read = FALL
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
-    for bad in (
-        (0.0, 9.81, 0.05, 3.0),
-        (2.0, 0.0, 0.05, 3.0),
-        (2.0, 9.81, 0.0, 3.0),
-        (-2.0, 9.81, -0.05, 3.0),  # the signs cancel below the root
-        (-2.0, -9.81, 0.05, 3.0),
-        (2.0, 9.81, 0.05, -3.0),
-        *bad_numbers((2.0, 9.81, 0.05, 3.0)),
-    ):
-        expect_error(
-            f"quadratic_fall{bad}",
-            lambda bad=bad: quadratic_fall(*bad),
-            ValueError,
-            allowed=lambda: quadratic_fall(2.0, 9.81, 0.05, 3.0),
-            cause=cause,
-            read=read,
-        )
-
-
-@pytest.mark.exercise("B5.7")
-def test_coasting_needs_numbers_that_mean_something() -> None:
+@pytest.mark.robust
+def test_coasting_for_ever_ends_in_rest(rng: Random) -> None:
     read = COAST
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
-    for bad in (
-        (-20.0, 0.3, 0.05, 2.0, 1.5),
-        (20.0, -0.3, 0.05, 2.0, 1.5),
-        (20.0, 0.3, -0.05, 2.0, 1.5),
-        (20.0, 0.3, 0.05, 0.0, 1.5),
-        (20.0, 0.3, 0.05, -2.0, 1.5),
-        (20.0, 0.3, 0.05, 2.0, -1.5),
-        *bad_numbers((20.0, 0.3, 0.05, 2.0, 1.5)),
-    ):
-        expect_error(
-            f"coasting_speed{bad}",
-            lambda bad=bad: coasting_speed(*bad),
-            ValueError,
-            allowed=lambda: coasting_speed(20.0, 0.3, 0.05, 2.0, 1.5),
-            cause=cause,
-            read=read,
-        )
+    v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
+    cause = "in the end nothing is left, and e^s is too large a number"
+    call = f"coasting_speed({v}, {k1}, {k2}, 2.0, 1e9)"
+    got = coasting_speed(v, k1, k2, 2.0, 1e9)
+    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=ROUNDED * v)

@@ -93,6 +93,7 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
 
 
 @pytest.mark.exercise("B5.8")
+@pytest.mark.robust
 def test_limits_need_numbers_that_mean_something() -> None:
     read = LIMITS
     cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"

@@ -62,6 +62,7 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
 
 
 @pytest.mark.exercise("5.4")
+@pytest.mark.robust
 def test_at_the_center_there_is_no_finite_force() -> None:
     read = READ
     for x, mu, mass in (
@@ -93,6 +94,7 @@ def test_at_the_center_there_is_no_finite_force() -> None:
 
 
 @pytest.mark.exercise("5.4", weight=0.5)
+@pytest.mark.robust
 def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
     read = READ
     cause = (

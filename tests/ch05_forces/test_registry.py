@@ -189,7 +189,8 @@ def test_a_generator_may_change_the_registry_meanwhile() -> None:
         expect_exactly(call, got, [3, second], cause=cause, read=read)
 
 
-@pytest.mark.exercise("B5.3", weight=0.5)
+@pytest.mark.exercise("B5.3")
+@pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None:
     call = f"registry.update_forces({duration!r})"
@@ -210,7 +211,8 @@ def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None
         expect_exactly(name, got, 1, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B5.3", weight=0.5)
+@pytest.mark.exercise("B5.3")
+@pytest.mark.robust
 def test_what_a_generator_raises_comes_out() -> None:
     call = "a generator raises ArithmeticError; registry.update_forces(0.5)"
     cause = "an error of a generator is for whoever lets the frame pass: no try and except here"
@@ -226,7 +228,8 @@ def test_what_a_generator_raises_comes_out() -> None:
     )
 
 
-@pytest.mark.exercise("B5.3", weight=0.5)
+@pytest.mark.exercise("B5.3")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [None, "gravity"])
 def test_only_a_particle_and_a_generator_can_be_added(bad: Any) -> None:
     read = "the docstring of add"

@@ -149,7 +149,8 @@ def test_without_shots_left_none_is_fired() -> None:
     expect_exactly(f"{call}; range.bullet is None", at.bullet is None, True, cause=cause, read=read)
 
 
-@pytest.mark.exercise("P4.2b", weight=0.5)
+@pytest.mark.exercise("P4.2b")
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.2001, -0.2001, 1.6, math.inf, math.nan])
 def test_the_rifle_turns_only_so_far(bad: float) -> None:
     read = SHOOT

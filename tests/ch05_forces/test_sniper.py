@@ -248,7 +248,8 @@ def test_a_whole_round_is_ten_shots() -> None:
     expect_exactly(f"{call}; range.score", came["score"], 110, cause=cause, read=read)
 
 
-@pytest.mark.exercise("P4.2b", weight=0.5)
+@pytest.mark.exercise("P4.2b")
+@pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: float) -> None:
     read = UPDATE

@@ -305,7 +305,8 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
 
 
-@pytest.mark.exercise("B5.2", weight=0.5)
+@pytest.mark.exercise("B5.2")
+@pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_refused_step_keeps_the_forces(duration: float) -> None:
     read = "the docstring of integrate"

@@ -1,0 +1,117 @@
+"""An engine with the book's formulas alone: the reference, made to refuse nothing.
+
+It is what a student has who has written the physics and has not met refusal yet.
+"""
+
+from __future__ import annotations
+
+import ast
+import shutil
+from pathlib import Path
+
+import libcst
+
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.stubs import with_bodies
+
+# In place of arguments.py: every function returns what it is given.
+ARGUMENTS = """
+def finite(name, value):
+    return float(value)
+
+
+not_negative = positive = positive_or_infinite = finite
+
+
+def whole(name, value):
+    return value
+
+
+def finite_vector(name, v):
+    return v.copy()
+"""
+
+# Bodies that go out of their way for NaN, or for huge and tiny numbers, written plainly.
+BODIES = {
+    "ch05_forces": {
+        "forces.InverseSquareGravity.update_force": """
+if particle.has_finite_mass:
+    way = self.center - particle.position
+    particle.add_force(way * (particle.mass * self.mu / way.magnitude() ** 3))
+""",
+        "closed_form.quadratic_fall": """
+u = terminal_speed(mass * gravity, 0.0, k2)
+x = gravity * time / u
+ln_cosh = math.log(math.cosh(x)) if x > 1.0 else math.log1p(2.0 * math.sinh(x / 2.0) ** 2)
+return u * math.tanh(x), u * u / gravity * ln_cosh
+""",
+        "closed_form.coasting_speed": """
+s = k1 * time / mass
+gained = math.expm1(s) / k1 if s else time / mass
+return speed / (math.exp(s) + k2 * speed * gained)
+""",
+    },
+    "ch09_rotations": {
+        "matrix.Matrix3.is_rotation": """
+identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+for got, wanted in zip(self.product(self.transpose()), identity, strict=True):
+    if abs(got - wanted) > ROTATION_TOLERANCE:
+        return False
+return not self.determinant() < 0.0
+""",
+    },
+}
+
+
+class _Unguarded(ast.NodeTransformer):
+    """Takes the refusals out of a module, and what keeps a length from overflowing."""
+
+    def visit_If(self, node: ast.If) -> ast.AST:
+        """Drop an "if" that only raises ValueError or TypeError, or returns NotImplemented."""
+        self.generic_visit(node)
+        if not node.orelse and len(node.body) == 1 and _refuses(node.body[0]):
+            return ast.Pass()
+        return node
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        """Make the length of math.hypot(x, y) the square root of x * x + y * y."""
+        self.generic_visit(node)
+        if ast.unparse(node.func) != "math.hypot":
+            return node
+        squares = " + ".join(f"({part}) * ({part})" for part in map(ast.unparse, node.args))
+        return ast.parse(f"math.sqrt({squares})", mode="eval").body
+
+
+def _refuses(statement: ast.stmt) -> bool:
+    if isinstance(statement, ast.Raise) and isinstance(statement.exc, ast.Call):
+        return ast.unparse(statement.exc.func) in ("ValueError", "TypeError")
+    return ast.unparse(statement) == "return NotImplemented"
+
+
+def plain(source: str) -> str:
+    """Return a module that refuses nothing."""
+    return ast.unparse(ast.fix_missing_locations(_Unguarded().visit(ast.parse(source))))
+
+
+def write_plain_engine(engine: Path) -> list[Path]:
+    """Write every module that students hand in, without refusals; return the whole engine."""
+    for chapter in load_chapters():
+        folder = engine / chapter.name
+        folder.mkdir(parents=True)
+        for file in chapter.edited_files:
+            (folder / file).write_text(plain(_reference(chapter, file)), encoding="utf-8")
+        for file in chapter.data_files:
+            shutil.copyfile(ROOT / "solutions" / chapter.name / file, folder / file)
+    (engine / "ch02_vectors/arguments.py").write_text(ARGUMENTS, encoding="utf-8")
+    return [engine, ROOT / "solutions", ROOT / "chapters"]
+
+
+def _reference(chapter: Chapter, file: str) -> str:
+    source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
+    prefix = file.removesuffix(".py") + "."
+    bodies = {
+        name.removeprefix(prefix): body.strip() + "\n"
+        for name, body in BODIES.get(chapter.name, {}).items()
+        if name.startswith(prefix)
+    }
+    return with_bodies(libcst.parse_module(source), bodies).code if bodies else source

@@ -1,0 +1,68 @@
+"""The physics tier and the robust tier: which exercises have them, and what each asks for."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import Chapter, load_chapters
+from autograder.runner import Verdict, run_checks
+from plain import write_plain_engine
+
+CHAPTERS = load_chapters()
+LONGEST_REASON = 100  # characters, so that it fits on one line of a screen
+
+
+@pytest.fixture(scope="module")
+def plain_engine(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    return write_plain_engine(tmp_path_factory.mktemp("plain"))
+
+
+@pytest.fixture(scope="module", params=CHAPTERS, ids=lambda chapter: chapter.name)
+def checked(
+    request: pytest.FixtureRequest, plain_engine: list[Path]
+) -> tuple[Chapter, list[Verdict]]:
+    """Return a chapter, and what its checks say of an engine that refuses nothing."""
+    return request.param, run_checks(request.param, plain_engine, seed="1")
+
+
+def test_an_engine_that_refuses_nothing_has_all_of_the_physics(
+    checked: tuple[Chapter, list[Verdict]],
+) -> None:
+    _, verdicts = checked
+    failed = [verdict for verdict in verdicts if verdict.status != "passed"]
+    assert {verdict.name: verdict.message for verdict in failed if not verdict.robust} == {}
+
+
+def test_every_robust_tier_asks_for_more_than_the_physics(
+    checked: tuple[Chapter, list[Verdict]],
+) -> None:
+    """Otherwise a student would be told of a tier that is passed without knowing of it."""
+    _, verdicts = checked
+    robust = [verdict for verdict in verdicts if verdict.robust]
+    lost = {verdict.exercise for verdict in robust if verdict.status != "passed"}
+    assert lost == {verdict.exercise for verdict in robust}
+
+
+def test_every_exercise_with_checks_has_physics(checked: tuple[Chapter, list[Verdict]]) -> None:
+    _, verdicts = checked
+    physics = {verdict.exercise for verdict in verdicts if not verdict.robust}
+    assert physics == {verdict.exercise for verdict in verdicts}
+
+
+def test_the_manifest_says_why_wherever_there_are_robust_checks(
+    checked: tuple[Chapter, list[Verdict]],
+) -> None:
+    chapter, verdicts = checked
+    said = {exercise.id for exercise in chapter.exercises if exercise.robust}
+    assert said == {verdict.exercise for verdict in verdicts if verdict.robust}
+
+
+def test_each_reason_is_one_short_sentence_of_its_own() -> None:
+    reasons = [e.robust for chapter in CHAPTERS for e in chapter.exercises if e.robust]
+    assert [reason for reason, times in Counter(reasons).items() if times > 1] == []
+    for reason in reasons:
+        assert len(reason) <= LONGEST_REASON, reason
+        assert reason.endswith("."), reason

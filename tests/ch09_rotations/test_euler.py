@@ -155,6 +155,7 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.17")
+@pytest.mark.robust
 def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
     read = BACK
     # The rows' lengths make 0.55 to 0.66 then: ten times SINGULAR of that is above 5e-13.
@@ -193,6 +194,7 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.17", weight=0.5)
+@pytest.mark.robust
 def test_angles_that_are_none_are_refused() -> None:
     expect_finite_numbers("euler_to_quaternion", euler_to_quaternion, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers("rate_map", rate_map, (1, 1, 1), (), read=ANGLES)

@@ -183,6 +183,7 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.11")
+@pytest.mark.robust
 def test_a_faked_spring_needs_a_duration() -> None:
     read = "the docstring of FakeStiffSpring.update_force"
     cause = "refuse it with ValueError, for an immovable particle as well: positive() does"

@@ -128,6 +128,7 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B6.9")
+@pytest.mark.robust
 @pytest.mark.parametrize("method", METHODS)
 def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None:
     read = f"the docstring of {method}"

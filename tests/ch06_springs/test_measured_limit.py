@@ -154,6 +154,7 @@ def test_the_ends_of_what_is_measured() -> None:
 
 
 @pytest.mark.exercise("6.5")
+@pytest.mark.robust
 def test_measuring_needs_numbers_that_mean_something() -> None:
     read = WIDER
     cause = "refuse it with ValueError: Particle and AnchoredSpring do for theirs; look at the "

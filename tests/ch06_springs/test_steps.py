@@ -353,6 +353,7 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
 
 
 @methods
+@pytest.mark.robust
 def test_a_step_needs_a_duration(method: str) -> None:
     read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)

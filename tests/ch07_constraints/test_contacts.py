@@ -337,6 +337,7 @@ def test_to_say_how_it_bounces_changes_nothing(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.2")
+@pytest.mark.robust
 def test_a_bounce_needs_a_duration_that_means_something() -> None:
     read = AFTER
     for velocity in (-1.0, 1.0):

@@ -135,6 +135,7 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.10")
+@pytest.mark.robust
 def test_the_ground_looks_ahead_for_a_duration() -> None:
     read = GROUND
     ground = GroundPlane([Particle(Vector3(0.0, 1.0, 0.0))])
@@ -320,6 +321,7 @@ def test_pairs_fall_alike(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.11")
+@pytest.mark.robust
 def test_pairs_look_ahead_for_a_duration() -> None:
     read = PAIRS
     pair = [Particle(Vector3(5.0), Vector3(-1.0)), Particle()]

@@ -190,6 +190,7 @@ def test_an_impulse_leaves_rest_at_rest(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B7.3")
+@pytest.mark.robust
 def test_an_impulse_needs_a_duration_that_means_something() -> None:
     read = IMPULSE
     for velocity, mass in ((-1.0, 2.0), (1.0, 2.0), (-1.0, math.inf)):

@@ -308,6 +308,7 @@ def test_depths_are_not_looked_at() -> None:
 
 
 @pytest.mark.exercise("B7.12")
+@pytest.mark.robust
 def test_a_frame_needs_numbers_that_mean_something() -> None:
     read = READ
     p = Particle(Vector3(0.0, 5.0, 0.0), Vector3(1.0, 2.0, 3.0))

@@ -95,6 +95,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
 
 
 @pytest.mark.exercise("P8.1a")
+@pytest.mark.robust
 def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
     read = RULES
     rows = rng.randint(3, 6)

@@ -176,6 +176,7 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B8.9")
+@pytest.mark.robust
 def test_a_spread_of_nothing_is_refused() -> None:
     read = SPREAD
 

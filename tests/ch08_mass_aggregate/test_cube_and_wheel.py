@@ -48,6 +48,12 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
     call = f"fewest_rods({count})"
     cause = "three for each particle, less the six motions of a rigid body"
     expect_exactly(call, fewest_rods(count), 3 * count - 6, cause=cause, read=read)
+
+
+@pytest.mark.exercise("8.2")
+@pytest.mark.robust
+def test_a_number_of_particles_is_1_or_more() -> None:
+    read = FEWEST
     for bad, error in ((0, ValueError), (-3, ValueError), (8.0, TypeError), ("8", TypeError)):
         expect_error(
             f"fewest_rods({bad!r})",

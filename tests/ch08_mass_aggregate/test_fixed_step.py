@@ -158,6 +158,7 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B8.3")
+@pytest.mark.robust
 def test_a_time_that_is_none_is_refused() -> None:
     read = READ
     for time, error in (

@@ -112,6 +112,7 @@ def test_what_balances_a_platform(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B8.7")
+@pytest.mark.robust
 def test_what_cannot_be_balanced_is_refused() -> None:
     read = BALANCE
 
@@ -192,6 +193,7 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B8.7")
+@pytest.mark.robust
 def test_a_weight_that_is_none_is_refused() -> None:
     read = WEIGHT
     call, cause = "platform.put_weight(3.0, 1.0)", "a weight of 0 kg or more is none to refuse"

@@ -268,6 +268,7 @@ def test_sleep_changes_no_rest() -> None:
 
 
 @pytest.mark.exercise("G8.1")
+@pytest.mark.robust
 def test_a_frame_without_a_duration_is_refused_here_too() -> None:
     read = RUN
     for duration, error in ((0.0, "ValueError"), (math.nan, "ValueError"), ("1", "TypeError")):

@@ -293,6 +293,7 @@ def test_a_world_may_get_more_later(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B8.2")
+@pytest.mark.robust
 @pytest.mark.parametrize("method", ["run_physics", "step"])
 def test_a_frame_without_a_duration_is_refused(method: str) -> None:
     read = f"{WORLD}{method}"

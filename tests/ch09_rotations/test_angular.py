@@ -86,7 +86,8 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     expect_unchanged(call, "v", xyz(given[2]), v, cause=cause, read=read)
 
 
-@pytest.mark.exercise("B9.18", weight=0.5)
+@pytest.mark.exercise("B9.18")
+@pytest.mark.robust
 def test_a_point_that_is_nowhere_is_refused() -> None:
     read = "the docstring of velocity_of_point"
     good = (1.0, 2.0, 3.0)
@@ -215,7 +216,8 @@ def test_a_step_from_rest(rng: Random) -> None:
         expect_close(f"{call}; q", got, wanted, cause=cause, read=read, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.18", weight=0.5)
+@pytest.mark.exercise("B9.18")
+@pytest.mark.robust
 def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
     read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
@@ -356,7 +358,8 @@ def test_what_does_not_turn_does_not_drift() -> None:
     expect_close(call, got, (1.0, 0.0), cause=cause, read=read, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.19", weight=0.5)
+@pytest.mark.exercise("B9.19")
+@pytest.mark.robust
 def test_a_drift_of_nothing_is_refused() -> None:
     read = DRIFT
     expect_finite_numbers(

@@ -83,6 +83,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.4")
+@pytest.mark.robust
 def test_a_matrix_times_something_else_is_refused() -> None:
     read = "the first lines of matrix.py"
     v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
@@ -247,6 +248,7 @@ def expect_no_inverse(m: Nine, cause: str) -> None:
 
 
 @pytest.mark.exercise("B9.5")
+@pytest.mark.robust
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     cause = "the rows lie in one plane, or are zero: the determinant is 0, and so are the limits"
     expect_no_inverse((0.0,) * 9, cause)
@@ -261,6 +263,7 @@ def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.5")
+@pytest.mark.robust
 def test_how_near_to_singular_is_too_near() -> None:
     read = INVERSE
     # Rows of lengths 2, 4 and 8 whose determinant is 64 times the small number, without rounding.
@@ -277,6 +280,7 @@ def test_how_near_to_singular_is_too_near() -> None:
 
 
 @pytest.mark.exercise("B9.5", weight=0.5)
+@pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_has_no_inverse(bad: float) -> None:
     cause = "ask for what is wanted: if not abs(determinant) > limit"

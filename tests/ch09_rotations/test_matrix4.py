@@ -201,7 +201,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         expect_unchanged(call, "m", entries(matrix), twelve, read=read)
 
 
-@pytest.mark.exercise("B9.14", weight=0.5)
+@pytest.mark.exercise("B9.14")
+@pytest.mark.robust
 def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
@@ -229,7 +230,8 @@ def small_pair() -> tuple:
     return Matrix4(*joined(IDENTITY, (1.0, 2.0, 3.0))), Matrix3(*IDENTITY), (1.0, 2.0, 3.0)
 
 
-@pytest.mark.exercise("B9.14", weight=0.5)
+@pytest.mark.exercise("B9.14")
+@pytest.mark.robust
 def test_only_vectors_and_matrices_of_twelve() -> None:
     read = FIRST_LINES
     matrix, nine, three = small_pair()

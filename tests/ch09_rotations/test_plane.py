@@ -69,12 +69,14 @@ def test_half_a_turn_is_pi_and_not_minus_pi() -> None:
         expect_close(call, got, angle, cause=cause, read=read, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.1", weight=0.5)
+@pytest.mark.exercise("B9.1")
+@pytest.mark.robust
 def test_what_is_no_angle_is_not_wrapped() -> None:
     expect_finite_numbers("wrap_angle", wrap_angle, (1,), (), read=WRAP)
 
 
-@pytest.mark.exercise("B9.2", weight=0.5)
+@pytest.mark.exercise("B9.2")
+@pytest.mark.robust
 def test_no_angle_is_no_direction() -> None:
     expect_finite_numbers("angle_to_vector", angle_to_vector, (1,), (), read="book 9.1.1, Eq. 9.1")
 
@@ -143,7 +145,8 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
         expect_close(call, got, (end.real, end.imag), cause=cause, read=read, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("B9.2", weight=0.5)
+@pytest.mark.exercise("B9.2")
+@pytest.mark.robust
 def test_a_point_of_nothing_is_refused() -> None:
     name = "rotate_point((x, y), angle, (p, q)), with x, y, angle, p and q: "
     expect_finite_numbers(
@@ -205,6 +208,7 @@ def test_the_centre_of_many_masses(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.3")
+@pytest.mark.robust
 def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
     read = MASS
     m, x, y = positive_number(rng), number(rng), number(rng)
@@ -228,6 +232,7 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.3", weight=0.5)
+@pytest.mark.robust
 def test_what_has_no_mass_has_no_centre() -> None:
     expect_finite_numbers(
         "center_of_mass(...), with a mass, x and y beside another: ",

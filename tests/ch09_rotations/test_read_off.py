@@ -59,7 +59,8 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     expect_unchanged(call, "the matrix", entries(matrix), twelve, read=read)
 
 
-@pytest.mark.exercise("9.5", weight=0.5)
+@pytest.mark.exercise("9.5")
+@pytest.mark.robust
 def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     read = OFF
     m, p = draw_slight_turn(rng), components(rng)
@@ -129,7 +130,8 @@ def test_the_easy_inverse(rng: Random) -> None:
     expect_unchanged(call, "the matrix", entries(matrix), twelve, read=read)
 
 
-@pytest.mark.exercise("9.6", weight=0.5)
+@pytest.mark.exercise("9.6")
+@pytest.mark.robust
 def test_the_easy_inverse_of_something_else() -> None:
     twelve = joined(IDENTITY, (1.0, 2.0, 3.0))
     for name, other in ((f"{twelve}", twelve), ("Matrix3(...)", Matrix3(*IDENTITY))):

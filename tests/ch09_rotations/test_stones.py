@@ -225,7 +225,8 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
 
 
-@pytest.mark.exercise("9.7", weight=0.5)
+@pytest.mark.exercise("9.7")
+@pytest.mark.robust
 def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
     good = draw_stones(rng)
     calls = (

@@ -97,18 +97,23 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
     ids = [exercise.id for exercise in exercises]
     files = [folder / chapter.name / FILE for folder in engine]
     file = next((file for file in files if file.is_file()), files[0])
-    sections: list[Section] = []
-    strangers: list[Section] = []
+    sections: dict[str, list[Section]] = {exercise_id: [] for exercise_id in ids}
+    strangers: dict[str, list[Section]] = {"": []}  # by the question that they follow
+    last = ""
     if file.is_file():
         for section in sections_of(file.read_text(encoding="utf-8-sig", errors="replace"), ids):
-            (sections if section.id in ids else strangers).append(section)
+            if section.id in ids:
+                last = section.id
+                sections[last].append(section)
+            else:
+                strangers.setdefault(last, []).append(section)
     file = file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file
     questions = []
-    lost = {*ids} - {section.id for section in sections}
     for exercise in exercises:
-        own = [section for section in sections if section.id == exercise.id]
-        to_name = strangers if exercise.id in lost or not lost else []
-        problems = _problems(exercise, own, to_name, file)
+        own = sections[exercise.id]
+        after = strangers.get(exercise.id, []) if all(sections.values()) else []
+        maybe = after if own else [section for group in strangers.values() for section in group]
+        problems = _problems(exercise, own, maybe, file)
         questions.append(Question(exercise, file, own[0] if own else None, problems))
     return questions
 

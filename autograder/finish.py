@@ -35,9 +35,10 @@ def print_finish(
 ) -> None:
     """Print the end of the chapter that has just been finished, or what can be played by now.
 
-    That is the last finished one, as long as no other that is not finished has been begun.
+    That is the last finished one, as long as no other that is not finished has been begun. Of a
+    chapter that is not finished, what can be played is told by ``exercise``, or by the last one.
     """
-    unfinished = [report for report in reports if exercise or not is_finished(report)]
+    unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
     if not begun and len(unfinished) < len(reports):
         last = [report for report in reports if report not in unfinished][-1]
@@ -56,8 +57,9 @@ def print_finish(
 
 def is_finished(report: Report) -> bool:
     """Say whether the physics of a chapter works, projects and what goes further left out."""
-    wanted = [result for result in report.results if not _is_extra(result.exercise)]
-    return all(result.works for result in wanted if result.status != "waiting")
+    working = {result.exercise.id for result in report.results if result.works}
+    wanted = [e for e in report.chapter.exercises if e.kind != "written" and not _is_extra(e)]
+    return all(exercise.id in working for exercise in wanted)
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:

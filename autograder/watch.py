@@ -171,7 +171,9 @@ class Session:
     def find_next(self) -> None:
         """Find the next open exercise and say how to get to it; at the start, go to it."""
         self.next = self.first_open()
-        self.say_finish()
+        if self.current:
+            report = self.report(self.current[0])
+            print_finish(self.console, [report], self.current[1], self.engine, self.given)
         if self.next is None:
             self.current = None
             self.say(all_pass(self.chapters, self.engine), "bold green")
@@ -180,16 +182,6 @@ class Session:
             self.say(f"Enter goes on to {self.next[1].id} {self.next[1].title}.")
         else:
             self.show_current(*self.next)
-
-    def say_finish(self) -> None:
-        """Show the end of the current chapter where nothing of it is open, or what can be played."""
-        if self.current:
-            chapter, exercise = self.current
-            over = self.next is None or self.next[0] != chapter
-            report = self.report(chapter)
-            print_finish(
-                self.console, [report], None if over else exercise, self.engine, self.given
-            )
 
     def first_open(self) -> tuple[Chapter, Exercise] | None:
         """Return the first exercise that does not pass, in the manifests' order."""

@@ -107,10 +107,6 @@ def test_what_a_student_has_damaged_is_named_and_does_not_count(
     assert not first.answered
     assert any(named in problem for problem in first.problems)
     assert second.problems == []
-    done = check("2.2b", tmp_path)
-    assert done.returncode == 0
-    assert named in done.stdout
-    assert "2.2b waits for your answer" in done.stdout
 
 
 def test_a_heading_that_lost_a_little_is_still_known(tmp_path: Path) -> None:
@@ -135,6 +131,13 @@ def test_a_question_waits_with_its_place_and_tells_nothing(tmp_path: Path) -> No
     assert f"2.2b waits for your answer. Write it here: {tmp_path}" in done.stdout
     assert f"answers.md:{line}\n" in done.stdout
     assert "Rubric" not in done.stdout
+
+
+def test_what_is_damaged_is_told(tmp_path: Path) -> None:
+    done = check("2.2b", put(tmp_path, f"{BEFORE}{PLACE}\n\n{ANSWER}{AFTER}")[0])
+    assert done.returncode == 0
+    assert f"the line '{PLACE}' is still there" in done.stdout
+    assert "2.2b waits for your answer" in done.stdout
 
 
 def test_an_answer_is_shown_beside_the_model_answer_and_the_rubric(tmp_path: Path) -> None:

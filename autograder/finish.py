@@ -65,8 +65,8 @@ def is_finished(report: Report) -> bool:
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
     """Return the screen at the end of a chapter, at most 20 lines of 80 columns."""
     chapter = report.chapter
-    lines = [f"Well done: chapter {chapter.number}, {chapter.title}, works."]
-    lines += ["", *textwrap.wrap(" ".join(chapter.you_can), WIDTH), ""]
+    lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
+    lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
     if chapter.picture:
         lines += _labeled("Picture", _picture(chapter, engine, given))
     demos = [name for result in report.results if result.works for name in result.exercise.play]
@@ -133,7 +133,8 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
         words.append(questions)
     extra = [r.exercise for r in report.results if _is_extra(r.exercise) and not r.works]
     if extra:
-        words.append(listed([f"{exercise.id} {exercise.title}" for exercise in extra]))
+        named = [f"{exercise.id} {exercise.title}" for exercise in extra]
+        words.append(f"if you like: {'; '.join(named)}")
     return words
 
 

@@ -38,7 +38,7 @@ reset: $(READY) ## put the stub of an exercise back (EX=2.5; WHOLE=1 its whole f
 plot: $(READY) ## draw a chapter with your engine (CH=2)
 	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)")
 
-demo: $(READY) ## play a demo with your engine (DEMO=fireworks, ballistics, sniper, springbridge, cloth, ropes, bridge, platform, blob, wheel, cube, trebuchet, ball or spin)
+demo: $(READY) ## play a demo with your engine (DEMO=throw, fireworks, ballistics, sniper, springbridge, cloth, ropes, bridge, platform, blob, wheel, cube, trebuchet, ball or spin)
 	@$(RUN) -m studies demo --engine "$(ENGINE)" "$(or $(DEMO),$(error name a demo: make demo DEMO=fireworks))"
 
 -include instructor.mk

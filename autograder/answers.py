@@ -1,30 +1,182 @@
-"""Written answers: answers.md holds a heading an exercise, its question quoted, then the answer."""
+"""Written answers: in answers.md each question has a heading, the question quoted, and the answer.
+
+In solutions/ the answer is the model answer, and a rubric follows below a line RUBRIC.
+"""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+from pathlib import Path
+
+from autograder.manifest import ROOT, Chapter, Exercise
 
 PLACE = "_Write your answer here._"
+RUBRIC = "**Rubric**"
+FILE = "answers.md"
+WORD = re.compile(r"[^\W\d_]{2,}")
+ENOUGH = 2  # words that make an answer
+
+
+@dataclass(frozen=True)
+class Section:
+    """What stands below a heading: a question, an answer to it, and in solutions/ a rubric.
+
+    ``line`` is where the answer begins, or belongs, in its file.
+    """
+
+    id: str
+    heading: str
+    question: str
+    answer: str
+    rubric: str
+    line: int
+
+    @property
+    def places(self) -> list[str]:
+        """The lines of the answer that are the place holder, damaged ones among them."""
+        return [line.strip() for line in self.answer.splitlines() if _is_place(line)]
+
+    @property
+    def has_words(self) -> bool:
+        """Whether an answer has been written, be the place holder still there or not."""
+        text = re.sub(r"<!--.*?(-->|\Z)", "", self.answer, flags=re.DOTALL)
+        lines = [line for line in text.splitlines() if not (line[:1] in "#>" or _is_place(line))]
+        return len(WORD.findall(" ".join(lines))) >= ENOUGH
+
+
+@dataclass(frozen=True)
+class Question:
+    """A written exercise with what a student has made of its section, and what is wrong there."""
+
+    exercise: Exercise
+    file: Path
+    section: Section | None
+    problems: list[str]
+
+    @property
+    def answered(self) -> bool:
+        """Whether there are words, and nothing to put in order first."""
+        return self.section is not None and self.section.has_words and not self.problems
+
+    @property
+    def place(self) -> str:
+        """Where the answer is written, as path:line; without a line where the section is gone."""
+        return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
 def blank_answers(text: str) -> str:
     """Keep the headings and the quoted questions, and leave a place for each answer."""
-    parts = []
-    for section in _sections(text):
-        heading, *rest = section.splitlines()
-        question = "\n".join(line for line in rest if line.startswith(">"))
-        parts.append("\n\n".join([heading, question, PLACE] if question else [heading]))
+    title = text.partition("\n")[0]
+    parts = [title]
+    for section in sections_of(text):
+        parts += [section.heading, section.question, PLACE]
     return "\n\n".join(parts) + "\n"
 
 
-def answered(text: str) -> set[str]:
-    """Return the ids of the exercises that have an answer: the first word of their headings."""
-    return {
-        section.lstrip("# ").split()[0]
-        for section in _sections(text)
-        if section.startswith("## ") and PLACE not in section
-    }
+def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
+    """Return the sections of an answers.md, in their order.
+
+    A section begins with a heading of the second level, or with any heading whose first word is
+    one of the ``ids``: a student may have lost a # or a space.
+    """
+    known = {*ids}
+    lines = text.splitlines()
+    starts = [i for i, line in enumerate(lines) if _begins(line, known)]
+    ends = [*starts[1:], len(lines)]
+    return [_section(lines, start, end) for start, end in zip(starts, ends, strict=True)]
 
 
-def _sections(text: str) -> list[str]:
-    return [section for section in re.split(r"(?m)^(?=#)", text) if section.strip()]
+def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
+    """Return the written exercises of a chapter with the answers in an engine."""
+    exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
+    if not exercises:
+        return []
+    ids = [exercise.id for exercise in exercises]
+    files = [folder / chapter.name / FILE for folder in engine]
+    file = next((file for file in files if file.is_file()), files[0])
+    sections: dict[str, list[Section]] = {exercise_id: [] for exercise_id in ids}
+    strangers: dict[str, list[Section]] = {"": []}  # by the question that they follow
+    last = ""
+    if file.is_file():
+        for section in sections_of(file.read_text(encoding="utf-8-sig", errors="replace"), ids):
+            if section.id in ids:
+                last = section.id
+                sections[last].append(section)
+            else:
+                strangers.setdefault(last, []).append(section)
+    file = file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file
+    questions = []
+    for exercise in exercises:
+        own = sections[exercise.id]
+        after = strangers.get(exercise.id, []) if all(sections.values()) else []
+        maybe = after if own else [section for group in strangers.values() for section in group]
+        problems = _problems(exercise, own, maybe, file)
+        questions.append(Question(exercise, file, own[0] if own else None, problems))
+    return questions
+
+
+def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
+    """Return the model answer with its rubric; None where there is none, as in a hand-out."""
+    file = root / "solutions" / chapter.name / FILE
+    if not file.is_file():
+        return None
+    sections = sections_of(file.read_text(encoding="utf-8"))
+    return next((section for section in sections if section.id == exercise.id), None)
+
+
+def _section(lines: list[str], start: int, end: int) -> Section:
+    """Return the section whose heading is in one line and which ends before another one."""
+    heading = lines[start]
+    first = start + 1
+    while first < end and not lines[first].strip():
+        first += 1
+    after = first
+    while after < end and lines[after].startswith(">"):
+        after += 1
+    question = "\n".join(lines[first:after])
+    while after < end and not lines[after].strip():
+        after += 1
+    answer, _, rubric = "\n".join(lines[after:end]).partition(f"\n{RUBRIC}\n")
+    line = min(after, end - 1) + 1
+    return Section(_first_word(heading), heading, question, answer.strip(), rubric.strip(), line)
+
+
+def _begins(line: str, ids: set[str]) -> bool:
+    return line.startswith("## ") or (line.startswith("#") and _first_word(line) in ids)
+
+
+def _first_word(heading: str) -> str:
+    return next(iter(heading.lstrip("# ").split()), "").rstrip(".:")
+
+
+def _is_place(line: str) -> bool:
+    """Say whether a line is the place holder, or what is left of one."""
+    words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
+    return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
+
+
+def _problems(
+    exercise: Exercise, own: list[Section], strangers: list[Section], file: Path
+) -> list[str]:
+    """Return what must be put in order before the answer counts, in whole sentences."""
+    heading = f"## {exercise.id}"
+    if not file.is_file():
+        return [f"{file} is missing. Make it again, with a line '{heading}' above your answer."]
+    if not own:
+        words = f"In {file} no heading begins with '{heading}'. Put that line above your answer."
+        if strangers:
+            there = ", ".join(repr(section.heading) for section in strangers)
+            words += f" Was it {there}?"
+        return [words]
+    if len(own) > 1:
+        lines = " and ".join(str(section.line) for section in own)
+        return [f"In {file} '{heading}' is the heading of two texts (lines {lines}). Keep one."]
+    if own[0].has_words and own[0].places:
+        return [f"In {file} the line '{own[0].places[0]}' is still there. Delete it."]
+    if strangers and not own[0].has_words:
+        there = strangers[0].heading
+        return [f"In {file} '{there}' is no question. Begin headings of your own with ###."]
+    return []

@@ -9,8 +9,9 @@ import sys
 from pathlib import Path
 
 from autograder.make_venv import shown_python
+from autograder.manifest import ROOT
 
-# What make calls a student's options; the exercise of a hint or a reset has no name.
+# What make calls a student's options; a demo, and the exercise of a hint or a reset, have no name.
 OPTIONS = {
     "CH": "--chapter",
     "EX": "--exercise",
@@ -19,6 +20,7 @@ OPTIONS = {
     "N": "--count",
     "WHOLE": "--whole",
 }
+OF_STUDIES = ("plot", "demo")  # the commands of python -m studies
 
 
 def prepare() -> bool:
@@ -40,10 +42,19 @@ def command(name: str, **variables: str) -> str:
     """Return the line that runs a command: make's, or Python's own where there is no make."""
     if shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
-    words = [shown_python(), "-m autograder", name]
+    package = "studies" if name in OF_STUDIES else "autograder"
+    words = [shown_python(), f"-m {package}", name]
     for key, value in variables.items():
-        if key != "EX" or name == "check":
+        if key != "DEMO" and (key != "EX" or name == "check"):
             words.append(OPTIONS[key])
         if key != "WHOLE":
             words.append(value)
     return " ".join(words)
+
+
+def engine_variables(engine: list[Path]) -> dict[str, str]:
+    """Return what names an engine in a command: nothing where it is the student's own."""
+    if engine[0] == ROOT / "chapters":
+        return {}
+    inside = engine[0].is_relative_to(ROOT)
+    return {"ENGINE": (engine[0].relative_to(ROOT) if inside else engine[0]).as_posix()}

@@ -30,6 +30,7 @@ class Exercise:
     needs: list[str] = field(default_factory=list)
     chart: list[str] = field(default_factory=list)  # of open ones: what cost and error are
     robust: str = ""  # why an engine needs the robust checks, where the exercise has any
+    play: list[str] = field(default_factory=list)  # demos that it makes playable
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,8 @@ class Chapter:
 
     ``complete`` are the modules that students use as they are, such as plots.py. ``builds_on`` are
     the numbers of the chapters whose modules its own import; None stands for all below it.
+    ``summary`` says in a sentence what the chapter is about, ``you_can`` what somebody can do who
+    has finished it, and ``picture`` which of its plots shows that best.
     """
 
     name: str
@@ -46,6 +49,9 @@ class Chapter:
     complete: list[str]
     exercises: list[Exercise]
     builds_on: list[int] | None = None
+    summary: str = ""
+    you_can: list[str] = field(default_factory=list)
+    picture: str = ""
 
     @property
     def edited_files(self) -> list[str]:
@@ -88,15 +94,19 @@ def _read_chapter(path: Path, text: str) -> Chapter:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise ValueError(f"{path}: {error}") from error
-    exercises = [_exercise(path, entry) for entry in data.get("exercise", [])]
-    chapter = Chapter(
-        folder.name,
-        int(match[1]),
-        data["title"],
-        data.get("complete", []),
-        exercises,
-        data.get("builds_on"),
-    )
+    exercises = [_exercise(path, entry) for entry in data.pop("exercise", [])]
+    known = {item.name for item in fields(Chapter)} - {"name", "number", "exercises"}
+    if unknown := data.keys() - known:
+        raise ValueError(f"{path}: unknown key {min(unknown)!r}")
+    if "title" not in data:
+        raise ValueError(f"{path}: 'title' is missing")
+    complete = data.pop("complete", [])
+    chapter = Chapter(folder.name, int(match[1]), complete=complete, exercises=exercises, **data)
+    for key, value in (("summary", chapter.summary), ("picture", chapter.picture)):
+        if not isinstance(value, str):
+            raise ValueError(f"{path}: {key} must be a text, got {value!r}")
+    if not _are_words(chapter.you_can):
+        raise ValueError(f"{path}: you_can must be a list of sentences, got {chapter.you_can!r}")
     _check_needs(path, chapter)
     return chapter
 
@@ -165,7 +175,13 @@ def _exercise(path: Path, entry: dict[str, Any]) -> Exercise:
         raise ValueError(f"{where}: points must be a positive whole number")
     if len(exercise.chart) not in (0, 2):
         raise ValueError(f"{where}: chart must name the cost and the error, got {exercise.chart!r}")
+    if not _are_words(exercise.play):
+        raise ValueError(f"{where}: play must be a list of demos, got {exercise.play!r}")
     return exercise
+
+
+def _are_words(value: object) -> bool:
+    return isinstance(value, list) and all(isinstance(item, str) for item in value)
 
 
 def _check_needs(path: Path, chapter: Chapter) -> None:

@@ -11,12 +11,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from autograder.answers import answered
-from autograder.commands import command
-from autograder.manifest import ROOT, Chapter, Exercise, chapters_below
+from autograder.answers import questions_of
+from autograder.commands import command, engine_variables
+from autograder.finish import print_finish
+from autograder.manifest import Chapter, Exercise, chapters_below
 from autograder.places import next_place
 from autograder.runner import Verdict
 from autograder.scores import Result, place_on_chart, shown, total
+from autograder.written import all_pass
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -85,20 +87,27 @@ def print_report(
     engine: list[Path],
     given: list[Chapter],
 ) -> bool:
-    """Print the chapters one below the other, then the first failure; return whether all pass."""
+    """Print the chapters one below the other, then the first failure; return whether all pass.
+
+    A question without an answer is said to be open, but does not count: checks cannot tell.
+    """
     for report in reports:
         print_chapter(console, report, engine)
         print_inherited(console, report, exercise, engine)
     on_given = f" on the reference's {_named(given)}" if given else ""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
-    if not open_ones:
-        console.print(f"Everything that can be checked passes{on_given}.", style="bold green")
-        return True
-    # The physics of everything comes before the robust checks of anything.
-    first = min(open_ones, key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)))
-    print_failure(console, *first, engine)
-    return False
+    if open_ones:
+        # The physics of everything comes before the robust checks of anything.
+        first = min(open_ones, key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)))
+        print_failure(console, *first, engine)
+    elif exercise:
+        console.print(f"All checks of {exercise.id} pass{on_given}.", style="bold green")
+    else:
+        words = all_pass([report.chapter for report in reports], engine, on_given)
+        console.print(words, style="bold green", markup=False, soft_wrap=True)
+    print_finish(console, reports, exercise, engine, given)
+    return not open_ones
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
@@ -223,10 +232,7 @@ def print_failure(
 
 def _command(engine: list[Path], **arguments: str) -> str:
     """Return the command that checks this engine again."""
-    if engine[0] != ROOT / "chapters":
-        inside = engine[0].is_relative_to(ROOT)
-        arguments["ENGINE"] = (engine[0].relative_to(ROOT) if inside else engine[0]).as_posix()
-    return command("check", **arguments)
+    return command("check", **arguments, **engine_variables(engine))
 
 
 def _named(chapters: list[Chapter]) -> str:
@@ -254,8 +260,4 @@ def _state(result: Result, written: set[str]) -> str:
 
 
 def _answered(chapter: Chapter, engine: list[Path]) -> set[str]:
-    for folder in engine:
-        file = folder / chapter.name / "answers.md"
-        if file.exists():
-            return answered(file.read_text(encoding="utf-8", errors="replace"))
-    return set()
+    return {q.exercise.id for q in questions_of(chapter, engine) if q.answered}

@@ -18,6 +18,7 @@ from watchfiles import watch as changes_in
 
 from autograder import keys
 from autograder.check import report_on
+from autograder.finish import print_finish
 from autograder.given import with_given
 from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.reset import reset
@@ -32,6 +33,7 @@ from autograder.screen import (
     print_inherited,
     print_report,
 )
+from autograder.written import all_pass
 
 KEYS = "h next hint   l list   a check all   r reset   p plot   q quit"
 TICK = 100  # milliseconds between two looks for keys
@@ -169,9 +171,12 @@ class Session:
     def find_next(self) -> None:
         """Find the next open exercise and say how to get to it; at the start, go to it."""
         self.next = self.first_open()
+        if self.current:
+            report = self.report(self.current[0])
+            print_finish(self.console, [report], self.current[1], self.engine, self.given)
         if self.next is None:
             self.current = None
-            self.say("Everything that can be checked passes.", "bold green")
+            self.say(all_pass(self.chapters, self.engine), "bold green")
         elif self.current and self.has_keys:
             self.say_progress(self.next[0])
             self.say(f"Enter goes on to {self.next[1].id} {self.next[1].title}.")

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from matplotlib import pyplot
 
+from autograder.finish import DRAWN_WITH
 from autograder.manifest import ROOT, Chapter, select_chapters
 from studies.drawing import Picture
 
@@ -36,6 +37,8 @@ def main(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     drawn = [draw_chapter(chapter, options.out / chapter.name) for chapter in chapters]
+    for chapter in chapters:
+        note_engine(options.out / chapter.name, ROOT / options.engine)
     if pyplot.get_backend().lower() != "agg":  # matplotlib found a display to open windows on
         pyplot.show()
     return 0 if all(drawn) else 1
@@ -46,6 +49,12 @@ def use_engine(parser: argparse.ArgumentParser, engine: str) -> None:
     if not (ROOT / engine).is_dir():
         parser.error(f"--engine must be a folder of chapters, got {engine!r}")
     sys.path[:0] = [str(ROOT / engine), str(ROOT / "chapters")]
+
+
+def note_engine(folder: Path, engine: Path) -> None:
+    """Note beside pictures whose they are: check shows students the ones of their own engine."""
+    if [*folder.glob("*.png")]:
+        (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import ast
+import importlib
 import re
 import sys
 from pathlib import Path
 
 import pytest
 
-from autograder.answers import answered
+from autograder.answers import questions_of
 from autograder.grading import Assignment, grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
@@ -85,8 +86,7 @@ def test_every_exercise_has_checks_hints_and_a_docstring_or_a_question(chapter: 
     ]
     assert len(names) == len(set(names)), "two checks have one name"
     marked = {verdict.exercise for verdict in run_checks(chapter, [ROOT / "chapters"], seed="1")}
-    answers = ROOT / "solutions" / chapter.name / "answers.md"
-    written = answered(answers.read_text(encoding="utf-8")) if answers.exists() else set()
+    written = {q.exercise.id for q in questions_of(chapter, [ROOT / "solutions"]) if q.answered}
     for exercise in chapter.exercises:
         assert all(hint.strip() for hint in exercise.hints)
         assert exercise.hints, f"{exercise.id} has no hint"
@@ -96,6 +96,24 @@ def test_every_exercise_has_checks_hints_and_a_docstring_or_a_question(chapter: 
             assert exercise.edit
     checked = {exercise.id for exercise in chapter.exercises if exercise.kind != "written"}
     assert marked == checked, "each exercise has a check, but for the written ones"
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+def test_every_chapter_has_what_its_end_shows(chapter: Chapter) -> None:
+    assert re.fullmatch(r"[A-Z][^.]+\.", chapter.summary), "one sentence"
+    assert len(chapter.you_can) in (2, 3)
+    assert all(re.fullmatch(r"[A-Z][^.]+\.", sentence) for sentence in chapter.you_can)
+    assert chapter.picture in names_in(chapter, "plots", "PLOTS")
+    played = [name for exercise in chapter.exercises for name in exercise.play]
+    assert sorted(played) == sorted(names_in(chapter, "demos", "DEMOS"))
+
+
+def names_in(chapter: Chapter, module: str, listed: str) -> list[str]:
+    """Return the names of what a module of a chapter lists, such as PLOTS; none without it."""
+    if not (ROOT / "chapters" / chapter.name / f"{module}.py").exists():
+        return []
+    found = getattr(importlib.import_module(f"{chapter.name}.{module}"), listed)
+    return [item.__name__.lower() for item in found]
 
 
 def test_every_command_of_the_readmes_is_there() -> None:
@@ -110,7 +128,9 @@ def test_every_command_of_the_readmes_is_there() -> None:
         *ROOT.glob("*/README.md"),
         *ROOT.glob("chapters/*/README.md"),
     ):
-        commands = re.findall(r"(?:^(?: {4})?|`)make ([a-z-]+)", readme.read_text(encoding="utf-8"), re.M)
+        commands = re.findall(
+            r"(?:^(?: {4})?|`)make ([a-z-]+)", readme.read_text(encoding="utf-8"), re.M
+        )
         assert set(commands) <= targets, readme
 
 
@@ -134,6 +154,11 @@ def test_links_between_pages_lead_somewhere(path: Path) -> None:
         (("needs = []", "need = []"), "unknown key 'need'"),
         (('title = "Length"\n', ""), "'title' is missing"),
         (("[[exercise]]", "[[exercise"), "chapter.toml"),
+        (('title = "Vectors"\n', ""), "'title' is missing"),
+        (("picture = ", "pictures = "), "unknown key 'pictures'"),
+        (('picture = "cross_product"', "picture = 3"), "picture must be a text, got 3"),
+        (("you_can = [", "you_can = [2, "), "you_can must be a list of sentences, got [2, "),
+        (("needs = []", "needs = []\nplay = 'throw'"), "play must be a list of demos, got 'throw'"),
     ],
 )
 def test_a_manifest_that_is_wrong_is_refused(

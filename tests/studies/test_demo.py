@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import subprocess
 import sys
@@ -13,13 +14,14 @@ from matplotlib import pyplot
 from matplotlib.backend_bases import KeyEvent, MouseEvent
 from PIL import Image
 
-from autograder.manifest import ROOT
+from autograder.manifest import ROOT, load_chapters
 from ch04_particle_engine.ballistics import SHOT_TYPES
 from copies import copy_tree
 from made import made_stubs
 from studies import demo as demos
+from wrong import write_all
 
-NAMES = ("ballistics", "fireworks", "sniper", "springbridge", "cloth", "ropes", "bridge")
+NAMES = ("throw", "ballistics", "fireworks", "sniper", "springbridge", "cloth", "ropes", "bridge")
 NAMES += ("platform", "blob", "wheel", "cube", "trebuchet", "ball", "spin")
 
 
@@ -34,11 +36,22 @@ def play(*arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
+UNLOCKED = {name: (c, e) for c in load_chapters() for e in c.exercises for name in e.play}
+LATER = "raise NotImplementedError('later')"
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_without_a_display_a_demo_is_an_animation_and_a_contact_sheet(
     name: str, tmp_path: Path
 ) -> None:
-    done = play(name, "--engine", "solutions", "--seconds", "2", "--out", str(tmp_path))
+    """It works with the exercise that unlocks it and those before it: what is later are stubs."""
+    chapter, unlocks = UNLOCKED[name]
+    written = [exercise.id for exercise in chapter.exercises]
+    written = written[: written.index(unlocks.id) + 1]
+    engine = tmp_path / "engine"
+    copy_tree(ROOT / "solutions", engine)
+    write_all(chapter, LATER, engine, but=written)
+    done = play(name, "--engine", str(engine), "--seconds", "2", "--out", str(tmp_path))
     assert done.returncode == 0, done.stdout + done.stderr
     assert f"{name}.gif and " in done.stdout
     with Image.open(tmp_path / f"{name}.gif") as animation:
@@ -78,6 +91,19 @@ def test_a_demo_plays_with_what_is_written(tmp_path: Path) -> None:
         done = play(name, "--engine", engine, "--seconds", "1", "--out", out)
         assert done.returncode == 0, done.stdout
         assert (tmp_path / "out" / f"{name}.gif").exists()
+
+
+def test_a_ball_is_thrown_with_a_mass_a_step_and_a_copy_of_a_vector(tmp_path: Path) -> None:
+    ch02, ch03 = load_chapters()[:2]
+    write_all(ch02, LATER, tmp_path, but=["B2.1"])
+    write_all(ch03, LATER, tmp_path, but=["B3.1", "B3.4"])
+    arguments = ("--engine", str(tmp_path), "--seconds", "1", "--out", str(tmp_path / "out"))
+    done = play("throw", *arguments)
+    assert done.returncode == 0, done.stdout
+    write_all(ch03, LATER, tmp_path, but=["B3.1"])
+    done = play("throw", *arguments)
+    assert done.returncode == 1
+    assert "throw: not played, not written yet: later" in done.stdout, "before the first throw"
 
 
 def test_what_is_not_written_is_said(tmp_path: Path) -> None:
@@ -138,6 +164,56 @@ def window(monkeypatch: pytest.MonkeyPatch) -> Any:
 
     yield played
     pyplot.close("all")
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_the_ball_is_above_its_exact_path_by_what_the_step_leaves_out(window: Any) -> None:
+    """Without the term a h^2 / 2 of each step, n steps of h end n g h^2 / 2 too high."""
+    for key, rate in (("1", 60), ("4", 10)):
+        demo = window("throw", (key,), (" ",))
+        assert demo.rate == rate
+        while demo.steps < rate:
+            demo.update(demos.FRAME)
+        true = demo.thrown.exact(1.0).position
+        x, y = demo.way[-1]
+        assert x == pytest.approx(true[0], rel=1e-12)
+        assert y - true[1] == pytest.approx(9.81 / rate / 2.0, rel=1e-9)
+        demo.draw()
+        assert f"{9.81 / rate / 2.0:.2f} m from where" in demo.title.get_text()
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_keys_and_clicks_aim_the_ball(window: Any) -> None:
+    demo = window("throw", ("up",), ("right",), ("right",), ("a",), (" ",), ("up",))
+    vx, vy, _ = demo.thrown.start.velocity  # the last key is for the next throw
+    assert math.degrees(math.atan2(vy, vx)) == pytest.approx(57.0)
+    assert math.hypot(vx, vy) == pytest.approx(9.5)
+    assert demo.particle.damping == demo.AIR
+    assert window("throw", ("a",), ("a",)).damping == 1.0
+    # Before gravity had a step the slope was 4 / 3; the strength is the distance from the hand.
+    velocity = window("throw", (("axes",), 4.0, 6.0)).thrown.start.velocity
+    assert velocity == pytest.approx((6.0, 8.0, 0.0), rel=1e-6)
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_a_ball_that_falls_through_the_hoop_counts_and_moves_it(window: Any) -> None:
+    demo = window("throw", ("r",))
+    hoop = demo.hoop
+    run, rise = (to - start for to, start in zip(hoop, demo.HAND, strict=True))
+    angle = math.radians(60.0)
+    # The speed of a parabola through the middle of the hoop.
+    fall = run * math.tan(angle) - rise
+    speed = run / math.cos(angle) * math.sqrt(9.81 / (2.0 * fall))
+    for factor, score in ((0.8, 0), (1.2, 0), (1.0, 1)):
+        demo.aim(angle, factor * speed)
+        demo.press(" ")
+        while demo.flies:
+            demo.update(demos.FRAME)
+        assert demo.score == score
+        assert ("exact path: in" in demo.message) == (score == 1)
+    for _ in range(120):
+        demo.update(demos.FRAME)
+    assert demo.hoop != hoop
 
 
 @pytest.mark.filterwarnings("ignore:Animation was deleted")

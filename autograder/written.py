@@ -1,0 +1,91 @@
+"""Show a written exercise: the question until it is answered, then what to compare it with."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from autograder.answers import Question, model_answer, questions_of
+from autograder.manifest import ROOT, Chapter, Exercise
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+
+def print_written(
+    console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
+) -> None:
+    """Print the question, and that it waits; or the answer, the model answer and the rubric.
+
+    The model answer and the rubric are in solutions/. A hand-out has neither: there the instructor
+    has them.
+    """
+    question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
+    points = "1 point" if exercise.points == 1 else f"{exercise.points} points"
+    _say(console, f"\n{exercise.id} {exercise.title} ({points})\n", "bold")
+    if question.section:
+        _say(console, f"{_flowing(question.section.question)}\n")
+    if not question.answered or question.section is None:
+        for problem in question.problems:
+            _say(console, problem, "red", soft_wrap=True)
+        waits = f"{exercise.id} waits for your answer. Write it here: {question.place}"
+        _say(console, waits, soft_wrap=True)
+        return
+    _say(console, "Your answer", "bold")
+    _say(console, f"{_flowing(question.section.answer)}\n")
+    model = model_answer(chapter, exercise, root)
+    if model is None:
+        _say(console, "Your instructor has the model answer, and marks yours.")
+        return
+    _say(console, "The model answer", "bold")
+    _say(console, f"{_flowing(model.answer)}\n")
+    _say(console, "Rubric", "bold")
+    _say(console, f"{_flowing(model.rubric)}\n")
+    _say(console, "Compare, and improve your answer if you like. A person marks it.")
+
+
+def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
+    """Return how many questions have no answer yet, which, and where; nothing without any."""
+    groups = [
+        open_ones
+        for chapter in chapters
+        if (open_ones := [q for q in questions_of(chapter, engine) if not q.answered])
+    ]
+    if not groups:
+        return ""
+    count = sum(len(group) for group in groups)
+    where = "; ".join(f"{listed(_ids(group))}, in {group[0].file}" for group in groups)
+    return f"{count} {'question is' if count == 1 else 'questions are'} open: {where}"
+
+
+def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
+    """Return what is said where all checks of chapters pass: questions may still be open."""
+    still = open_questions(chapters, engine)
+    return f"All checks pass{on_given}.{f' {still}.' if still else ''}"
+
+
+def listed(words: list[str], last: str = "and") -> str:
+    """Return words as a sentence lists them, such as a, b and c."""
+    return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
+def _ids(questions: list[Question]) -> list[str]:
+    return [question.exercise.id for question in questions]
+
+
+def _flowing(text: str) -> str:
+    """Return text with each paragraph and each list item on one line, for any width of screen.
+
+    Quotation marks of Markdown go. Indented lines, such as formulas, stay as they are, and so does
+    a text with blocks of code.
+    """
+    text = re.sub(r"(?m)^> ?", "", text)
+    if "```" in text:
+        return text
+    next_line = r"\n(?!\s|[-*+|] |\d+[.)] )"
+    return re.sub(rf"(?<=\S)({next_line}|\n {{2}}(?=\S))", " ", text)
+
+
+def _say(console: Console, words: str, style: str = "", *, soft_wrap: bool = False) -> None:
+    console.print(words, style=style, markup=False, soft_wrap=soft_wrap)

@@ -1,0 +1,170 @@
+"""The screen at the end of a chapter, and what is said of demos by then."""
+
+from __future__ import annotations
+
+import io
+import os
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+from autograder import finish
+from autograder.finish import DRAWN_WITH, finish_lines, is_finished, print_finish
+from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
+from autograder.runner import Verdict
+from autograder.scores import Result, result_of
+from autograder.screen import Report
+from wrong import write_all
+
+CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}
+CH03 = CHAPTERS[3]
+SOLUTIONS = [ROOT / "solutions", ROOT / "chapters"]
+
+
+def report_of(chapter: Chapter, *fail: str, robust: Sequence[str] = ()) -> Report:
+    """Return a chapter with a check of both tiers in each exercise, of which some fail.
+
+    Those of the exercises in ``fail``, and the robust ones of those in ``robust``.
+    """
+
+    def result(exercise: Exercise) -> Result:
+        failed = exercise.id in fail, exercise.id in {*fail, *robust}
+        checks = [
+            Verdict(f"test_{tier}", exercise.id, 1.0, status, "", robust=tier == "robust")
+            for tier, fails in zip(("physics", "robust"), failed, strict=True)
+            for status in ["failed" if fails else "passed"]
+        ]
+        return result_of(exercise, checks)
+
+    return Report(chapter, [result(exercise) for exercise in chapter.exercises], [], [])
+
+
+def ids(chapter: Chapter, *but: str) -> list[str]:
+    return [exercise.id for exercise in chapter.exercises if exercise.id not in but]
+
+
+def shown(
+    reports: list[Report], exercise: Exercise | None = None, engine: list[Path] = SOLUTIONS
+) -> str:
+    console = Console(file=io.StringIO(), width=80)
+    print_finish(console, reports, exercise, engine, [])
+    assert isinstance(console.file, io.StringIO)
+    return console.file.getvalue()
+
+
+@pytest.mark.parametrize("number", CHAPTERS)
+def test_the_screen_fits_whatever_is_open(number: int) -> None:
+    """The blank answers are open here, and so are all robust checks, projects and extras."""
+    chapter = CHAPTERS[number]
+    extra = [exercise.id for exercise in chapter.exercises if finish._is_extra(exercise)]
+    report = report_of(chapter, *extra, robust=ids(chapter))
+    lines = finish_lines(report, [ROOT / "chapters"], [])
+    assert len(lines) <= 20
+    assert max(map(len, lines)) <= 80
+
+
+def test_a_chapter_is_finished_when_its_physics_works() -> None:
+    assert is_finished(report_of(CH03))
+    assert is_finished(report_of(CH03, robust=ids(CH03)))
+    assert not is_finished(report_of(CH03, "3.5b"))
+    assert is_finished(report_of(CHAPTERS[4], "P4.1", "G4.1"))
+    whole = report_of(CH03)
+    assert not is_finished(Report(CH03, whole.results[:4], [], [])), "the rest was not checked"
+
+
+def test_it_says_what_one_can_do_what_to_play_what_is_open_and_what_comes_next() -> None:
+    text = shown([report_of(CH03, robust=["B3.3"])])
+    words = " ".join(text.split())
+    assert all(sentence in words for sentence in CH03.you_can)
+    assert "make demo DEMO=throw ENGINE=solutions" in words
+    assert "1 robust check; the first: make check EX=B3.3 ENGINE=solutions" in words
+    assert f"chapter 4, The particle engine. {CHAPTERS[4].summary}" in words
+    assert "Open nothing" in " ".join(shown([report_of(CH03)]).split())
+
+
+def test_questions_and_projects_that_are_open_are_named() -> None:
+    two = shown([report_of(CHAPTERS[2])], engine=[ROOT / "chapters"])
+    assert "2.2b and 2.3" in two
+    five = shown([report_of(CHAPTERS[5], "P4.2a", "P4.2b")])
+    assert "P4.2a" in five
+    assert "P4.2b" in five
+    assert "DEMO=sniper" not in five
+
+
+def test_the_last_chapter_has_no_next() -> None:
+    assert "\nNext" not in shown([report_of(CHAPTERS[9])])
+
+
+def test_of_several_chapters_the_last_finished_one_until_the_next_is_begun() -> None:
+    two, three = report_of(CHAPTERS[2]), report_of(CH03)
+    untouched = report_of(CHAPTERS[4], *ids(CHAPTERS[4]))
+    begun = report_of(CHAPTERS[4], *ids(CHAPTERS[4], "B4.1"))
+    assert "chapter 3" in shown([two, three, untouched])
+    assert shown([two, three, begun]) == ""
+    assert shown([untouched]) == ""
+
+
+def test_a_demo_is_offered_by_the_exercise_that_unlocks_it() -> None:
+    for_demo = CH03.exercise("B3.4")
+    report = report_of(CH03, *ids(CH03, "B3.1", "B3.2", "B3.3", "B3.4"))
+    told = "B3.4 works. Try it: make demo DEMO=throw ENGINE=solutions"
+    assert told in shown([report], for_demo)
+    assert told in shown([report])
+    assert shown([report], CH03.exercise("B3.1")) == ""
+    broken = report_of(CH03, "B3.1", "3.1")
+    assert shown([broken], for_demo) == ""
+    robust = report_of(CH03, "3.5b", robust=ids(CH03))
+    assert told in shown([robust], for_demo)
+
+
+def test_a_demo_is_not_offered_while_an_exercise_before_it_is_a_stub(tmp_path: Path) -> None:
+    """Of one exercise and what it needs the rest is not checked: B6.6 does not need B6.3."""
+    ch06 = CHAPTERS[6]
+    exercise = ch06.exercise("B6.6")
+    whole = report_of(ch06)
+    alone = Report(ch06, [r for r in whole.results if r.exercise == exercise], [], [])
+    assert "DEMO=cloth" in shown([alone], exercise)
+    stub = "raise NotImplementedError('Exercise B6.3: One spring for both ends')"
+    write_all(ch06, stub, tmp_path, but=[e.id for e in ch06.exercises if e.id != "B6.3"])
+    assert shown([alone], exercise, [tmp_path]) == ""
+
+
+def test_the_picture_is_shown_only_if_this_code_drew_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(finish, "ROOT", tmp_path)
+    engine = tmp_path / "chapters"
+    module = engine / "ch03_laws_of_motion/particle.py"
+    module.parent.mkdir(parents=True)
+    module.touch()
+    draw = "make plot CH=3"
+
+    def picture() -> str:
+        lines = finish_lines(report_of(CH03), [engine], [])
+        return " ".join(lines[lines.index("") :]).split("Picture")[1].split("Play")[0]
+
+    assert draw in picture()
+    folder = tmp_path / "build/plots/ch03_laws_of_motion"
+    folder.mkdir(parents=True)
+    file = folder / f"{CH03.picture}.png"
+    file.touch()
+    os.utime(file, (2e9, 2e9))
+    assert draw in picture(), "nobody knows which engine drew it"
+    (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
+    assert str(file) in picture()
+    assert draw not in picture()
+    os.utime(module, (2.1e9, 2.1e9))
+    assert draw in picture(), "the code has changed since"
+    os.utime(module, (1e9, 1e9))
+    (folder / DRAWN_WITH).write_text(f"{ROOT / 'solutions'}\n", encoding="utf-8")
+    assert draw in picture(), "the reference drew it"
+
+
+def test_without_make_the_commands_are_pythons(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shutil, "which", lambda _: None)
+    words = " ".join(shown([report_of(CH03)]).split())
+    assert "-m studies demo throw --engine solutions" in words
+    assert "-m studies plot --chapter 3 --engine solutions" in words

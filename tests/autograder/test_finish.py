@@ -102,7 +102,7 @@ def test_of_several_chapters_the_last_finished_one_until_the_next_is_begun() -> 
     two, three = report_of(CHAPTERS[2]), report_of(CH03)
     untouched = report_of(CHAPTERS[4], *ids(CHAPTERS[4]))
     begun = report_of(CHAPTERS[4], *ids(CHAPTERS[4], "B4.1"))
-    assert "chapter 3" in shown([two, three, untouched])
+    assert "Chapter 3" in shown([two, three, untouched])
     assert shown([two, three, begun]) == ""
     assert shown([untouched]) == ""
 

@@ -8,10 +8,16 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from autograder.faults import Fault, Frame, clean, fault_of, is_inside, short, text_of
+from autograder.nearest import explain_unknown
 
+NOT_IMPLEMENTED = (
+    "The code returned NotImplemented. Only an operator with two operands, such as __add__, may "
+    "return it: Python then raises the TypeError. A method or a function raises TypeError itself."
+)
 # Slips of Python that say little by themselves, by a part of what Python says. They come in place
 # of the cause that the check has at hand, which speaks of physics.
 SLIPS = (
+    ("NotImplementedType", NOT_IMPLEMENTED),
     ("SystemExit", "the code asks Python to stop: take sys.exit, exit or quit out"),
     ("reading from stdin", "the code waits for somebody to type: take input or breakpoint out"),
     (
@@ -85,7 +91,7 @@ def explain_exception(
     lines.append(f"got       {fault.first_line}")
     if where:
         lines.append(f"where     {where}: {_source(own[-1], engine_folders)}")
-    lines += _likely(fault.first_line, words.get("cause", ""))
+    lines += _likely(fault.first_line, words.get("cause", ""), fault)
     if "read" in words:
         lines.append(f"read      {words['read']}")
     return "\n".join(lines)
@@ -108,7 +114,7 @@ def explain_import(fault: Fault, module: str, engine_folders: list[Path]) -> str
             where = f"{fault.frames[-1]}: {_source(fault.frames[-1], engine_folders)}"
     if where:
         message += f"\nwhere     {where}"
-    return "\n".join([message, *_likely(text)])
+    return "\n".join([message, *_likely(text, "", fault)])
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> str:
@@ -134,9 +140,10 @@ def _unescaped(text: str) -> str:
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
-def _likely(text: str, cause: str = "") -> list[str]:
+def _likely(text: str, cause: str, fault: Fault) -> list[str]:
     """Return the line with what an exception most likely comes from, and the check's own cause."""
-    if slip := next((slip for sign, slip in SLIPS if sign in text), None):
+    meant = explain_unknown(fault.unknown) if fault.unknown else ""
+    if slip := meant or next((slip for sign, slip in SLIPS if sign in text), None):
         return [f"likely    {slip}"]
     slip = next((slip for sign, slip in PERHAPS if sign in text), None)
     causes = [words for words in (slip, cause) if words]

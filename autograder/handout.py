@@ -14,8 +14,9 @@ from autograder.stubs import make_stubs
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py arrange.py check.py commands.py definitions.py "
-        "explain.py faults.py given.py in_process.py keys.py make_venv.py manifest.py missing.py "
+        "__init__.py __main__.py answers.py arrange.py calls.py check.py commands.py "
+        "definitions.py explain.py faults.py given.py gone.py in_process.py keys.py make_venv.py "
+        "manifest.py missing.py nearest.py "
         "places.py reset.py runner.py scores.py screen.py stubs.py verdicts.py watch.py"
     ),
     "studies": (

@@ -37,9 +37,8 @@ class InProcess:
                 tell(event="imported")
         # Only the checks get an answer for a missing name: in another module of the student's it
         # is an ImportError here as well as behind the walls.
-        for module in map(sys.modules.get, modules):
-            if module is not None:
-                module.__dict__.setdefault("__getattr__", answer_for_missing(module))
+        for imported in filter(None, map(sys.modules.get, modules)):
+            imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def after_collection(self) -> None:
         """Everything is there already: the checks' own imports need the modules."""

@@ -27,7 +27,7 @@ Messages = Callable[[str, dict[str, str]], dict[str, list[str]]]
 
 @pytest.fixture(params=["beside the checks", "in a worker"])
 def messages(request: pytest.FixtureRequest, tmp_path: Path) -> Messages:
-    """Runs a chapter with changes to a module of the reference; returns each exercise's failures."""
+    """Runs a chapter with changes to a module of the reference; returns what fails."""
     behind = behind_walls() if request.param == "in a worker" else None
 
     def run(path: str, changes: dict[str, str]) -> dict[str, list[str]]:

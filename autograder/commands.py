@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 from autograder.make_venv import shown_python
+from autograder.manifest import ROOT
 
 # What make calls a student's options; the exercise of a hint or a reset has no name.
 OPTIONS = {
@@ -47,3 +48,11 @@ def command(name: str, **variables: str) -> str:
         if key != "WHOLE":
             words.append(value)
     return " ".join(words)
+
+
+def check_command(engine: list[Path], **arguments: str) -> str:
+    """Return the command that checks this engine again."""
+    if engine[0] != ROOT / "chapters":
+        inside = engine[0].is_relative_to(ROOT)
+        arguments["ENGINE"] = (engine[0].relative_to(ROOT) if inside else engine[0]).as_posix()
+    return command("check", **arguments)

@@ -15,9 +15,10 @@ STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md",
     "autograder": (
         "__init__.py __main__.py answers.py arrange.py calls.py check.py commands.py "
-        "definitions.py explain.py faults.py given.py gone.py in_process.py keys.py make_venv.py "
-        "manifest.py missing.py nearest.py places.py put_back.py reset.py runner.py "
-        "scores.py screen.py stubs.py verdicts.py watch.py"
+        "definitions.py edits.py explain.py failure.py faults.py given.py gone.py "
+        "in_process.py keys.py make_venv.py manifest.py memory.py missing.py nearest.py "
+        "page.py places.py progress.py put_back.py reset.py runner.py scores.py screen.py "
+        "session.py stubs.py verdicts.py watch.py wrapping.py"
     ),
     "studies": (
         "__init__.py __main__.py constraints.py demo.py drawing.py links.py mass_aggregate.py "

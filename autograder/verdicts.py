@@ -20,6 +20,7 @@ from autograder.explain import explain_exception
 from autograder.faults import CheckEnded, GraderFault, clean
 from autograder.gone import explain_gone
 from autograder.in_process import InProcess, Tell
+from autograder.wrapping import PRINTED, few_lines
 
 if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker
@@ -29,6 +30,8 @@ UNUSED_PLUGINS = (
     "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin setuponly "
     "setupplan stepwise unittest debugging warnings unraisableexception threadexception"
 )
+
+MOST_KEPT = (40, 2000)  # lines, and characters, of what the student's code printed
 
 
 class Recorder:
@@ -114,7 +117,7 @@ class Recorder:
         if report.when == "call":
             printed = report.capstdout.strip() + self.engine.stop()
             if printed and message:
-                message += f"\nprinted   {clean(printed)[:2000]}"
+                message += f"\n{PRINTED}{few_lines(clean(printed), *MOST_KEPT)}"
         if report.when == "call" or status == "error":
             told = dict(item.user_properties)
             # Where a hidden check puts a work could tell what it asks.

@@ -14,6 +14,7 @@ from autograder.commands import check_command
 from autograder.failure import UNWRITTEN, print_failure
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.scores import Result, place_on_chart, shown, total
+from autograder.wrapping import wrapped
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -151,7 +152,9 @@ def print_inherited(
 ) -> None:
     """Say how many checks an earlier chapter fails, and the two ways to go on."""
     for note in inherited_notes(report, exercise, engine):
-        console.print(f"{note}\n", style=STYLES["inherited"], soft_wrap=True)
+        lines = wrapped(note, console.width) if console.is_terminal else [note]
+        words = "\n".join(lines) + "\n"
+        console.print(words, style=STYLES["inherited"], markup=False, soft_wrap=True)
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:

@@ -18,8 +18,11 @@ NOT_IMPLEMENTED = (
 # of the cause that the check has at hand, which speaks of physics.
 SLIPS = (
     ("NotImplementedType", NOT_IMPLEMENTED),
-    ("SystemExit", "the code asks Python to stop: take sys.exit, exit or quit out"),
-    ("reading from stdin", "the code waits for somebody to type: take input or breakpoint out"),
+    ("SystemExit", "The code asks Python to stop. Remove the call of sys.exit, exit or quit."),
+    (
+        "reading from stdin",
+        "The code waits for somebody to type. Remove the call of input or breakpoint.",
+    ),
     (
         "No module named",
         "the engine uses Python's standard library alone; a chapter's module is imported with its "
@@ -27,34 +30,34 @@ SLIPS = (
     ),
     (
         "must be a Vector3, got None",
-        "a method that works in place returns None: do not assign that",
+        "A method that works in place returns None. Do not assign its result.",
     ),
-    ("has no setter", "a property without a setter is read, and never assigned"),
-    ("for ^", "a power is written **"),
-    ("is not defined", "a name is misspelt, or its import is missing at the top of the file"),
-    ("local variable", "a name is read before it has a value"),
-    ("unexpected keyword", "an argument of the def has another name than its docstring says"),
-    ("and 'method'", "a method is named but not called: its brackets are missing"),
-    ("can't decode", "save the file as UTF-8 in your editor"),
-    ("null bytes", "save the file as UTF-8 in your editor"),
+    ("has no setter", "This property has no setter, so it can be read but not assigned."),
+    ("for ^", "In Python a power is written as **."),
+    ("is not defined", "The name is misspelled, or its import is missing at the top of the file."),
+    ("local variable", "The code reads a name before it gives it a value."),
+    ("unexpected keyword", "An argument in the def is not named as the docstring says."),
+    ("and 'method'", "A method is named but not called. Add its brackets."),
+    ("can't decode", "Save the file as UTF-8 in your editor."),
+    ("null bytes", "Save the file as UTF-8 in your editor."),
 )
 # Others may be slips, or what a mistake in the physics leads to: the check's cause follows them.
 PERHAPS = (
-    ("'tuple'", "a function with several results gives a tuple: take it apart first"),
-    ("NoneType", "None came where a value was wanted: is a return missing, or nothing there yet?"),
+    ("'tuple'", "A function with several results returns a tuple. Unpack it first."),
+    ("NoneType", "There is None where a value is needed. Is a return missing?"),
     (
         "maximum recursion",
-        "something calls itself: an operator, a method, or a setter that assigns its own name",
+        "Something calls itself: an operator, a method, or a setter that assigns its own name.",
     ),
     (
         "positional argument",
-        "count the arguments: is self missing in a def, or one too many given?",
+        "Count the arguments. Is self missing in a def, or is one argument too many?",
     ),
-    ("is not callable", "what is called here is no function: a property, or a name used twice?"),
-    ("values to unpack", "another number of results is wanted: the docstring says which"),
-    ("cannot unpack", "another number of results is wanted: the docstring says which"),
-    ("has no attribute", "a name is misspelt, or this is not the type that you think"),
-    ("unterminated", "a quotation mark is missing, or one of three: here, or further up"),
+    ("is not callable", "This is not a function. Is it a property, or a name that is used twice?"),
+    ("values to unpack", "The number of results is wrong. The docstring says which it returns."),
+    ("cannot unpack", "The number of results is wrong. The docstring says which it returns."),
+    ("has no attribute", "The name is misspelled, or the object has another type than you think."),
+    ("unterminated", "A quotation mark is missing, here or further up, or one of three."),
 )
 ESCAPED = re.compile(
     r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"

@@ -250,13 +250,13 @@ def _complain(call: str, got: str, wanted: str, cause: str, read: str) -> None:
     __tracebackhide__ = True
     if got == "None":
         cause = (
-            "nothing came back: is a return missing, or is this the None of a method in place?\n"
+            "Nothing came back. Is a return missing, or does this method work in place?\n"
             f"or        {cause}"
         )
     if re.search(r"\bNotImplemented\b(?!Error)", got):
         cause = NOT_IMPLEMENTED
     if "bound method" in got:
-        cause = "a method is named but not called: its brackets are missing"
+        cause = "A method is named but not called. Add its brackets."
     raise AssertionError(
         f"called    {call}\ngot       {got}\nwanted    {wanted}\nlikely    {cause}\n"
         f"read      {read}"

@@ -38,6 +38,8 @@ def arrange(
         # Below root, since pytest takes no path with brackets.
         "tests": [f"tests/{chapter.name}", *hidden],
         "known": [exercise.id for exercise in chapter.exercises],
+        "chapter": chapter.name,
+        "edits": {exercise.id: exercise.edit for exercise in chapter.exercises},
         "modules": _modules(chapter, chapters, engine, root),
         "complete": [f"{c.name}/{file}" for c in chapters for file in c.complete],
         "worker": _worker(folder, chapter, root, behind),

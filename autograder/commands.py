@@ -58,3 +58,8 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
         return {}
     inside = engine[0].is_relative_to(ROOT)
     return {"ENGINE": (engine[0].relative_to(ROOT) if inside else engine[0]).as_posix()}
+
+
+def check_command(engine: list[Path], **arguments: str) -> str:
+    """Return the command that checks this engine again."""
+    return command("check", **arguments, **engine_variables(engine))

@@ -8,12 +8,21 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from autograder.faults import Fault, Frame, clean, fault_of, is_inside, short, text_of
+from autograder.nearest import explain_unknown
 
+NOT_IMPLEMENTED = (
+    "The code returned NotImplemented. Only an operator with two operands, such as __add__, may "
+    "return it: Python then raises the TypeError. A method or a function raises TypeError itself."
+)
 # Slips of Python that say little by themselves, by a part of what Python says. They come in place
 # of the cause that the check has at hand, which speaks of physics.
 SLIPS = (
-    ("SystemExit", "the code asks Python to stop: take sys.exit, exit or quit out"),
-    ("reading from stdin", "the code waits for somebody to type: take input or breakpoint out"),
+    ("NotImplementedType", NOT_IMPLEMENTED),
+    ("SystemExit", "The code asks Python to stop. Remove the call of sys.exit, exit or quit."),
+    (
+        "reading from stdin",
+        "The code waits for somebody to type. Remove the call of input or breakpoint.",
+    ),
     (
         "No module named",
         "the engine uses Python's standard library alone; a chapter's module is imported with its "
@@ -21,34 +30,34 @@ SLIPS = (
     ),
     (
         "must be a Vector3, got None",
-        "a method that works in place returns None: do not assign that",
+        "A method that works in place returns None. Do not assign its result.",
     ),
-    ("has no setter", "a property without a setter is read, and never assigned"),
-    ("for ^", "a power is written **"),
-    ("is not defined", "a name is misspelt, or its import is missing at the top of the file"),
-    ("local variable", "a name is read before it has a value"),
-    ("unexpected keyword", "an argument of the def has another name than its docstring says"),
-    ("and 'method'", "a method is named but not called: its brackets are missing"),
-    ("can't decode", "save the file as UTF-8 in your editor"),
-    ("null bytes", "save the file as UTF-8 in your editor"),
+    ("has no setter", "This property has no setter, so it can be read but not assigned."),
+    ("for ^", "In Python a power is written as **."),
+    ("is not defined", "The name is misspelled, or its import is missing at the top of the file."),
+    ("local variable", "The code reads a name before it gives it a value."),
+    ("unexpected keyword", "An argument in the def is not named as the docstring says."),
+    ("and 'method'", "A method is named but not called. Add its brackets."),
+    ("can't decode", "Save the file as UTF-8 in your editor."),
+    ("null bytes", "Save the file as UTF-8 in your editor."),
 )
 # Others may be slips, or what a mistake in the physics leads to: the check's cause follows them.
 PERHAPS = (
-    ("'tuple'", "a function with several results gives a tuple: take it apart first"),
-    ("NoneType", "None came where a value was wanted: is a return missing, or nothing there yet?"),
+    ("'tuple'", "A function with several results returns a tuple. Unpack it first."),
+    ("NoneType", "There is None where a value is needed. Is a return missing?"),
     (
         "maximum recursion",
-        "something calls itself: an operator, a method, or a setter that assigns its own name",
+        "Something calls itself: an operator, a method, or a setter that assigns its own name.",
     ),
     (
         "positional argument",
-        "count the arguments: is self missing in a def, or one too many given?",
+        "Count the arguments. Is self missing in a def, or is one argument too many?",
     ),
-    ("is not callable", "what is called here is no function: a property, or a name used twice?"),
-    ("values to unpack", "another number of results is wanted: the docstring says which"),
-    ("cannot unpack", "another number of results is wanted: the docstring says which"),
-    ("has no attribute", "a name is misspelt, or this is not the type that you think"),
-    ("unterminated", "a quotation mark is missing, or one of three: here, or further up"),
+    ("is not callable", "This is not a function. Is it a property, or a name that is used twice?"),
+    ("values to unpack", "The number of results is wrong. The docstring says which it returns."),
+    ("cannot unpack", "The number of results is wrong. The docstring says which it returns."),
+    ("has no attribute", "The name is misspelled, or the object has another type than you think."),
+    ("unterminated", "A quotation mark is missing, here or further up, or one of three."),
 )
 ESCAPED = re.compile(
     r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"
@@ -85,7 +94,7 @@ def explain_exception(
     lines.append(f"got       {fault.first_line}")
     if where:
         lines.append(f"where     {where}: {_source(own[-1], engine_folders)}")
-    lines += _likely(fault.first_line, words.get("cause", ""))
+    lines += _likely(fault.first_line, words.get("cause", ""), fault)
     if "read" in words:
         lines.append(f"read      {words['read']}")
     return "\n".join(lines)
@@ -108,7 +117,7 @@ def explain_import(fault: Fault, module: str, engine_folders: list[Path]) -> str
             where = f"{fault.frames[-1]}: {_source(fault.frames[-1], engine_folders)}"
     if where:
         message += f"\nwhere     {where}"
-    return "\n".join([message, *_likely(text)])
+    return "\n".join([message, *_likely(text, "", fault)])
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> str:
@@ -134,9 +143,10 @@ def _unescaped(text: str) -> str:
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
-def _likely(text: str, cause: str = "") -> list[str]:
+def _likely(text: str, cause: str, fault: Fault) -> list[str]:
     """Return the line with what an exception most likely comes from, and the check's own cause."""
-    if slip := next((slip for sign, slip in SLIPS if sign in text), None):
+    meant = explain_unknown(fault.unknown) if fault.unknown else ""
+    if slip := meant or next((slip for sign, slip in SLIPS if sign in text), None):
         return [f"likely    {slip}"]
     slip = next((slip for sign, slip in PERHAPS if sign in text), None)
     causes = [words for words in (slip, cause) if words]

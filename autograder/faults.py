@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
+from autograder.nearest import Unknown, unknown_of
+
 MOST_FRAMES = 50
 
 
@@ -37,7 +39,8 @@ class Frame:
 class Fault:
     """An exception: the name of its type, what it says, and its frames in the engine's folders.
 
-    A syntax error also has the file, line and text that Python could not read.
+    A syntax error also has the file, line and text that Python could not read. ``unknown`` is the
+    name that does not exist, where the exception is about one.
     """
 
     type: str
@@ -45,6 +48,7 @@ class Fault:
     frames: list[Frame] = field(default_factory=list)
     syntax: tuple[str, int, str] | None = None
     missing_module: str = ""
+    unknown: Unknown | None = None
 
     @property
     def first_line(self) -> str:
@@ -69,7 +73,8 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
         if is_inside(frame.f_code.co_filename, folders)
     ]
     missing = (error.name or "") if isinstance(error, ModuleNotFoundError) else ""
-    return Fault(type(error).__name__, text, frames[-MOST_FRAMES:], syntax, missing)
+    kind, frames = type(error).__name__, frames[-MOST_FRAMES:]
+    return Fault(kind, text, frames, syntax, missing, unknown_of(error))
 
 
 def text_of(error: BaseException) -> str:

@@ -33,26 +33,34 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """Print the end of the chapter that has just been finished, or what can be played by now.
+    """Print what ``end_of`` returns, below an empty line."""
+    lines = end_of(reports, exercise, engine, given)
+    for words, style in [("", ""), *lines] if lines else []:
+        console.print(words, style=style, markup=False, soft_wrap=True)
 
-    That is the last finished one, as long as no other that is not finished has been begun. Of a
-    chapter that is not finished, what can be played is told by ``exercise``, or by the last one.
+
+def end_of(
+    reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
+) -> list[tuple[str, str]]:
+    """Return the end of the chapter that has just been finished, or what can be played by now.
+
+    Each line comes with its style. The chapter is the last finished one, as long as no unfinished
+    one has been begun. In an unfinished chapter it is ``exercise`` that unlocks what can be played,
+    or the last exercise that works.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
     if not begun and len(unfinished) < len(reports):
         last = [report for report in reports if report not in unfinished][-1]
         lines = finish_lines(last, engine, given)
-        console.print(f"\n{lines[0]}", style="bold green", markup=False)
-        console.print("\n".join(lines[1:]), markup=False, soft_wrap=True)
-        return
+        return [(lines[0], "bold green"), *((line, "") for line in lines[1:])]
     for report in reversed(begun):
         for result in reversed(report.results):
             if exercise in (None, result.exercise) and (
                 words := play_words(report, result, engine, given)
             ):
-                console.print(f"\n{words}", style="green", markup=False, soft_wrap=True)
-                return
+                return [(words, "green")]
+    return []
 
 
 def is_finished(report: Report) -> bool:

@@ -9,15 +9,16 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter, chapters_below
-from autograder.stubs import make_stubs
+from autograder.stubs import KEPT, make_stubs
 
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py arrange.py check.py commands.py definitions.py "
-        "explain.py faults.py finish.py given.py in_process.py keys.py make_venv.py manifest.py "
-        "missing.py places.py reset.py runner.py scores.py screen.py stubs.py verdicts.py "
-        "watch.py written.py"
+        "__init__.py __main__.py answers.py arrange.py calls.py check.py commands.py "
+        "definitions.py edits.py explain.py failure.py faults.py finish.py given.py gone.py "
+        "in_process.py keys.py make_venv.py manifest.py memory.py missing.py nearest.py "
+        "page.py places.py progress.py put_back.py reset.py runner.py scores.py screen.py "
+        "session.py stubs.py verdicts.py watch.py wrapping.py written.py"
     ),
     "studies": (
         "__init__.py __main__.py constraints.py demo.py drawing.py links.py mass_aggregate.py "
@@ -34,7 +35,7 @@ You need Python 3.11 or newer; with make, the first command sets up everything e
 as on most Windows, [chapters/README.md](chapters/README.md) has the same commands for Python.
 
     make watch          the exercise you are at, checked whenever you save its file
-    make check          every exercise with its state, and the first thing to repair
+    make check          every exercise with its state, and the first thing to fix
     make check EX={example}  one exercise and what it builds on
     make hint EX={example}   a nudge; N=2 shows the second hint too
     make reset EX={example}  its stub back, and a copy of what you had
@@ -43,6 +44,9 @@ as on most Windows, [chapters/README.md](chapters/README.md) has the same comman
 Each chapter's README maps the book's sections to the functions that you write. Written questions,
 where there are any, are answered in `answers.md`. Hand in the folders under `chapters/` that you
 have edited: the files that the exercise table names are taken, so keep your own helpers in them.
+"""
+KEPT_README = """\
+The stubs as they were handed out, for `make reset`. Nothing here is checked or handed in.
 """
 DEMO = "    make demo DEMO=...  a scene to play; its chapter's README names it\n"
 
@@ -77,8 +81,13 @@ def make_handout(
         for path, text in stubs.items():
             if path.startswith(folder + "/"):  # made anew: the files here may be somebody's work
                 (out / path).write_text(text, encoding="utf-8", newline="\n")
+                if path.endswith(".py"):
+                    kept = out / KEPT / chapter.name / Path(path).name
+                    kept.parent.mkdir(parents=True, exist_ok=True)
+                    kept.write_text(text, encoding="utf-8", newline="\n")
         tests = root / "tests" / chapter.name
         _copy([*tests.glob("test_*.py"), *tests.glob("*probes.py")], out / "tests" / chapter.name)
+    (out / KEPT / "README.md").write_text(KEPT_README, encoding="utf-8", newline="\n")
     for chapter in given:
         modules = (root / "solutions" / chapter.name).glob("*.py")
         _copy(modules, out / "chapters" / chapter.name)

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+from autograder.definitions import read_definitions
 from autograder.explain import explain_import
 from autograder.faults import fault_of
 from autograder.missing import MissingNameError, answer_for_missing, broken_module
@@ -34,6 +35,10 @@ class InProcess:
                 self._import(module)
                 self.stop()
                 tell(event="imported")
+        # Only the checks get an answer for a missing name: in another module of the student's it
+        # is an ImportError here as well as behind the walls.
+        for imported in filter(None, map(sys.modules.get, modules)):
+            imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def after_collection(self) -> None:
         """Everything is there already: the checks' own imports need the modules."""
@@ -42,8 +47,7 @@ class InProcess:
         # A source edited twice within a second would be taken for its own stale bytecode.
         sys.dont_write_bytecode = True
         try:
-            imported = importlib.import_module(module)
-            imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
+            importlib.import_module(module)
         except MissingNameError as error:  # it uses another module that is broken
             sys.modules[module] = broken_module(module, str(error))
         except BaseException as error:  # SystemExit among them
@@ -51,6 +55,10 @@ class InProcess:
             sys.modules[module] = broken_module(module, message)
         finally:
             sys.dont_write_bytecode = False
+
+    def definitions(self, file: Path) -> set[str] | None:
+        """Return what a module of the student's defines."""
+        return read_definitions(file)
 
     def start(self) -> None:
         """Write the stack and end the process when the time is up, whatever the code is doing."""

@@ -158,6 +158,12 @@ def select_chapters(numbers: str) -> list[Chapter]:
     return [chapters[number] for number in sorted(set(wanted))] if wanted else [*chapters.values()]
 
 
+def numbers_of(chapters: list[Chapter]) -> str:
+    """Return the numbers of chapters as commands take them, such as 2 or 2-5."""
+    first, last = chapters[0].number, chapters[-1].number
+    return str(first) if first == last else f"{first}-{last}"
+
+
 def _exercise(path: Path, entry: dict[str, Any]) -> Exercise:
     where = f"{path}, exercise {entry.get('id', '(without an id)')}"
     known = {item.name for item in fields(Exercise)}

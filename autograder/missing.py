@@ -10,6 +10,7 @@ from types import ModuleType
 from typing import Any
 
 from autograder.faults import CheckEnded
+from autograder.nearest import nearest
 
 
 class MissingNameError(CheckEnded):
@@ -28,7 +29,13 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
     file = module.__name__.replace(".", "/") + ".py"
     empty = all(name.startswith("__") for name in vars(module))
     says = f"{file} is empty and" if empty else file
-    return lambda name: _missing_name(name, f"{says} does not define {name}")
+
+    def answer(name: str) -> Any:
+        near = nearest(name, vars(module))
+        meant = f"\nlikely    Did you mean {near}?" if near else ""
+        return _missing_name(name, f"{says} does not define {name}{meant}")
+
+    return answer
 
 
 def _missing_name(name: str, message: str) -> Any:

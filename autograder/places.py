@@ -6,22 +6,10 @@ import ast
 import re
 from pathlib import Path
 
-from autograder.definitions import functions, own_name
+from autograder.calls import calls, names_class
+from autograder.definitions import functions
 from autograder.manifest import Chapter, Exercise
 from autograder.runner import Verdict
-
-OPERATORS = {  # as the calls of checks have them
-    "__neg__": "; -v",
-    "__mul__": " * ",
-    "__imul__": " *= ",
-    "__truediv__": " / ",
-    "__itruediv__": " /= ",
-    "__add__": " + ",
-    "__iadd__": " += ",
-    "__sub__": " - ",
-    "__isub__": " -= ",
-    "__matmul__": " @ ",
-}
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
@@ -41,8 +29,8 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
         if not called or (told[1] == chapter.name and body not in others):
             return f"{_file(engine, told[1], told[2])}:{told[3]}"
     expression = called[1] if called else ""
-    bodies = [name for name in exercise.edit if _calls(expression, name)]
-    named = [name for name in bodies if _names_class(expression, name)]
+    bodies = [name for name in exercise.edit if calls(expression, name)]
+    named = [name for name in bodies if names_class(expression, name)]
     return find_definition(engine, chapter, (named or bodies or exercise.edit)[0])
 
 
@@ -77,24 +65,6 @@ def _read(file: Path) -> ast.Module | None:
         return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors begin with a mark
     except (OSError, SyntaxError, ValueError):
         return None
-
-
-def _calls(expression: str, name: str) -> bool:
-    """Say whether the expression of a check calls the body of this name."""
-    short = own_name(name)
-    pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
-    if short in OPERATORS:
-        pattern = re.escape(OPERATORS[short])
-    elif short.endswith(".setter"):
-        attribute = short.removesuffix(".setter")
-        pattern = rf"\.{attribute} = |\b{attribute}="
-    return re.search(pattern, expression) is not None
-
-
-def _names_class(expression: str, name: str) -> bool:
-    """Say whether the expression of a check makes an object of a method's class, if it is one."""
-    _, *path = name.split(".")
-    return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None
 
 
 def _file(engine: list[Path], chapter: str, name: str) -> Path:

@@ -5,19 +5,19 @@ rich is loaded when it is needed: by then the checks run in their own process, s
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.answers import questions_of
-from autograder.commands import command, engine_variables
+from autograder.commands import check_command
+from autograder.failure import UNWRITTEN, print_failure
 from autograder.finish import print_finish
-from autograder.manifest import Chapter, Exercise, chapters_below
-from autograder.places import next_place
+from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.runner import Verdict
 from autograder.scores import Result, place_on_chart, shown, total
+from autograder.wrapping import wrapped
 from autograder.written import all_pass
 
 if TYPE_CHECKING:
@@ -32,7 +32,6 @@ STYLES = {
     "inherited": "cyan",
     "error": "magenta",
 }
-UNWRITTEN = "not written yet"
 WORKS = "works"
 BAR = 40
 
@@ -174,76 +173,39 @@ def print_inherited(
     console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
 ) -> None:
     """Say how many checks an earlier chapter fails, and the two ways to go on."""
-    chapter = report.chapter
+    for note in inherited_notes(report, exercise, engine):
+        lines = wrapped(note, console.width) if console.is_terminal else [note]
+        words = "\n".join(lines) + "\n"
+        console.print(words, style=STYLES["inherited"], markup=False, soft_wrap=True)
+
+
+def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
+    """Return what to know of earlier chapters that may be the reason for failures here."""
+    chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:
         below = chapters_below(chapter)
-        earlier, numbers = _named(below), _numbers(below)
+        earlier, numbers = _named(below), numbers_of(below)
         checks = f"{lost} check fails" if lost == 1 else f"{lost} checks fail"
         earned, points = total(report.on_reference)
         this = {"EX": exercise.id} if exercise else {"CH": str(chapter.number)}
-        console.print(
-            f"{checks} here for what is wrong in {earlier}. On the reference's {earlier} "
+        notes.append(
+            f"{checks} here because of mistakes in {earlier}. On the reference's {earlier} "
             f"you have {shown(earned)} of {points} points.\n"
-            f"Mend it:     {_command(engine, CH=numbers)}\n"
-            f"Or go on:    {_command(engine, **this, GIVEN=numbers)}\n",
-            style=STYLES["inherited"],
-            soft_wrap=True,
+            f"Fix them:    {check_command(engine, CH=numbers)}\n"
+            f"Or go on:    {check_command(engine, **this, GIVEN=numbers)}"
         )
     for other in report.suspects:
-        console.print(
+        notes.append(
             f"Chapter {other.number} fails checks of its own, which may be the reason for some "
-            f"failures here: {_command(engine, CH=str(other.number))}\n",
-            style=STYLES["inherited"],
-            soft_wrap=True,
+            f"failures here: {check_command(engine, CH=str(other.number))}"
         )
-
-
-def print_failure(
-    console: Console,
-    chapter: Chapter,
-    result: Result,
-    engine: list[Path],
-    title: str = "First to repair",
-) -> None:
-    """Print one failed check in full, and what to do next."""
-    exercise = result.exercise
-    failed = next((check for check in result.checks if check.status == result.status), None)
-    if failed is None:
-        console.print(f"No check was found for exercise {exercise.id}.", style="magenta")
-        return
-    message = failed.message
-    inherited = failed.status == "inherited"
-    if inherited:  # the cause that a check of this chapter suggests is another
-        message = re.sub(r"(?m)^(likely|or|read) .*\n?", "", message).strip()
-    heading = "Inherited, for example" if inherited else title
-    console.print(f"{heading}: {exercise.id} {exercise.title}", style="bold")
-    console.print(f"check     {failed.name}\n{message}\n", markup=False, soft_wrap=True)
-    if inherited:
-        numbers = _numbers(chapters_below(chapter))
-        console.print(f"Next: {_command(engine, CH=numbers)}", style="bold", soft_wrap=True)
-        return
-    place = next_place(engine, chapter, exercise, failed)
-    console.print(f"Next: open {place}", style="bold", markup=False, soft_wrap=True)
-    unwritten = re.search(rf"{UNWRITTEN}: Exercise (B?\d+\.\w+)", failed.message)
-    nudge = command("hint", EX=unwritten[1] if unwritten else exercise.id)
-    console.print(f"A nudge: {nudge}", soft_wrap=True)
-
-
-def _command(engine: list[Path], **arguments: str) -> str:
-    """Return the command that checks this engine again."""
-    return command("check", **arguments, **engine_variables(engine))
+    return notes
 
 
 def _named(chapters: list[Chapter]) -> str:
     """Return chapters as words, such as chapter 2 or chapters 2-5."""
-    return f"chapter{'' if len(chapters) == 1 else 's'} {_numbers(chapters)}"
-
-
-def _numbers(chapters: list[Chapter]) -> str:
-    """Return the numbers of chapters as commands take them, such as 2 or 2-5."""
-    first, last = chapters[0].number, chapters[-1].number
-    return str(first) if first == last else f"{first}-{last}"
+    return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 
 def _state(result: Result, written: set[str]) -> str:

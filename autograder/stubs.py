@@ -22,6 +22,7 @@ from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 LOCK_NAME = "stubs.lock"
+KEPT = "stubs"  # the folder of a hand-out that keeps the stubs as they were handed out
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
@@ -45,6 +46,17 @@ def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
     """Return the stub of one module, such as vector.py. Raises OSError without its solution."""
     source = (root / "solutions" / chapter.name / file).read_text(encoding="utf-8")
     return stub_module(source, messages_of(chapter, file))
+
+
+def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
+    """Return the stub of a module as it was handed out; None where it cannot be had.
+
+    It is made from the reference. A hand-out has none, and keeps its stubs in a folder instead.
+    """
+    if (root / "solutions" / chapter.name / file).is_file():
+        return stub_of(chapter, file, root)
+    kept = root / KEPT / chapter.name / file
+    return kept.read_text(encoding="utf-8") if kept.is_file() else None
 
 
 def stub_hash(text: str) -> str:

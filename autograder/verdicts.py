@@ -18,7 +18,9 @@ import pytest
 
 from autograder.explain import explain_exception
 from autograder.faults import CheckEnded, GraderFault, clean
+from autograder.gone import explain_gone
 from autograder.in_process import InProcess, Tell
+from autograder.wrapping import PRINTED, few_lines
 
 if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker
@@ -29,6 +31,8 @@ UNUSED_PLUGINS = (
     "setupplan stepwise unittest debugging warnings unraisableexception threadexception"
 )
 
+MOST_KEPT = (40, 2000)  # lines, and characters, of what the student's code printed
+
 
 class Recorder:
     """A pytest plugin that picks the checks to run, limits their time and reports verdicts."""
@@ -37,6 +41,7 @@ class Recorder:
         self.config = config
         self.tell = tell
         self.engine = _engine(config)
+        self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:
         """Make the student's modules ready for the checks to import."""
@@ -106,10 +111,13 @@ class Recorder:
                 message = str(error)
             else:
                 message = explain_exception(error, self.engine.engine, self.config["complete"])
+            if not ours:
+                edits = self.config["edits"]
+                message = explain_gone(message, _marker(item).args[0], edits, self._defined)
         if report.when == "call":
             printed = report.capstdout.strip() + self.engine.stop()
             if printed and message:
-                message += f"\nprinted   {clean(printed)[:2000]}"
+                message += f"\n{PRINTED}{few_lines(clean(printed), *MOST_KEPT)}"
         if report.when == "call" or status == "error":
             told = dict(item.user_properties)
             # Where a hidden check puts a work could tell what it asks.
@@ -118,6 +126,14 @@ class Recorder:
                 event="verdict", name=item.name, status=status, message=message, on_chart=point
             )
         return report
+
+    def _defined(self, module: str) -> set[str] | None:
+        """Return what a module of the chapter defines, None where nobody can tell."""
+        if module not in self.definitions:
+            places = [Path(folder) / self.config["chapter"] for folder in self.config["engine"]]
+            files = [file for place in places if (file := place / f"{module}.py").is_file()]
+            self.definitions[module] = self.engine.definitions(files[0]) if files else None
+        return self.definitions[module]
 
     def pytest_sessionfinish(self, exitstatus: int) -> None:
         code = pytest.ExitCode

@@ -11,8 +11,11 @@ objects of the engine.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
+
+from autograder.explain import NOT_IMPLEMENTED
 
 # Right answers worked out in another order differ by a few roundings, some 1e-16 of the numbers
 # involved. A thousand times that still leaves no room for a wrong formula.
@@ -142,7 +145,7 @@ def expect_error(
         came = f"{type(other).__name__}: {other}"
     else:
         came = "no error"
-        if isinstance(got, (int, float, str, tuple, list)):
+        if isinstance(got, (int, float, str, tuple, list)) or _is_not_implemented(got):
             came += f", but {_shown(got)}"
     _complain(call, came, error.__name__, cause, read)
 
@@ -236,15 +239,24 @@ def _shown(value: Any) -> str:
     return repr(value)
 
 
+def _is_not_implemented(value: Any) -> bool:
+    """Say whether a value is NotImplemented, here or in the student's process."""
+    if type(value).__name__ == "ObjectHandle":
+        return bool(value._type_name == "NotImplementedType")
+    return value is NotImplemented
+
+
 def _complain(call: str, got: str, wanted: str, cause: str, read: str) -> None:
     __tracebackhide__ = True
     if got == "None":
         cause = (
-            "nothing came back: is a return missing, or is this the None of a method in place?\n"
+            "Nothing came back. Is a return missing, or does this method work in place?\n"
             f"or        {cause}"
         )
+    if re.search(r"\bNotImplemented\b(?!Error)", got):
+        cause = NOT_IMPLEMENTED
     if "bound method" in got:
-        cause = "a method is named but not called: its brackets are missing"
+        cause = "A method is named but not called. Add its brackets."
     raise AssertionError(
         f"called    {call}\ngot       {got}\nwanted    {wanted}\nlikely    {cause}\n"
         f"read      {read}"

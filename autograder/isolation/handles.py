@@ -11,8 +11,10 @@ import re
 from collections.abc import Callable, Iterator
 from typing import Any, NoReturn
 
+from autograder.explain import NOT_IMPLEMENTED
 from autograder.faults import CheckEnded, Fault, Frame, clean
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
+from autograder.nearest import MOST_SLOTS, Unknown
 
 BROKEN = "the code broke the protocol between its process and the checks"
 FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
@@ -140,6 +142,7 @@ def _exception(data: Any) -> BaseException:
             frames,
             syntax,
             _text(data["missing_module"], 200),
+            _unknown(data["unknown"]),
         )
         name = data["as"]
         kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
@@ -149,6 +152,15 @@ def _exception(data: Any) -> BaseException:
     exception: BaseException = kind(fault.text.strip("'") if kind is KeyError else fault.text)
     exception.fault = fault  # type: ignore[attr-defined]
     return exception
+
+
+def _unknown(data: Any) -> Unknown | None:
+    """Return the name that an exception is about, if it is about one."""
+    if data is None:
+        return None
+    name, of, near = (_text(data[key], 100) for key in ("name", "of", "nearest"))
+    slots = [_text(slot, 100) for slot in data["slots"][:MOST_SLOTS]]
+    return Unknown(name, of, near, slots, data["module"] is True)
 
 
 def _text(value: Any, longest: int) -> str:
@@ -215,6 +227,8 @@ def _reflected(name: str) -> Callable[..., Any]:
 
 def _refused(name: str) -> Callable[..., Any]:
     def refuse(self: Handle, *_: Any) -> NoReturn:
+        if isinstance(self, ObjectHandle) and self._type_name == "NotImplementedType":
+            raise WorkerFailure(f"got       NotImplemented\nlikely    {NOT_IMPLEMENTED}")
         raise WorkerFailure(
             f"an object came back where a plain value is wanted: {self!r} (checks compare numbers "
             f"that they have read from it, {name} of the object itself is not asked)"

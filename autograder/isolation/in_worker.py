@@ -110,6 +110,17 @@ class InWorker:
         self.tell(event="broken", module=module, message=message)
         self.stop()  # the next worker knows it
 
+    def definitions(self, file: Path) -> set[str] | None:
+        """Return what a module of the student's defines, as far as the check's worker can tell."""
+        if self.session is None or self.session.dead:
+            return None
+        try:
+            found = self.session.ask("definitions", str(file))
+        except (Exception, WorkerFailure, StudentLeft):  # what the code has left of its process
+            return None
+        names = found if type(found) is list else []
+        return {name for name in names if type(name) is str} or None
+
     def _worker(self, new: bool = False) -> Session:
         """Return a session with the worker that is there, or a new one, and all of its time."""
         if new or self.session is None or self.session.dead:

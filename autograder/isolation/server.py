@@ -15,6 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from autograder.definitions import read_definitions
 from autograder.faults import fault_of
 from autograder.isolation.wire import (
     KNOWN_ERRORS,
@@ -70,6 +71,7 @@ class Server:
             "frames": [[frame.file, frame.line, frame.function[:100]] for frame in fault.frames],
             "syntax": fault.syntax,
             "missing_module": fault.missing_module,
+            "unknown": fault.unknown and vars(fault.unknown),
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
@@ -118,6 +120,11 @@ class Server:
         except (SyntaxError, ValueError, OSError, MemoryError, RecursionError):
             return None  # the import will say what is wrong
         return base64.b64encode(code).decode() if len(code) < LONGEST_LINE // 2 else None
+
+    def do_definitions(self, file: str) -> list[str] | None:
+        """Return the names that a file defines; None where it cannot be read."""
+        found = read_definitions(Path(file))
+        return None if found is None else sorted(found)
 
     def do_import(self, module: str) -> None:
         importlib.import_module(module)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter
+from autograder.stubs import KEPT
 from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, NotTakenError, cause, refuse_all, search_folder
 from autograder.submissions.zips import search_zip
@@ -79,14 +80,19 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Return the files of the chapter's shallowest folder, then the first by name, and notes."""
+    """Return the files of the chapter's shallowest folder, then the first by name, and notes.
+
+    The folder in which a hand-out keeps its stubs counts only if there is no other.
+    """
     mine = [file for file in found if file.place[-1] == chapter.name]
-    places = sorted({(file.doubtful, len(file.place), file.place) for file in mine})
+    places = sorted(
+        {(file.doubtful, KEPT in file.place[:-1], len(file.place), file.place) for file in mine}
+    )
     if not places:
         return {}, []
-    doubtful, _, place = places[0]
+    doubtful, _, _, place = places[0]
     notes = []
-    if (several := sum(not place[0] for place in places)) > 1:
+    if (several := sum(not doubtful and not kept for doubtful, kept, _, _ in places)) > 1:
         path = "/".join(place)
         notes.append(f"there are {several} folders called {chapter.name}: {path} was taken")
     chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]

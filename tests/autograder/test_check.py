@@ -46,7 +46,7 @@ def test_every_exercise_is_shown_with_its_state_and_the_first_failure_in_full(en
     assert done.returncode == 1
     for exercise in load_chapters()[0].exercises:
         assert f"\n{exercise.id} " in done.stdout
-    assert "First to repair: B2.5 Add and subtract" in done.stdout
+    assert "Fix this first: B2.5 Add and subtract" in done.stdout
     rows = [line.split() for line in done.stdout.splitlines()]
     assert ["2.3", "A", "vector", "times", "itself", "*", "answered", "-/2"] in rows
     assert ["B2.4", "Normalise", "*", "passed", "3/3", "1/1", "3/3"] in rows
@@ -90,9 +90,9 @@ def test_what_is_blocked_is_not_the_first_to_repair_and_half_written_is_no_failu
         "1.5/2",
     ] in rows
     assert ["B2.4", "Normalise", "*", "blocked", "2/3", "1/1", "2.15/3"] in rows
-    assert "First to repair: B2.1" in done.stdout
+    assert "Fix this first: B2.1" in done.stdout
     only = autograder("check", "--exercise", "2.1", "--engine", str(engine))
-    assert "First to repair: B2.1" in only.stdout
+    assert "Fix this first: B2.1" in only.stdout
 
 
 def test_a_console_that_lacks_a_character_is_no_crash() -> None:
@@ -170,10 +170,10 @@ def test_a_python_without_the_packages_is_told_what_to_do() -> None:
     [
         ("math.hypot(self.x, self.y, self.z)", SQUARES, "likely    the square of 1e200"),
         ("if length == 0.0:", "if length is None:", "likely    zero has no direction"),
-        ("math.hypot(self.x, self.y, self.z)", "mth.hypot(self.x)", "likely    a name is misspelt"),
+        ("math.hypot(self.x, self.y, self.z)", "mth.hypot(self.x)", "Did you mean math?"),
         ("return self.x * v.x", "return self.x * v.magnitude", "is named but not called"),
-        ("def magnitude(self)", "def magnitude()", "is self missing in a def"),
-        ("def magnitude(self)", "def magnitud(self)", "likely    a name is misspelt"),
+        ("def magnitude(self)", "def magnitude()", "Is self missing in a def"),
+        ("def magnitude(self)", "def magnitud(self)", "renamed it to magnitud,"),
         ("return math.hypot(self.x, self.y, self.z)", "self.x = float(input())", "input or"),
     ],
 )
@@ -183,7 +183,7 @@ def test_a_slip_is_named(engine: Path, old: str, new: str, words: str) -> None:
     assert old in text
     vector.write_text(text.replace(old, new), encoding="utf-8")
     done = autograder("check", "--chapter", "2", "--engine", str(engine))
-    assert words in done.stdout.split("First to repair")[1]
+    assert words in done.stdout.split("Fix this first")[1]
     assert "called    " in done.stdout
     assert "read      " in done.stdout
 

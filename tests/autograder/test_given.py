@@ -69,7 +69,7 @@ def test_a_right_chapter_on_a_broken_one_has_inherited_failures_alone() -> None:
     assert ["B3.4", "The", "step", "**", "inherited"] in [row[:5] for row in rows]
     assert not [row for row in rows if "failed" in row or "blocked" in row]
     sentence = (
-        r"\n\d+ checks fail here for what is wrong in chapter 2\. On the reference's chapter 2 "
+        r"\n\d+ checks fail here because of mistakes in chapter 2\. On the reference's chapter 2 "
     )
     assert re.search(sentence + r"you have 35 of 35 points\.\n", done.stdout)
     assert "make check CH=3 GIVEN=2 ENGINE=sample_class/hana\n" in done.stdout
@@ -98,7 +98,7 @@ def test_own_failures_stay_failures_and_come_first(engine: Path) -> None:
     assert marked["test_momentum_is_mass_times_velocity"].status == "inherited"
     assert marked["test_the_force_falls_with_the_square_of_the_distance"].status == "failed"
     done = check(engine, "--chapter", "3")
-    assert "First to repair: 3.2 Gravity between two people" in done.stdout
+    assert "Fix this first: 3.2 Gravity between two people" in done.stdout
     assert "make check CH=3 GIVEN=2" in done.stdout
 
 

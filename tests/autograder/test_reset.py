@@ -9,13 +9,15 @@ import subprocess
 import sys
 from pathlib import Path
 
+import libcst
 import pytest
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.reset import reset
+from autograder.put_back import put_back
+from autograder.reset import question, reset
 from autograder.stubs import make_stubs
-from small import RIGHT, make_students_root
+from small import RIGHT, STUB, make_students_root
 
 CHAPTERS = load_chapters()
 CH02 = CHAPTERS[0]
@@ -98,7 +100,7 @@ def test_the_file_as_it_was_is_kept_and_no_copy_is_overwritten(tmp_path: Path) -
     file = engine / CH02.name / "vector.py"
     first = file.read_bytes()
     said = reset(CH02, CH02.exercise("B2.5"), engine, copies)
-    assert f"the file as it was: {copies}/ch02_vectors/vector-1.py" in said
+    assert f"A copy of the file as it was: {copies}/ch02_vectors/vector-1.py" in said
     assert "Vector3.__add__, Vector3.__iadd__, Vector3.__sub__, Vector3.__isub__" in said
     second = file.read_bytes()
     reset(CH02, CH02.exercise("B2.4"), engine, copies)
@@ -136,7 +138,7 @@ def test_a_students_own_way_of_writing_stays(tmp_path: Path) -> None:
     ("content", "why"),
     [
         ("x = (\n", "it cannot be read: line 1: '(' was never closed"),
-        ("x = 1\n", "it does not define Vector3.normalize, Vector3.normalized"),
+        ("class Vector3:\n    normalize = normalized = len\n", "Vector3.normalized without a def"),
         (None, "it is not there"),
     ],
 )
@@ -159,6 +161,69 @@ def test_a_file_without_such_a_body_is_left_alone_and_the_way_out_works(
         assert (copies / CH02.name / "vector-1.py").read_text(encoding="utf-8") == content
 
 
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+def test_functions_that_were_deleted_come_back_where_they_were(chapter: Chapter) -> None:
+    for file in chapter.edited_files:
+        stub = STUBS[f"chapters/{chapter.name}/{file}"]
+        every = [name for name in functions(ast.parse(stub)) if name in edited(chapter, file)]
+        # The first is put where nothing of the exercises comes before it.
+        for gone in (every[::2], every[:1], every[-1:]):
+            left = without(stub, set(gone))
+            assert not functions(ast.parse(left)).keys() & set(gone)
+            back = put_back(libcst.parse_module(left), libcst.parse_module(stub), gone)
+            assert back.code == stub
+
+
+def without(source: str, gone: set[str]) -> str:
+    """Return a module without these functions, by its lines: as an editor deletes them."""
+    lines = source.splitlines(keepends=True)
+    for name, node in functions(ast.parse(source)).items():
+        if name in gone:
+            first = min(part.lineno for part in (node, *node.decorator_list)) - 1
+            while first and not lines[first - 1].strip():
+                first -= 1
+            lines[first : node.end_lineno] = ["\0"] * ((node.end_lineno or 0) - first)
+    return "".join(line for line in lines if line != "\0")
+
+
+def test_only_what_is_gone_is_put_back_and_the_rest_of_the_exercise_stays(tmp_path: Path) -> None:
+    engine, copies = engine_of(CH02, tmp_path / "engine"), tmp_path / "copies"
+    file = engine / CH02.name / "vector.py"
+    solved = file.read_text(encoding="utf-8")
+    file.write_text(without(solved, {"Vector3.clear"}), encoding="utf-8")
+    asked = question(CH02, CH02.exercise("B2.1"), engine, copies)
+    assert "missing stub of Vector3.clear" in asked
+    said = reset(CH02, CH02.exercise("B2.1"), engine, copies)
+    assert "Vector3.clear" in said
+    assert "Vector3.copy" not in said
+    now, rest = taken_apart(file.read_text(encoding="utf-8"), {"Vector3.clear"})
+    assert rest == taken_apart(solved, {"Vector3.clear"})[1]
+    stub = STUBS[f"chapters/{CH02.name}/vector.py"]
+    assert now == taken_apart(stub, {"Vector3.clear"})[0]
+    reset(CH02, CH02.exercise("B2.1"), engine, copies)  # now all of the exercise
+    now, _ = taken_apart(file.read_text(encoding="utf-8"), {"Vector3.copy"})
+    assert now == taken_apart(stub, {"Vector3.copy"})[0]
+
+
+def test_a_class_that_was_deleted_comes_back_whole(tmp_path: Path) -> None:
+    file = tmp_path / CH02.name / "vector.py"
+    file.parent.mkdir()
+    file.write_text("import math\n\nmine = math.pi\n", encoding="utf-8")
+    reset(CH02, CH02.exercise("B2.4"), tmp_path, tmp_path / "copies")
+    text = file.read_text(encoding="utf-8")
+    assert text.startswith("import math\n\nmine = math.pi\n")
+    stub = ast.parse(STUBS[f"chapters/{CH02.name}/vector.py"])
+    members = {name for name in functions(stub) if name.startswith("Vector3.")}
+    assert functions(ast.parse(text)).keys() == members
+
+
+def test_the_question_names_the_exercise_the_functions_and_the_copy(tmp_path: Path) -> None:
+    engine = engine_of(CH02, tmp_path / "engine")
+    asked = question(CH02, CH02.exercise("B2.4"), engine, tmp_path / "copies")
+    for words in ("B2.4", "Vector3.normalize, Vector3.normalized", "vector.py", "copies"):
+        assert words in asked
+
+
 def test_a_hand_out_can_do_it_too_without_solutions(tmp_path: Path) -> None:
     root = make_students_root(tmp_path)
     file = root / "chapters/ch90_small/small.py"
@@ -167,13 +232,24 @@ def test_a_hand_out_can_do_it_too_without_solutions(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     stub = 'raise NotImplementedError("Exercise B90.1: Double")'
     assert file.read_text(encoding="utf-8") == RIGHT.replace("return x + x", stub)
-    assert "the file as it was: build/reset/ch90_small/small-1.py" in done.stdout
+    assert "as it was: build/reset/ch90_small/small-1.py" in done.stdout
     file.write_bytes(b"x = (\n")
     for arguments in (("reset", "B90.1"), ("reset", "B90.1", "--whole")):
         done = autograder(root, *arguments)
         assert done.returncode == 2
-        assert "ake the file out of the hand-out again" in done.stderr
+        assert "ake the file from the hand-out again" in done.stderr
         assert file.read_bytes() == b"x = (\n"
+    kept = root / "stubs/ch90_small/small.py"  # as a hand-out has it
+    kept.parent.mkdir(parents=True)
+    kept.write_text(STUB, encoding="utf-8")
+    assert "EX=B90.1 WHOLE=1" in autograder(root, "reset", "B90.1").stderr
+    assert autograder(root, "reset", "B90.1", "--whole").returncode == 0
+    assert file.read_text(encoding="utf-8") == STUB
+    file.write_text(RIGHT.partition("def quadruple")[0], encoding="utf-8")
+    done = autograder(root, "reset", "90.1")
+    assert "the missing stub is back" in done.stdout
+    written = file.read_text(encoding="utf-8")
+    assert written == RIGHT.partition("def quadruple")[0] + STUB[STUB.index("def quadruple") :]
 
 
 def test_what_cannot_be_reset_is_one_clear_sentence() -> None:

@@ -193,6 +193,11 @@ def test_the_shallowest_folder_counts_and_then_the_first_by_name(
     assert boxed(hand_in(files)) == ({VECTOR: taken.encode()}, {}, [note])
 
 
+def test_the_stubs_that_a_hand_out_keeps_are_not_what_was_handed_in(hand_in: HandIn) -> None:
+    made = hand_in({f"stubs/{VECTOR}": b"stub", f"work/chapters/{VECTOR}": CODE})
+    assert boxed(made) == TAKEN
+
+
 def test_each_chapter_has_its_own_folder_and_one_without_edited_files_does_not_count(
     hand_in: HandIn,
 ) -> None:

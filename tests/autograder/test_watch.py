@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
-import select
 import signal
 import subprocess
 import sys
@@ -17,70 +15,15 @@ import pytest
 
 from autograder import keys
 from small import RIGHT, make_students_root
-
-pty = pytest.importorskip("pty", reason="no pseudo-terminals here")
-termios = pytest.importorskip("termios")
+from terminal import KEYS, PATIENCE, Terminal, command, pty, save, small, termios
 
 HALF = RIGHT.replace("return 4 * x", 'raise NotImplementedError("Exercise 90.1: Quadruple")')
-PATIENCE = 120.0  # seconds, on a machine with much else to do
 
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
     """A hand-out of the small chapter."""
     return make_students_root(tmp_path)
-
-
-def small(root: Path) -> Path:
-    return root / "chapters/ch90_small/small.py"
-
-
-def save(root: Path, text: str) -> None:
-    small(root).write_text(text, encoding="utf-8")
-
-
-def command(root: Path) -> tuple[list[str], dict[str, str]]:
-    environment = os.environ | {"PYTHONPATH": str(root), "TERM": "xterm", "COLUMNS": "120"}
-    return [sys.executable, "-m", "autograder", "watch"], environment
-
-
-class Terminal:
-    """A pseudo-terminal with watch in it."""
-
-    def __init__(self, root: Path) -> None:
-        self.ours, self.its = pty.openpty()
-        self.before = termios.tcgetattr(self.its)
-        arguments, environment = command(root)
-        self.process = subprocess.Popen(
-            arguments, cwd=root, env=environment, stdin=self.its, stdout=self.its, stderr=self.its
-        )
-        self.output = b""
-        self.read = 0  # characters of the text that have been waited for
-
-    @property
-    def text(self) -> str:
-        """All that was shown, without colours and the like."""
-        shown = self.output.decode("utf-8", errors="replace")
-        return re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "", shown).replace("\r\n", "\n")
-
-    def wait_for(self, *words: str) -> None:
-        """Wait until the words have been shown, in this order, since the last that were."""
-        deadline = time.monotonic() + PATIENCE
-        for word in words:
-            while word not in self.text[self.read :]:
-                assert time.monotonic() < deadline, f"{word!r} is not in {self.text[self.read :]}"
-                if select.select([self.ours], [], [], 1.0)[0]:
-                    self.output += os.read(self.ours, 4096)
-            self.read = self.text.index(word, self.read) + len(word)
-
-    def press(self, key: str) -> None:
-        os.write(self.ours, key.encode())
-
-    def close(self) -> None:
-        self.process.kill()
-        self.process.wait()
-        os.close(self.ours)
-        os.close(self.its)
 
 
 @pytest.fixture
@@ -90,19 +33,18 @@ def terminal(root: Path) -> Iterator[Terminal]:
     terminal.close()
 
 
-KEYS = "q quit"  # the end of every screen
 BAR = "#" * 20 + "." * 20  # one of two exercises
 
 
 def test_from_the_stubs_to_the_end_of_the_chapter(root: Path, terminal: Terminal) -> None:
     terminal.wait_for("Current exercise (0 of 2 checks pass): B90.1 Double")
     terminal.wait_for("not written yet: Exercise B90.1")
-    terminal.wait_for("Next: open chapters/ch90_small/small.py:3", "0 of 2 exercises pass", KEYS)
+    terminal.wait_for("Next: open chapters/ch90_small/small.py:3", "0 of 2 exercises work", KEYS)
     save(root, HALF)
     terminal.wait_for("B90.1 Double is done: 2 of 2 checks pass", f"Chapter 90 [{BAR}] 1 of 2")
     terminal.wait_for("Enter goes on to 90.1 Quadruple", KEYS)
-    terminal.press("\n")
-    terminal.wait_for("Current exercise (0 of 2 checks pass): 90.1 Quadruple", KEYS)
+    save(root, RIGHT.replace("4 * x", "5 * x"))  # without Enter
+    terminal.wait_for("Current exercise (1 of 2 checks pass): 90.1 Quadruple", KEYS)
     save(root, RIGHT)
     terminal.wait_for("90.1 Quadruple is done", "All checks pass", KEYS)
     save(root, RIGHT.replace("x + x", "x * x"))
@@ -135,13 +77,13 @@ def test_a_save_that_breaks_what_the_current_exercise_needs_leads_back_there(
     terminal.press("\n")
     terminal.wait_for("): 90.1 Quadruple", KEYS)
     save(root, HALF.replace("x + x", "x * x"))
-    terminal.wait_for("): B90.1 Double", "0 of 2 exercises pass", KEYS)
+    terminal.wait_for("): B90.1 Double", "0 of 2 exercises work", KEYS)
 
 
 def test_the_keys(root: Path, terminal: Terminal) -> None:
     terminal.wait_for(KEYS)
     terminal.press("h")
-    terminal.wait_for("Hint 1 of 1: twice")
+    terminal.wait_for("): B90.1 Double", "Hint 1 of 1: twice", KEYS)
     terminal.press("l")
     terminal.wait_for("Chapter 90: Small", "B90.1", "not written yet", "90.1", "not written yet")
     terminal.press("\x1b[A")  # an arrow is no a
@@ -149,11 +91,14 @@ def test_the_keys(root: Path, terminal: Terminal) -> None:
     save(root, wrong)
     terminal.wait_for("B90.1 Double is done", KEYS)
     terminal.press("a")
-    terminal.wait_for("Chapter 90: Small", "First to repair: 90.1 Quadruple")
+    terminal.wait_for("Chapter 90: Small", "Fix this first: 90.1 Quadruple")
     terminal.press("r")
-    terminal.wait_for(
-        "): B90.1 Double", "B90.1 Double is reset", "build/reset/ch90_small/small-1.py"
-    )
+    terminal.wait_for("Reset B90.1 Double?", "double", "build/reset", "(y or n)", KEYS)
+    terminal.press("n")
+    terminal.wait_for("Nothing was reset", KEYS)
+    assert small(root).read_text(encoding="utf-8") == wrong
+    terminal.press("ry")
+    terminal.wait_for("): B90.1 Double", "the stub is back", "build/reset/ch90_small/small-1.py")
     stub = 'raise NotImplementedError("Exercise B90.1: Double")'
     assert small(root).read_text(encoding="utf-8") == wrong.replace("return x + x", stub)
     terminal.press("q")
@@ -210,9 +155,9 @@ def test_without_a_terminal_it_says_so_and_goes_on_by_itself(root: Path) -> None
     text = ""
     for line in process.stdout:
         text += line
-        if "0 of 2 exercises pass" in line:
+        if "0 of 2 exercises work" in line:
             save(root, HALF)
-        if "1 of 2 exercises pass" in line:
+        if "1 of 2 exercises work" in line:
             break
     process.send_signal(signal.SIGINT)
     assert process.wait(PATIENCE) == 130

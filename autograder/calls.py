@@ -1,0 +1,38 @@
+"""Tell which of a student's functions the expression of a check calls."""
+
+from __future__ import annotations
+
+import re
+
+from autograder.definitions import own_name
+
+OPERATORS = {  # as the calls of checks have them
+    "__neg__": "; -v",
+    "__mul__": " * ",
+    "__imul__": " *= ",
+    "__truediv__": " / ",
+    "__itruediv__": " /= ",
+    "__add__": " + ",
+    "__iadd__": " += ",
+    "__sub__": " - ",
+    "__isub__": " -= ",
+    "__matmul__": " @ ",
+}
+
+
+def calls(expression: str, name: str) -> bool:
+    """Say whether the expression of a check calls the body of this name."""
+    short = own_name(name)
+    pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
+    if short in OPERATORS:
+        pattern = re.escape(OPERATORS[short])
+    elif short.endswith(".setter"):
+        attribute = short.removesuffix(".setter")
+        pattern = rf"\.{attribute} = |\b{attribute}="
+    return re.search(pattern, expression) is not None
+
+
+def names_class(expression: str, name: str) -> bool:
+    """Say whether the expression of a check makes an object of a method's class, if it is one."""
+    _, *path = name.split(".")
+    return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

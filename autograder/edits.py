@@ -1,0 +1,71 @@
+"""Find out which functions a student has edited since the last look."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+from autograder.definitions import functions
+from autograder.manifest import Chapter, Exercise
+
+
+class Edits:
+    """The functions and the data of chapters as they were at the last look."""
+
+    def __init__(self, engine: Path, chapters: list[Chapter]) -> None:
+        self.engine = engine
+        self.chapters = chapters
+        self.texts: dict[Path, bytes] = {}
+        self.parts: dict[Path, dict[str, str]] = {}
+        self.look()
+
+    def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
+        """Return the exercises that were edited, each with its own functions and files that were.
+
+        A change of the layout or of a comment is no edit. Where a module cannot be read, any of
+        its functions may have been edited.
+        """
+        edited = []
+        for chapter in self.chapters:
+            names = {name for file in chapter.handed_in for name in self._look_at(chapter, file)}
+            for exercise in chapter.exercises:
+                own = [name for name in (*exercise.edit, *exercise.files) if _is_in(name, names)]
+                if own:
+                    edited.append((chapter, exercise, own))
+        return edited
+
+    def _look_at(self, chapter: Chapter, name: str) -> set[str]:
+        """Return what was edited of a file, and take note of what it says now."""
+        path = self.engine / chapter.name / name
+        try:
+            text = path.read_bytes()
+        except OSError:
+            text = b""
+        if self.texts.get(path) == text:
+            return set()
+        self.texts[path] = text
+        module = name.removesuffix(".py")
+        parts = {name: text.hex()} if module == name else _bodies(module, text)
+        if parts is None:
+            return {f"{module}.*"}
+        before = self.parts.get(path, {})
+        self.parts[path] = parts
+        names = before.keys() | parts.keys()
+        return {part for part in names if before.get(part) != parts.get(part)}
+
+
+def _bodies(module: str, text: bytes) -> dict[str, str] | None:
+    """Return the code of each function; None where the module cannot be read, or has none.
+
+    Some editors empty a file before they write it.
+    """
+    try:
+        found = functions(ast.parse(text))
+    except (SyntaxError, ValueError):
+        return None
+    return {f"{module}.{name}": ast.dump(node) for name, node in found.items()} or None
+
+
+def _is_in(name: str, edited: set[str]) -> bool:
+    """Say whether a function or a file is among what was edited, module by module or by name."""
+    return name in edited or f"{name.partition('.')[0]}.*" in edited

@@ -1,0 +1,77 @@
+"""Explain a failure that comes from a body which the student's file no longer defines.
+
+The manifest names the bodies to write. Where one of them was deleted or renamed, Python says only
+that a name is missing; the student should read that the stub is gone, and how to get it back.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+
+from autograder.calls import calls
+from autograder.commands import command
+from autograder.definitions import own_name
+from autograder.nearest import nearest
+
+Defined = Callable[
+    [str], set[str] | None
+]  # what a module such as vector defines, if it can be read
+
+
+def explain_gone(
+    message: str, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
+) -> str:
+    """Return the message of a failed check, with the cause where a body of the chapter is gone.
+
+    ``edits`` are the bodies that each exercise has students write, such as vector.Vector3.dot.
+    """
+    for owner, name in _candidates(message, exercise, edits):
+        module, _, path = name.partition(".")
+        there = defined(module)
+        if there is not None and path not in there:
+            likely = f"likely    {_words(module, path, owner, there, edits)}"
+            read = re.findall(r"(?m)^read +.*$", message)
+            kept = re.split(r"(?m)^(?:likely|or|read) +", message)[0].rstrip("\n")
+            return "\n".join([kept, likely, *read[-1:]])
+    return message
+
+
+def _candidates(
+    message: str, exercise: str, edits: Mapping[str, Sequence[str]]
+) -> list[tuple[str, str]]:
+    """Return the bodies that the message may be about: those that it names, then those it calls."""
+    every = [(owner, name) for owner, names in edits.items() for name in names]
+    called = re.search(r"(?m)^called +(.*)", message)
+    own = [
+        (exercise, name) for name in edits.get(exercise, ()) if called and calls(called[1], name)
+    ]
+    return [pair for pair in every if _names(message, pair[1])] + own
+
+
+def _names(message: str, name: str) -> bool:
+    """Say whether an error's text says that this name, or the class that it is in, is missing."""
+    module, *path = name.removesuffix(".setter").split(".")
+    short, outer = path[-1], path[0]
+    signs = [f"name '{short}' is not defined", f"/{module}.py does not define {outer}"]
+    signs += [f"cannot import name '{outer}'"]
+    if len(path) > 1:
+        signs.append(f"'{outer}' object has no attribute '{short}'")
+        signs.append(f"type object '{outer}' has no attribute '{short}'")
+        signs.append(f"property '{short}' of '{outer}' object has no setter")
+    return any(re.search(rf"{re.escape(sign)}(?!\w)", message) for sign in signs)
+
+
+def _words(
+    module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
+) -> str:
+    """Return what became of a body, and what to do: undo a new name, or put the stub back."""
+    prefix = path.removesuffix(own_name(f"{module}.{path}"))
+    listed = {name.partition(".")[2] for names in edits.values() for name in names}
+    others = [name.removeprefix(prefix) for name in there - listed if name.startswith(prefix)]
+    renamed = nearest(path.removeprefix(prefix), sorted(others), 0.75)
+    undo = f" If you renamed it to {renamed}, change the name back." if renamed else ""
+    return (
+        f"The stub of {path} is gone: {module}.py does not define it any more.{undo} To put the "
+        f"stub back and leave your other work as it is: {command('reset', EX=exercise)}"
+    )

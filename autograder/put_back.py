@@ -1,0 +1,78 @@
+"""Put functions that were deleted back into a module, at the place that they have in its stub."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Collection, Sequence
+from typing import Any
+
+import libcst as cst
+
+from autograder.definitions import functions
+
+
+def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
+    """Return the module with the stub's functions of these names, such as Vector3.dot.
+
+    A class that is gone comes back whole. Raises ValueError where the stub lacks a name.
+    """
+    prefixed = {name.partition(".")[0] for name in names if "." in name}
+    body = [*module.body]
+    for node in stub.body:
+        name = _name(node)
+        if not isinstance(node, cst.ClassDef):
+            if name in names:
+                _insert(body, node, stub.body)
+        elif name in prefixed:
+            there = [i for i, other in enumerate(body) if _name(other) == name]
+            if there:
+                own = [
+                    wanted.partition(".")[2] for wanted in names if wanted.startswith(f"{name}.")
+                ]
+                body[there[0]] = _with_members(body[there[0]], node, own)
+            else:
+                _insert(body, node, stub.body)
+    changed = module.with_changes(body=body)
+    if body[-1:] != [*module.body][-1:] and not any(line.comment for line in module.footer):
+        changed = changed.with_changes(footer=[])  # the blank lines at the end of the file
+    if missing := set(names) - functions(ast.parse(changed.bytes)).keys():
+        raise ValueError(f"its stub does not define {', '.join(sorted(missing))}")
+    return changed
+
+
+def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
+    """Return a class with the members of these names from its stub."""
+    members = [*node.body.body]
+    if not isinstance(node.body, cst.IndentedBlock):  # all of it on the line of its name
+        members = [cst.SimpleStatementLine(members)]
+    for member in stub.body.body:
+        if _name(member) in names:
+            _insert(members, member, stub.body.body)
+    if isinstance(node.body, cst.IndentedBlock):
+        return node.with_changes(body=node.body.with_changes(body=members))
+    return node.with_changes(body=cst.IndentedBlock(members))
+
+
+def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
+    """Insert a node after the nearest one that comes before it in the stub, or else before one."""
+    names = [_name(other) for other in body]
+    at = [*order].index(node)
+    for other in reversed(order[:at]):
+        if (name := _name(other)) and name in names:
+            last = max(i for i, there in enumerate(names) if there == name)  # of overloads
+            body.insert(last + 1, node)
+            return
+    for other in order[at + 1 :]:
+        if (name := _name(other)) and name in names:
+            body.insert(names.index(name), node)
+            return
+    body.append(node)
+
+
+def _name(node: Any) -> str:
+    """Return the name of a class or a function as manifests have it; empty for anything else."""
+    if isinstance(node, cst.ClassDef):
+        return str(node.name.value)
+    if isinstance(node, cst.FunctionDef):
+        return next(iter(functions(ast.parse(cst.Module([node]).code))), "")
+    return ""

@@ -1,0 +1,162 @@
+"""Slips that Python explains badly are explained, in both ways of running the checks."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from autograder.gone import explain_gone
+from autograder.manifest import ROOT, load_chapters
+from autograder.nearest import nearest
+from autograder.runner import run_checks
+from copies import copy_tree
+from walls import behind_walls
+
+PRODUCT = """\
+    def component_product(self, v):
+        if not isinstance(v, Vector3):
+            return NotImplemented
+        return Vector3(self.x * v.x, self.y * v.y, self.z * v.z)
+"""
+CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}
+Messages = Callable[[str, dict[str, str]], dict[str, list[str]]]
+
+
+@pytest.fixture(params=["beside the checks", "in a worker"])
+def messages(request: pytest.FixtureRequest, tmp_path: Path) -> Messages:
+    """Runs a chapter with changes to a module of the reference; returns what fails."""
+    behind = behind_walls() if request.param == "in a worker" else None
+
+    def run(path: str, changes: dict[str, str]) -> dict[str, list[str]]:
+        chapter = next(chapter for chapter in CHAPTERS.values() if path.startswith(chapter.name))
+        for number in range(2, chapter.number + 1):
+            copy_tree(ROOT / "solutions" / CHAPTERS[number].name, tmp_path / CHAPTERS[number].name)
+        text = (tmp_path / path).read_text(encoding="utf-8")
+        for pattern, new in changes.items():
+            text, count = re.subn(pattern, lambda _, new=new: new, text, count=1, flags=re.S)
+            assert count, pattern
+        (tmp_path / path).write_text(text, encoding="utf-8")
+        engine = [tmp_path, ROOT / "chapters"]
+        failed: dict[str, list[str]] = {}
+        for verdict in run_checks(chapter, engine, seed="1", behind=behind):
+            assert verdict.status != "error"
+            if verdict.status != "passed":
+                failed.setdefault(verdict.exercise, []).append(verdict.message)
+        return failed
+
+    return run
+
+
+def likely(messages: list[str]) -> str:
+    """Return the causes of all the messages of an exercise."""
+    return " ".join(re.findall(r"(?m)^likely +(.*)$", "\n".join(messages)))
+
+
+def whole(name: str) -> str:
+    """Return a pattern for the whole text of a method."""
+    return rf"    def {name}\(.*?(?=\n    def |\n    @|\n    __|\nclass |\n\n\n)"
+
+
+def test_names_that_are_not_there_and_notimplemented(messages: Messages) -> None:
+    failed = messages(
+        "ch02_vectors/vector.py",
+        {
+            r"return math\.hypot\(self\.x, self\.y, self\.z\)": "return mth.hypot(self.X1)",
+            r"return self\.x \* v\.x[^\n]*": "return NotImplemented",
+            whole("component_product"): PRODUCT,
+            whole("__isub__"): "    def isub(self, v): ...\n",
+            whole("cross"): "    def cros(self, v): ...\n",
+            whole("copy"): "    def copy(self):\n        return self.normalised()\n",
+        },
+    )
+    assert "Did you mean math?" in likely(failed["B2.2"])
+    assert "Did you mean normalized?" in likely(failed["B2.1"])
+    dot = [message for message in failed["B2.8"] if ".dot(" in message and " @ " not in message]
+    assert dot
+    assert "or  " not in "".join(dot)
+    for said in dot:
+        assert "\ngot       NotImplemented" in said
+        assert "A method or a function raises TypeError itself" in likely([said])
+    (refuses,) = failed["B2.7"]
+    assert "got       no error, but NotImplemented\nwanted    TypeError" in refuses
+    assert "raises TypeError itself" in likely([refuses])
+    gone = [message for message in failed["B2.5"] if "-=" in message]
+    assert "The stub of Vector3.__isub__ is gone" in likely(gone)
+    assert "B2.5" in likely(gone)
+    assert "The stub of Vector3.cross is gone" in likely(failed["B2.9"])
+    assert "renamed it to cros," in likely(failed["B2.9"])
+
+
+def test_what_slots_can_hold(messages: Messages) -> None:
+    """Every particle is made with a mass, so every check that makes one says it."""
+    failed = messages(
+        "ch03_laws_of_motion/particle.py",
+        {r"self\._inverse_mass = not_negative\(\"1 / mass\"": "self._mass = (0"},
+    )
+    mass = likely(failed["B3.1"])
+    assert "The nearest to _mass is _inverse_mass." in mass
+    assert "_damping, _inverse_mass, acceleration, position, velocity" in mass
+    assert "_frame" not in mass
+
+
+def test_misspelt_attributes_and_names(messages: Messages) -> None:
+    failed = messages(
+        "ch03_laws_of_motion/particle.py",
+        {
+            whole("momentum"): "    def momentum(self):\n        return Vecotr3()\n",
+            "position = self.position": "position = self.positon",
+        },
+    )
+    assert "Did you mean Vector3?" in likely(failed["B3.2"])
+    assert "Did you mean position?" in likely(failed["B3.4"])
+
+
+def test_a_deleted_setter_and_a_getter_are_stubs_that_are_gone(messages: Messages) -> None:
+    failed = messages(
+        "ch03_laws_of_motion/particle.py", {r"    @damping\.setter\n" + whole("damping"): ""}
+    )
+    assert "The stub of Particle.damping.setter is gone" in likely(failed["B3.1"])
+    assert "B3.1" in likely(failed["B3.1"])
+
+
+def test_a_stub_without_which_the_module_cannot_be_read(messages: Messages) -> None:
+    failed = messages("ch03_laws_of_motion/particle.py", {r"    @property\n" + whole("mass"): ""})
+    every = [message for messages in failed.values() for message in messages]
+    assert "The stub of Particle.mass is gone" in likely(every)
+    assert "particle.py cannot be imported: NameError: name 'mass'" in " ".join(every)
+
+
+def test_a_name_that_another_module_imports(messages: Messages) -> None:
+    failed = messages(
+        "ch02_vectors/exercises.py",
+        {"from ch02_vectors.vector import": "from ch02_vectors.vector import Vectr3,"},
+    )
+    assert "ch02_vectors/vector.py has nothing called Vectr3. Did you mean Vector3?" in likely(
+        failed["2.1"]
+    )
+
+
+def test_a_deleted_function_and_a_deleted_class() -> None:
+    edits = {"B2.1": ["vector.Vector3.copy", "vector.Vector3.clear"], "B2.10": ["vector.basis"]}
+    says = "ch02_vectors/vector.py does not define {}"
+    there = {"Vector3", "Vector3.clear"}
+    for name, exercise, gone in (
+        ("basis", "B2.10", "vector.py does not define it"),
+        ("Vector3", "B2.1", "stub of Vector3.copy is gone"),
+    ):
+        message = explain_gone(says.format(name), "B2.10", edits, lambda _: there)
+        assert gone in likely([message])
+        assert exercise in likely([message])
+    for defined in (None, {*there, "basis"}):
+        same = explain_gone(says.format("basis"), "B2.10", edits, lambda _, is_=defined: is_)
+        assert same == says.format("basis")
+
+
+def test_short_and_special_names_are_near_to_nothing() -> None:
+    assert nearest("veloctiy", ["velocity", "position", "__init__"]) == "velocity"
+    assert nearest("vx", ["v", "vy"]) == ""
+    assert nearest("init", ["__init__"]) == ""
+    assert nearest("zebra", ["velocity"]) == ""

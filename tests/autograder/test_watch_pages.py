@@ -1,0 +1,215 @@
+"""What watch shows on a terminal of 80 by 24, and in which order: tiers, and what was edited."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT
+from autograder.wrapping import cut, few_lines, wrapped
+from small import RIGHT, make_students_root
+from terminal import HEIGHT, KEYS, WIDTH, Terminal, save
+
+TIERS_MANIFEST = """
+title = "Small"
+
+[[exercise]]
+id = "B90.1"
+title = "Two and three"
+kind = "build"
+stars = 1
+points = 4
+edit = ["small.double", "small.triple"]
+robust = "A text would be repeated and not doubled."
+hints = ["twice"]
+terms = []
+
+[[exercise]]
+id = "90.1"
+title = "Quadruple"
+kind = "exercise"
+stars = 1
+points = 2
+edit = ["small.quadruple"]
+hints = ["double the double"]
+terms = []
+"""
+TIERS_CHECKS = """
+import pytest
+from ch90_small import small
+from expect import expect_close, expect_error
+
+
+@pytest.mark.exercise("B90.1")
+def test_double():
+    call, cause, read = "double(5)", "twice", "the docstring"
+    expect_close(call, small.double(5), 10, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B90.1")
+def test_triple():
+    call, cause, read = "triple(5)", "three times", "the docstring"
+    expect_close(call, small.triple(5), 15, cause=cause, read=read)
+
+
+@pytest.mark.robust
+@pytest.mark.exercise("B90.1")
+def test_a_text_is_refused():
+    call, cause, read = "double('a')", "refuse it", "the docstring"
+    twice = lambda: small.double(1)
+    text = lambda: small.double("a")
+    expect_error(call, text, TypeError, allowed=twice, cause=cause, read=read)
+
+
+@pytest.mark.exercise("90.1")
+def test_quadruple():
+    call, cause, read = "quadruple(5)", "four times", "the docstring"
+    expect_close(call, small.quadruple(5), 20, cause=cause, read=read)
+"""
+TIERS = """
+def double(x):
+    return 2 * x
+
+
+def triple(x):
+    return 3 * x
+
+
+def quadruple(x):
+    raise NotImplementedError("Exercise 90.1: Quadruple")
+"""
+WHY = "A text would be repeated"
+
+
+@pytest.fixture
+def tiers(root: Path) -> Iterator[Terminal]:
+    """A terminal with a chapter of two tiers, and an exercise with two functions."""
+    chapter, tests = root / "chapters/ch90_small", root / "tests"
+    (chapter / "chapter.toml").write_text(TIERS_MANIFEST, encoding="utf-8")
+    (tests / "ch90_small/test_small.py").write_text(TIERS_CHECKS, encoding="utf-8")
+    shutil.copyfile(ROOT / "tests/expect.py", tests / "expect.py")
+    save(root, re.sub("return . [*] x", UNWRITTEN, TIERS))
+    terminal = Terminal(root)
+    yield terminal
+    terminal.close()
+
+
+UNWRITTEN = "raise NotImplementedError('Exercise B90.1: Two and three')"
+QUADRUPLE = 'raise NotImplementedError("Exercise 90.1: Quadruple")'
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    """A hand-out of the small chapter."""
+    return make_students_root(tmp_path)
+
+
+@pytest.fixture
+def terminal(root: Path) -> Iterator[Terminal]:
+    terminal = Terminal(root)
+    yield terminal
+    terminal.close()
+
+
+def test_the_physics_of_all_comes_first_and_then_the_robust_checks(
+    root: Path, tiers: Terminal
+) -> None:
+    tiers.wait_for("Current exercise (0 of 2 physics checks pass): B90.1 Two and three", KEYS)
+    save(root, TIERS)
+    tiers.wait_for("B90.1 Two and three works: all 2 physics checks pass.", "1 robust check")
+    tiers.wait_for("until", "Enter goes on to 90.1 Quadruple", KEYS)
+    right = TIERS.replace(QUADRUPLE, "return 4 * x")
+    save(root, right)
+    tiers.wait_for("90.1 Quadruple is done: 1 of 1 checks pass", "robust checks")
+    tiers.wait_for("Enter goes on to B90.1", KEYS)
+    tiers.press("\n")
+    tiers.wait_for("Current exercise (0 of 1 robust checks pass): B90.1", WHY)
+    tiers.wait_for("wanted    TypeError", "1 of 2 are complete", KEYS)
+    save(root, right.replace("return 2 * x", "return x / 0.5"))
+    tiers.wait_for("B90.1 Two and three is done: 3 of 3", "Everything in chapter 90", KEYS)
+
+
+def test_what_was_just_edited_comes_first(root: Path, tiers: Terminal) -> None:
+    """The exercise, and in an exercise with several functions the check of that function."""
+    tiers.wait_for("): B90.1 Two and three", "check     test_double", KEYS)
+    half = TIERS.replace("return 2 * x", UNWRITTEN)
+    save(root, half.replace("3 * x", "33 * x"))
+    tiers.wait_for("): B90.1", "check     test_triple", "called    triple(5)", KEYS)
+    wrong = half.replace(QUADRUPLE, "return 44 * x").replace("3 * x", "33 * x")
+    save(root, wrong)
+    tiers.wait_for("): 90.1 Quadruple", KEYS)
+    save(root, wrong + "def broken(:")
+    tiers.wait_for("): 90.1 Quadruple", "cannot be read", KEYS)
+    save(root, wrong.replace("return 33 * x", "return 34 * x"))
+    tiers.wait_for("): B90.1", "check     test_triple", KEYS)
+
+
+def test_on_80_by_24_the_heading_and_the_keys_stay_in_sight(root: Path, terminal: Terminal) -> None:
+    terminal.wait_for(KEYS)
+    prints = "for i in range(42):\n        print('value number', i)\n    "
+    save(root, RIGHT.replace("return x + x", f"{prints}raise ValueError('many words ' * 200)"))
+    terminal.wait_for("): B90.1 Double", "make check EX=B90.1", KEYS)
+    shows(terminal)
+    assert "          value number 4" in terminal.screen
+    assert "          ... and 37 more lines" in terminal.screen
+    assert "          value number 5" not in terminal.screen
+    terminal.press("h")
+    terminal.wait_for("Hint 1 of 1", KEYS)
+    shows(terminal)
+    terminal.press("r")
+    terminal.wait_for("(y or n)", KEYS)
+    shows(terminal)
+
+
+def shows(terminal: Terminal) -> None:
+    """Expect a screen with the heading at the top and the keys at its end, and whole words."""
+    lines = terminal.screen
+    assert len(lines) < HEIGHT  # the cursor is on the last
+    assert max(map(len, lines)) <= WIDTH
+    assert lines[0].startswith("Current exercise (0 of 2 checks pass): B90.1 Double")
+    assert lines[-1].endswith(KEYS)
+    words = {word for line in lines if "many" in line for word in line.split()[-2:]}
+    assert words <= {"many", "words", "ValueError:", "'"}
+
+
+def test_a_line_breaks_between_words_below_its_label() -> None:
+    lines = wrapped("likely    " + "some words " * 9 + "\nplain " + "words " * 9, 40)
+    assert max(map(len, lines)) <= 40
+    assert [line[:10].strip() for line in lines] == [
+        "likely",
+        "",
+        "",
+        "",
+        "plain word",
+        "words word",
+    ]
+    assert {word for line in lines for word in line.split()} == {"likely", "some", "words", "plain"}
+    long = "called    v = " + "x" * 50
+    assert "".join(line.strip() for line in wrapped(long, 40)) == long
+
+
+def test_a_long_diagnosis_is_cut_in_the_middle() -> None:
+    lines = [f"line {number}" for number in range(30)]
+    short = cut(lines, 9, "note")
+    assert short == [*lines[:4], "note", *lines[-4:]]
+    assert cut(lines, 30, "note") == lines
+    assert len(cut(lines, -5, "note")) == 3  # a very low terminal
+
+
+@pytest.mark.parametrize(
+    ("text", "kept", "more"),
+    [
+        ("a\nb", "a\nb", ""),
+        ("1\n2\n3\n4", "1\n2\n3", "... and 1 more line"),
+        ("\n".join("123456"), "1\n2\n3", "... and 3 more lines"),
+        ("1\n2\n3\n4\n... and 10 more lines", "1\n2\n3", "... and 11 more lines"),
+        ("x" * 30, "x" * 20, "... and more"),
+        ("1\n" * 3000, "1\n1\n1", "... and at least 1997 more lines"),
+    ],
+)
+def test_what_is_printed_is_cut_to_a_few_lines(text: str, kept: str, more: str) -> None:
+    assert few_lines(text, 3, 20) == (f"{kept}\n{more}" if more else kept)

@@ -1,0 +1,84 @@
+"""A pseudo-terminal with watch in it, for the tests of what somebody sees there."""
+
+from __future__ import annotations
+
+import os
+import re
+import select
+import struct
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+fcntl = pytest.importorskip("fcntl", reason="no pseudo-terminals here")
+pty = pytest.importorskip("pty")
+termios = pytest.importorskip("termios")
+
+HEIGHT, WIDTH = 24, 80
+CLEARED = "\f"  # stands for the clearing of the screen
+PATIENCE = 60.0  # seconds, on a machine with much else to do
+KEYS = "q quit"  # the end of every screen
+
+
+def small(root: Path) -> Path:
+    return root / "chapters/ch90_small/small.py"
+
+
+def save(root: Path, text: str) -> None:
+    small(root).write_text(text, encoding="utf-8")
+
+
+def command(root: Path) -> tuple[list[str], dict[str, str]]:
+    environment = os.environ | {"PYTHONPATH": str(root), "TERM": "xterm"}
+    for name in ("COLUMNS", "LINES"):
+        environment.pop(name, None)
+    return [sys.executable, "-m", "autograder", "watch"], environment
+
+
+class Terminal:
+    """A pseudo-terminal with watch in it."""
+
+    def __init__(self, root: Path) -> None:
+        self.ours, self.its = pty.openpty()
+        self.before = termios.tcgetattr(self.its)
+        fcntl.ioctl(self.its, termios.TIOCSWINSZ, struct.pack("HHHH", HEIGHT, WIDTH, 0, 0))
+        arguments, environment = command(root)
+        self.process = subprocess.Popen(
+            arguments, cwd=root, env=environment, stdin=self.its, stdout=self.its, stderr=self.its
+        )
+        self.output = b""
+        self.read = 0  # characters of the text that have been waited for
+
+    @property
+    def text(self) -> str:
+        """All that was shown, without colours and the like."""
+        shown = self.output.decode("utf-8", errors="replace")
+        shown = shown.replace("\x1b[2J", CLEARED).replace("\r\n", "\n")
+        return re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "", shown)
+
+    @property
+    def screen(self) -> list[str]:
+        """What is to be seen now: the lines since the screen was last cleared."""
+        return self.text[self.text.rindex(CLEARED) + 1 :].splitlines()
+
+    def wait_for(self, *words: str) -> None:
+        """Wait until the words have been shown, in this order, since the last that were."""
+        deadline = time.monotonic() + PATIENCE
+        for word in words:
+            while word not in self.text[self.read :]:
+                assert time.monotonic() < deadline, f"{word!r} is not in {self.text[self.read :]}"
+                if select.select([self.ours], [], [], 1.0)[0]:
+                    self.output += os.read(self.ours, 4096)
+            self.read = self.text.index(word, self.read) + len(word)
+
+    def press(self, key: str) -> None:
+        os.write(self.ours, key.encode())
+
+    def close(self) -> None:
+        self.process.kill()
+        self.process.wait()
+        os.close(self.ours)
+        os.close(self.its)

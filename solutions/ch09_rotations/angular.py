@@ -47,8 +47,7 @@ def integrate_rotation(
     if not isinstance(orientation, Quaternion):
         raise TypeError(f"orientation must be a Quaternion, got {orientation!r}")
     acceleration = finite_vector("angular_acceleration", angular_acceleration)
-    new_velocity = finite_vector("angular_velocity", angular_velocity)
-    new_velocity.add_scaled(acceleration, duration)
+    new_velocity = finite_vector("angular_velocity", angular_velocity) + acceleration * duration
     orientation.rotate_by(new_velocity * duration)
     orientation.normalize()
     angular_velocity.add_scaled(acceleration, duration)

@@ -14,9 +14,10 @@ from autograder.stubs import make_stubs
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py arrange.py check.py commands.py definitions.py "
-        "explain.py faults.py given.py in_process.py keys.py make_venv.py manifest.py missing.py "
-        "places.py reset.py runner.py scores.py screen.py stubs.py verdicts.py watch.py"
+        "__init__.py __main__.py allowed_acts.py allowed_imports.py answers.py apart.py arrange.py "
+        "check.py commands.py definitions.py explain.py faults.py given.py in_process.py keys.py "
+        "make_venv.py manifest.py missing.py places.py printed.py reset.py runner.py scores.py "
+        "screen.py students_code.py stubs.py surroundings.py verdicts.py watch.py"
     ),
     "studies": (
         "__init__.py __main__.py constraints.py demo.py drawing.py links.py mass_aggregate.py "

@@ -22,6 +22,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import IO, Any
 
+from autograder.apart import how_it_ended
 from autograder.arrange import Behind, arrange, root_of_checks
 from autograder.explain import explain_hang
 from autograder.faults import clean
@@ -204,7 +205,7 @@ class _Run:
         if hung:
             why = explain_hang(stack, self.limit, self.engine)
         else:
-            why = "the process ended in the middle: does the code call os._exit, or crash Python?"
+            why = how_it_ended(process.returncode)
         kind, name = current
         if kind == "import":
             self.broken[name] = f"{name.replace('.', '/')}.py, while it is imported: {why}"

@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import Any, NoReturn
 
-from autograder.faults import CheckEnded, Fault, Frame, clean
+from autograder.faults import CheckEnded, Fault, Frame, StudentLeft, clean
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
 
 BROKEN = "the code broke the protocol between its process and the checks"
@@ -20,10 +20,6 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 class WorkerFailure(CheckEnded):
     """The worker is gone, or sent what it must not."""
-
-
-class StudentLeft(BaseException):
-    """The student's code raised what is no Exception, such as SystemExit; its fault says what."""
 
 
 class Session:

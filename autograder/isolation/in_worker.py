@@ -20,9 +20,9 @@ from types import ModuleType
 from typing import Any, NoReturn
 
 from autograder.explain import explain_import
-from autograder.faults import Fault
+from autograder.faults import Fault, StudentLeft
 from autograder.in_process import Tell
-from autograder.isolation.handles import Handle, Session, StudentLeft, WorkerFailure
+from autograder.isolation.handles import Handle, Session, WorkerFailure
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template
 

@@ -22,9 +22,7 @@ from autograder.students_code import LIBRARY, StudentsCode
 
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]
-THREAD_STARTERS = (
-    "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
-)
+THREAD_STARTERS = "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
 NOT_STARTED = 32512  # what os.system returns where no process can be started
 
 # What is not permitted, by Python's names of events: first those whose arguments begin with a path

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import traceback
 from collections.abc import Callable
 
@@ -13,6 +14,8 @@ DONE = 87  # the exit code of a copy that has told its verdict
 
 def run_in_a_copy(work: Callable[[], object]) -> int:
     """Do the work in a copy of this process; return its exit code, which is DONE where it ended."""
+    if sys.platform == "win32":
+        raise OSError("Windows cannot copy a process")
     copy = os.fork()
     if copy == 0:
         try:

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 from autograder.make_venv import shown_python
+from autograder.manifest import ROOT
 
 # What make calls a student's options; the exercise of a hint or a reset has no name.
 OPTIONS = {
@@ -34,6 +35,15 @@ def prepare() -> bool:
         )
         return False
     return True
+
+
+def find_engine(folder: str) -> list[Path]:
+    """Return the folders of an engine, the first on top. Raises ValueError without the folder."""
+    # What students do not edit, such as plots, is in chapters/ alone.
+    engine = [ROOT / name for name in dict.fromkeys((folder, "chapters"))]
+    if not engine[0].is_dir():
+        raise ValueError(f"engine must be a folder of chapters, got {folder!r}")
+    return engine
 
 
 def command(name: str, **variables: str) -> str:

@@ -9,16 +9,35 @@ from pathlib import Path
 
 from autograder.faults import Fault, Frame, clean, fault_of, is_inside, short, text_of
 
+NOT_HANDED_IN = (
+    "only the files that the exercises name are handed in. Move this code into one of those, or "
+    "correct the name; a module is imported as in from ch02_vectors.vector import Vector3"
+)
+ONLY_COMPUTES = (
+    "an engine only computes. Take out what writes files or reads other people's, and what starts "
+    "programs or threads or uses the network: none of it works where your code is graded"
+)
 # Slips of Python that say little by themselves, by a part of what Python says. They come in place
 # of the cause that the check has at hand, which speaks of physics.
 SLIPS = (
     ("SystemExit", "the code asks Python to stop: take sys.exit, exit or quit out"),
-    ("reading from stdin", "the code waits for somebody to type: take input or breakpoint out"),
+    ("EOF when reading", "the code waits for somebody to type: take input or breakpoint out"),
+    ("BdbQuit", "the code waits for somebody to type: take input or breakpoint out"),
+    ("No module named 'ch0", NOT_HANDED_IN),
+    ("(unknown location)", NOT_HANDED_IN),
     (
         "No module named",
         "the engine uses Python's standard library alone; a chapter's module is imported with its "
         "folder, as in from ch02_vectors.vector import Vector3",
     ),
+    (
+        "No such file or directory",
+        "your code is run in another folder. Find a file that lies beside it with "
+        "Path(__file__).with_name(...), and hand in nothing that no exercise names",
+    ),
+    ("Permission denied", ONLY_COMPUTES),
+    ("Operation not permitted", ONLY_COMPUTES),
+    ("start new thread", ONLY_COMPUTES),
     (
         "must be a Vector3, got None",
         "a method that works in place returns None: do not assign that",
@@ -136,11 +155,16 @@ def _unescaped(text: str) -> str:
 
 def _likely(text: str, cause: str = "") -> list[str]:
     """Return the line with what an exception most likely comes from, and the check's own cause."""
-    if slip := next((slip for sign, slip in SLIPS if sign in text), None):
+    if slip := slip_of(text):
         return [f"likely    {slip}"]
-    slip = next((slip for sign, slip in PERHAPS if sign in text), None)
-    causes = [words for words in (slip, cause) if words]
+    perhaps = next((slip for sign, slip in PERHAPS if sign in text), None)
+    causes = [words for words in (perhaps, cause) if words]
     return [f"{label:10}{words}" for label, words in zip(("likely", "or"), causes, strict=False)]
+
+
+def slip_of(text: str) -> str:
+    """Return what an exception surely comes from, or an empty text."""
+    return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(frame: Frame, complete: Sequence[str]) -> bool:

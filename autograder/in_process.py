@@ -36,11 +36,14 @@ class InProcess:
         time_limit: float,
         stack_file: str,
         graded: Mapping[str, Collection[str]],
+        *,
+        apart: bool,
     ) -> None:
         self.engine = [Path(folder).resolve() for folder in engine]
         self.time_limit = time_limit
         self.stack_file = Path(stack_file).open("wb")  # noqa: SIM115 - lives as long as we
         self.graded = graded
+        self.apart = apart and CAN_COPY
         self.printed: list[str] = []
         self.streams = sys.stdin, sys.stdout, sys.stderr
         self.depth = Depth()
@@ -82,10 +85,10 @@ class InProcess:
     def run(self, check: Callable[[], object]) -> str | None:
         """Run a check in a copy of this process; return why it told no verdict, if it did not.
 
-        Return None, and run nothing, where the system cannot copy processes. Where its time was up
-        this process ends too: the runner goes on in a new one.
+        Return None, and run nothing, where checks are not to be apart, or the system cannot copy
+        processes. Where the time was up this process ends too: the runner goes on in a new one.
         """
-        if not CAN_COPY:
+        if not self.apart:
             return None
         code = run_in_a_copy(check)
         if Path(self.stack_file.name).stat().st_size:
@@ -96,7 +99,7 @@ class InProcess:
         """Write the stack and end the process when the time is up, whatever the code is doing."""
         self.depth.adapt(CALLS)
         sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - stop closes it
-        sys.stdout = sys.stderr = CappedText(self.printed.append)  # type: ignore[assignment]
+        sys.stdout = sys.stderr = CappedText(self.printed.append)
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 
     def stop(self) -> str:

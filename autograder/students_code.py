@@ -1,4 +1,4 @@
-"""Which code the student wrote, and what of it is graded: who asks for something is told from it."""
+"""Know the student's code: which files it is in, which of them are graded, and whether it runs."""
 
 from __future__ import annotations
 
@@ -62,9 +62,7 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Say whether a grader has a file of a chapter's folder, or puts probes of its own there."""
+        """Say whether a grader has a file of a chapter's folder, be it probes of its own."""
         return (
-            package not in self.graded
-            or file in self.graded[package]
-            or file.endswith("probes.py")
+            package not in self.graded or file in self.graded[package] or file.endswith("probes.py")
         )

@@ -89,9 +89,7 @@ class Recorder:
             return None
         why = self.engine.run(lambda: runtestprotocol(item, log=False))
         if why:
-            self.tell(
-                event="verdict", name=item.name, status="failed", message=why, on_chart=None
-            )
+            self.tell(event="verdict", name=item.name, status="failed", message=why, on_chart=None)
         return None if why is None else True
 
     @pytest.hookimpl(wrapper=True)
@@ -147,7 +145,7 @@ def _engine(config: dict[str, Any]) -> InProcess | InWorker:
     """Return what holds the student's code: this process, or workers."""
     where = config["engine"], config["time_limit"], config["stack_file"]
     if config["worker"] is None:
-        return InProcess(*where, config["graded"])
+        return InProcess(*where, config["graded"], apart=config["apart"])
     from autograder.isolation.in_worker import InWorker  # hand-outs lack it
 
     return InWorker(*where, config["worker"])

@@ -230,6 +230,8 @@ class Session:
         """Draw a chapter into files, in a process of its own that opens no window."""
         self.say(f"Drawing chapter {chapter.number} ...")
         command = [sys.executable, "-m", "studies", "plot", "--engine", str(self.engine[0])]
+        if self.given:
+            command += ["--given", ",".join(str(chapter.number) for chapter in self.given)]
         subprocess.run(
             [*command, "--chapter", str(chapter.number)],
             cwd=ROOT,

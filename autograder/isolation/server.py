@@ -170,7 +170,7 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Return a module. What it prints while it is imported is no part of the check that needs it."""
+    """Return a module. What it prints at its import is not shown: that belongs to no check."""
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)

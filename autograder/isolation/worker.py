@@ -123,7 +123,7 @@ def work(
         os.dup2(log, 1)
         os.dup2(log, 2)
         _close_all_but(wire_end, stack, rules)
-        sys.stdout = sys.stderr = CappedText(_log)  # type: ignore[assignment]
+        sys.stdout = sys.stderr = CappedText(_log)
         faulthandler.register(signal.SIGUSR1, file=stack, all_threads=False)
         wire = Wire(wire_end)
         sandbox.enter(level, rules, config["seconds"])

@@ -23,6 +23,11 @@ SLIPS = (
     ("SystemExit", "the code asks Python to stop: take sys.exit, exit or quit out"),
     ("EOF when reading", "the code waits for somebody to type: take input or breakpoint out"),
     ("BdbQuit", "the code waits for somebody to type: take input or breakpoint out"),
+    (
+        "circular import",
+        "two files import each other, so neither can be read first. Take one of the two imports "
+        "out: put what both need into the file that is imported",
+    ),
     ("No module named 'ch0", NOT_HANDED_IN),
     ("(unknown location)", NOT_HANDED_IN),
     (
@@ -110,8 +115,10 @@ def explain_exception(
     return "\n".join(lines)
 
 
-def explain_import(fault: Fault, module: str, engine_folders: list[Path]) -> str:
-    """Return why a student's module cannot be imported."""
+def explain_import(
+    fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
+) -> str:
+    """Return why a student's module cannot be imported; ``complete`` are not the student's."""
     file = module.replace(".", "/") + ".py"
     if fault.missing_module == module:
         return f"{file} is missing: not handed in, renamed, or in another folder"
@@ -123,8 +130,9 @@ def explain_import(fault: Fault, module: str, engine_folders: list[Path]) -> str
         message = f"{file} cannot be read: {text}"
     else:
         message = f"{file} cannot be imported: {text}"
-        if fault.frames:
-            where = f"{fault.frames[-1]}: {_source(fault.frames[-1], engine_folders)}"
+        written = [frame for frame in fault.frames if frame.file not in complete]
+        if own := written or fault.frames:
+            where = f"{own[-1]}: {_source(own[-1], engine_folders)}"
     if where:
         message += f"\nwhere     {where}"
     return "\n".join([message, *_likely(text)])

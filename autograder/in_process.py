@@ -10,7 +10,7 @@ import gc
 import importlib
 import os
 import sys
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
 from autograder.allowed_acts import limit_acts
@@ -35,6 +35,7 @@ class InProcess:
         engine: list[str],
         time_limit: float,
         stack_file: str,
+        complete: Sequence[str],
         graded: Mapping[str, Collection[str]],
         *,
         apart: bool,
@@ -42,6 +43,7 @@ class InProcess:
         self.engine = [Path(folder).resolve() for folder in engine]
         self.time_limit = time_limit
         self.stack_file = Path(stack_file).open("wb")  # noqa: SIM115 - lives as long as we
+        self.complete = complete
         self.graded = graded
         self.apart = apart and CAN_COPY
         self.printed: list[str] = []
@@ -77,7 +79,9 @@ class InProcess:
         except MissingNameError as error:  # it uses another module that is broken
             sys.modules[module] = broken_module(module, str(error))
         except BaseException as error:  # SystemExit among them
-            message = explain_import(fault_of(error, self.engine), module, self.engine)
+            message = explain_import(
+                fault_of(error, self.engine), module, self.engine, self.complete
+            )
             sys.modules[module] = broken_module(module, message)
         finally:
             sys.dont_write_bytecode = False

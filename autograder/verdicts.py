@@ -143,7 +143,7 @@ class Recorder:
 
 def _engine(config: dict[str, Any]) -> InProcess | InWorker:
     """Return what holds the student's code: this process, or workers."""
-    where = config["engine"], config["time_limit"], config["stack_file"]
+    where = config["engine"], config["time_limit"], config["stack_file"], config["complete"]
     if config["worker"] is None:
         return InProcess(*where, config["graded"], apart=config["apart"])
     from autograder.isolation.in_worker import InWorker  # hand-outs lack it

@@ -45,9 +45,9 @@ def texts(tree: ast.Module, *, docstrings: bool) -> Iterator[str]:
         if node.body and isinstance(node.body[0], ast.Expr)
     }
     for node in ast.walk(tree):
-        if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            if (id(node) in documented) == docstrings:
-                yield node.value
+        is_text = isinstance(node, ast.Constant) and isinstance(node.value, str)
+        if is_text and (id(node) in documented) == docstrings:
+            yield node.value
 
 
 @cache

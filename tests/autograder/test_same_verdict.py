@@ -219,7 +219,9 @@ def test_a_plot_and_a_demo_refuse_what_a_check_refuses(tmp_path: Path) -> None:
     vector = tmp_path / "ch02_vectors/vector.py"
     vector.parent.mkdir()
     source = (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
-    vector.write_text(source.replace("import math\n", "import math\nimport numpy\n"), "utf-8")
+    vector.write_text(
+        source.replace("import math\n", "import math\nimport numpy\n"), encoding="utf-8"
+    )
     for arguments in (["plot", "--chapter", "2"], ["demo", "ball"]):
         done = subprocess.run(
             [sys.executable, "-m", "studies", *arguments, "--engine", str(tmp_path)],

@@ -113,9 +113,8 @@ def test_make_takes_the_python_of_the_environment(system: str, scheme: str) -> N
 
 def would_run(arguments: str, system: str = "") -> str:
     """Return the last command that make would run, and not what it does with the exit status."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("OS", system)
-        done = run("make", "--no-print-directory", "--dry-run", *arguments.split())
+    make = ("make", "--no-print-directory", "--dry-run")
+    done = run(*make, *arguments.split(), OS=system)
     assert done.returncode == 0, done.stderr
     return done.stdout.splitlines()[-1].partition(" ; ")[0]
 

@@ -10,35 +10,71 @@ endif
 READY := .venv/ready
 ENGINE ?= chapters
 
-.DEFAULT_GOAL := help
-.PHONY: help setup check watch hint reset plot demo
+# A diagnosis, such as checks that fail, is what these commands are for: their status 1 is no error
+# of make's. Trouble, such as a chapter that is not there, has status 2.
+DIAGNOSIS := ; status=$$?; test $$status -eq 1 || exit $$status
 
-help: ## list the commands
-	@sed -n 's/^\([a-z]*\): .*## /  make \1|/p' $(MAKEFILE_LIST) | awk -F'|' '{printf "%-18s %s\n", $$1, $$2}'
+# What each command takes: another variable on the command line is an error, and not silence.
+TAKES_watch := CH GIVEN ENGINE SEED
+TAKES_check := CH EX GIVEN ENGINE SEED
+TAKES_hint := EX N GIVEN
+TAKES_reset := EX WHOLE GIVEN ENGINE
+TAKES_plot := CH GIVEN ENGINE
+TAKES_demo := DEMO GIVEN ENGINE
+TAKES_setup :=
+TAKES_help :=
+TAKES_help-all :=
+
+.DEFAULT_GOAL := help
+.PHONY: help help-all watch check hint reset plot demo setup
+
+LIST := -e 's/^\([a-z]*\): .*\#\# /  make \1|/p'
+ALIGN := awk -F'|' 'NF == 1 {print "\n" $$0} NF > 1 {printf "%-17s  %s\n", $$1, $$2}'
+
+help:
+	@echo "Your commands. CH=3 names a chapter, EX=2.5 an exercise; GIVEN=2-5 takes"
+	@echo "chapters 2 to 5 from the reference, where it is in this folder."
+	@sed -n $(LIST) $(firstword $(MAKEFILE_LIST)) | $(ALIGN)
+ifneq ($(wildcard instructor.mk),)
+	@echo "make help-all lists the commands of instructors and developers too."
+endif
+
+help-all: help
+ifneq ($(wildcard instructor.mk),)
+	@sed -n -e 's/^# == \(.*\) ==$$/\1:/p' $(LIST) instructor.mk | $(ALIGN)
+endif
+
+watch: $(READY) ## check the exercise you are at whenever you save (CH=3)
+	@$(RUN) -m autograder watch --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)")
+
+check: $(READY) ## check everything, one chapter (CH=3) or one exercise (EX=2.5)
+	@$(RUN) -m autograder check --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(EX),--exercise "$(EX)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)") $(DIAGNOSIS)
+
+hint: $(READY) ## show a hint for an exercise (EX=2.5), or the first two (N=2)
+	@$(RUN) -m autograder hint $(or $(EX),$(error name an exercise: make hint EX=2.5)) $(if $(N),--count $(N)) $(if $(GIVEN),--given "$(GIVEN)")
+
+reset: $(READY) ## put a stub back (EX=2.5), or its file (WHOLE=1); keeps a copy
+	@$(RUN) -m autograder reset $(or $(EX),$(error name an exercise: make reset EX=2.5)) --engine "$(ENGINE)" $(if $(WHOLE),--whole) $(if $(GIVEN),--given "$(GIVEN)")
+
+plot: $(READY) ## draw pictures with your own functions (CH=2)
+	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)
+
+demo: $(READY) ## play a scene with your engine (DEMO=fireworks)
+	@$(RUN) -m studies demo --engine "$(ENGINE)" $(if $(GIVEN),--given "$(GIVEN)") $(if $(DEMO),"$(DEMO)") $(DIAGNOSIS)
+
+setup: $(READY) ## make .venv; the other commands do it by themselves
+	@echo "Set up: .venv is ready."
 
 $(READY): requirements.lock autograder/make_venv.py
 	@command -v $(PYTHON) >/dev/null || { echo "Cannot set up: there is no $(PYTHON); install Python 3.11 or newer, or name one: make setup PYTHON=python3.12"; exit 1; }
 	@$(PYTHON) autograder/make_venv.py
 
-setup: $(READY) ## make .venv (the other commands do it by themselves)
-	@echo "Set up: .venv is ready."
-
-check: $(READY) ## check your work (CH=3 one chapter, EX=3.4b one exercise, GIVEN=2 on the reference's chapter 2)
-	@$(RUN) -m autograder check --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(EX),--exercise "$(EX)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)")
-
-watch: $(READY) ## check what you work on whenever you save (CH=3, GIVEN=2)
-	@$(RUN) -m autograder watch --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)")
-
-hint: $(READY) ## a hint for an exercise (EX=2.5; N=2 for the first two)
-	@$(RUN) -m autograder hint $(or $(EX),$(error name an exercise: make hint EX=2.5)) $(if $(N),--count $(N))
-
-reset: $(READY) ## put the stub of an exercise back (EX=2.5; WHOLE=1 its whole file), and keep a copy
-	@$(RUN) -m autograder reset $(or $(EX),$(error name an exercise: make reset EX=2.5)) --engine "$(ENGINE)" $(if $(WHOLE),--whole)
-
-plot: $(READY) ## draw a chapter with your engine (CH=2)
-	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)")
-
-demo: $(READY) ## play a demo with your engine (DEMO=throw, fireworks, ballistics, sniper, springbridge, cloth, ropes, bridge, platform, blob, wheel, cube, trebuchet, ball or spin)
-	@$(RUN) -m studies demo --engine "$(ENGINE)" "$(or $(DEMO),$(error name a demo: make demo DEMO=fireworks))"
-
 -include instructor.mk
+
+# The rest looks at the command line.
+COMMANDS := $(patsubst TAKES_%,%,$(filter TAKES_%,$(.VARIABLES)))
+GOALS := $(or $(MAKECMDGOALS),help)
+$(foreach goal,$(filter-out $(COMMANDS) .venv/%,$(GOALS)),$(error there is no command "make $(goal)"; the commands are $(sort $(COMMANDS))))
+TAKEN := PYTHON $(foreach goal,$(GOALS),$(TAKES_$(goal)))
+GIVEN_BY_USER := $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))
+$(foreach name,$(filter-out $(TAKEN) MAKE% -%,$(GIVEN_BY_USER)),$(error make $(GOALS) does not take $(name); it takes $(or $(sort $(filter-out PYTHON,$(TAKEN))),no variables)))

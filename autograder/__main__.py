@@ -4,12 +4,18 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 
 from autograder.check import check
 from autograder.commands import command as line_of
-from autograder.commands import prepare
-from autograder.manifest import ROOT, Chapter, Exercise, load_chapters, select_chapters, split_given
+from autograder.commands import find_engine, prepare
+from autograder.manifest import (
+    Chapter,
+    Exercise,
+    load_chapters,
+    refuse_given,
+    select_chapters,
+    split_given,
+)
 from autograder.runner import GraderError
 
 try:
@@ -59,12 +65,14 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command = commands.add_parser("hint", help="show hints for an exercise")
     command.add_argument("exercise", help="such as 2.5 or B2.3")
     command.add_argument("--count", type=int, default=1, help="how many hints (default: 1)")
+    command.add_argument("--given", default="", help="chapters to take from the reference")
     command.set_defaults(run=run_hint)
 
     command = commands.add_parser("reset", help="put the stub of an exercise back")
     command.add_argument("exercise", help="such as 2.5 or B2.3")
     command.add_argument("--engine", default="chapters", help="the folder with your work")
     command.add_argument("--whole", action="store_true", help="put the whole of its file back")
+    command.add_argument("--given", default="", help="chapters to take from the reference")
     command.set_defaults(run=run_reset)
 
 
@@ -97,22 +105,15 @@ def run_reset(arguments: argparse.Namespace) -> int:
     from autograder.reset import reset
 
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
+    refuse_given(chapter, exercise, arguments.given)
     print(reset(chapter, exercise, find_engine(arguments.engine)[0], whole=arguments.whole))
     return 0
 
 
-def find_engine(folder: str) -> list[Path]:
-    """Return the folders of an engine, the first on top. Raises ValueError without the folder."""
-    # What students do not edit, such as plots, stands in chapters/ alone.
-    engine = [ROOT / name for name in dict.fromkeys((folder, "chapters"))]
-    if not engine[0].is_dir():
-        raise ValueError(f"engine must be a folder of chapters, got {folder!r}")
-    return engine
-
-
 def run_hint(arguments: argparse.Namespace) -> int:
     """Print the first hints of an exercise, and how to get the next."""
-    _, exercise = find_exercise(arguments.exercise, load_chapters())
+    chapter, exercise = find_exercise(arguments.exercise, load_chapters())
+    refuse_given(chapter, exercise, arguments.given)
     shown = exercise.hints[: max(1, arguments.count)]
     print(f"{exercise.id} {exercise.title}")
     for number, text in enumerate(shown, 1):

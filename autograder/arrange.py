@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.manifest import Chapter, chapters_below, load_chapters
+from autograder.students_code import graded_files
 
 
 @dataclass(frozen=True)
@@ -42,6 +43,7 @@ def arrange(
         "edits": {exercise.id: exercise.edit for exercise in chapter.exercises},
         "modules": _modules(chapter, chapters, engine, root),
         "complete": [f"{c.name}/{file}" for c in chapters for file in c.complete],
+        "graded": graded_files(load_chapters(root)),
         "worker": _worker(folder, chapter, root, behind),
     }
 

@@ -38,6 +38,15 @@ def prepare() -> bool:
     return True
 
 
+def find_engine(folder: str) -> list[Path]:
+    """Return the folders of an engine, the first on top. Raises ValueError without the folder."""
+    # What students do not edit, such as plots, is in chapters/ alone.
+    engine = [ROOT / name for name in dict.fromkeys((folder, "chapters"))]
+    if not engine[0].is_dir():
+        raise ValueError(f"engine must be a folder of chapters, got {folder!r}")
+    return engine
+
+
 def command(name: str, **variables: str) -> str:
     """Return the line that runs a command: make's, or Python's own where there is no make."""
     if shutil.which("make"):

@@ -14,20 +14,44 @@ NOT_IMPLEMENTED = (
     "The code returned NotImplemented. Only an operator with two operands, such as __add__, may "
     "return it: Python then raises the TypeError. A method or a function raises TypeError itself."
 )
+NOT_HANDED_IN = (
+    "Only the files that the exercises name are handed in. Move this code into one of those, or "
+    "correct the name. A module is imported as in from ch02_vectors.vector import Vector3."
+)
+ONLY_COMPUTES = (
+    "An engine only computes. Remove what writes files or reads other people's, starts programs or "
+    "threads, or uses the network: none of it works where your code is graded."
+)
 # Slips of Python that say little by themselves, by a part of what Python says. They come in place
 # of the cause that the check has at hand, which speaks of physics.
 SLIPS = (
     ("NotImplementedType", NOT_IMPLEMENTED),
     ("SystemExit", "The code asks Python to stop. Remove the call of sys.exit, exit or quit."),
     (
-        "reading from stdin",
+        "EOF when reading",
         "The code waits for somebody to type. Remove the call of input or breakpoint.",
     ),
+    ("BdbQuit", "The code waits for somebody to type. Remove the call of input or breakpoint."),
+    (
+        "circular import",
+        "Two files import each other, so neither can be read first. Remove one of the two imports: "
+        "put what both need into the file that is imported.",
+    ),
+    ("No module named 'ch0", NOT_HANDED_IN),
+    ("(unknown location)", NOT_HANDED_IN),
     (
         "No module named",
         "the engine uses Python's standard library alone; a chapter's module is imported with its "
         "folder, as in from ch02_vectors.vector import Vector3",
     ),
+    (
+        "No such file or directory",
+        "your code is run in another folder. Find a file that lies beside it with "
+        "Path(__file__).with_name(...), and hand in nothing that no exercise names",
+    ),
+    ("Permission denied", ONLY_COMPUTES),
+    ("Operation not permitted", ONLY_COMPUTES),
+    ("start new thread", ONLY_COMPUTES),
     (
         "must be a Vector3, got None",
         "A method that works in place returns None. Do not assign its result.",
@@ -100,8 +124,10 @@ def explain_exception(
     return "\n".join(lines)
 
 
-def explain_import(fault: Fault, module: str, engine_folders: list[Path]) -> str:
-    """Return why a student's module cannot be imported."""
+def explain_import(
+    fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
+) -> str:
+    """Return why a student's module cannot be imported; ``complete`` are not the student's."""
     file = module.replace(".", "/") + ".py"
     if fault.missing_module == module:
         return f"{file} is missing: not handed in, renamed, or in another folder"
@@ -113,8 +139,9 @@ def explain_import(fault: Fault, module: str, engine_folders: list[Path]) -> str
         message = f"{file} cannot be read: {text}"
     else:
         message = f"{file} cannot be imported: {text}"
-        if fault.frames:
-            where = f"{fault.frames[-1]}: {_source(fault.frames[-1], engine_folders)}"
+        written = [frame for frame in fault.frames if frame.file not in complete]
+        if own := written or fault.frames:
+            where = f"{own[-1]}: {_source(own[-1], engine_folders)}"
     if where:
         message += f"\nwhere     {where}"
     return "\n".join([message, *_likely(text, "", fault)])
@@ -146,11 +173,16 @@ def _unescaped(text: str) -> str:
 def _likely(text: str, cause: str, fault: Fault) -> list[str]:
     """Return the line with what an exception most likely comes from, and the check's own cause."""
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
-    if slip := meant or next((slip for sign, slip in SLIPS if sign in text), None):
+    if slip := meant or slip_of(text):
         return [f"likely    {slip}"]
-    slip = next((slip for sign, slip in PERHAPS if sign in text), None)
-    causes = [words for words in (slip, cause) if words]
+    perhaps = next((slip for sign, slip in PERHAPS if sign in text), None)
+    causes = [words for words in (perhaps, cause) if words]
     return [f"{label:10}{words}" for label, words in zip(("likely", "or"), causes, strict=False)]
+
+
+def slip_of(text: str) -> str:
+    """Return what an exception surely comes from, or an empty text."""
+    return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(frame: Frame, complete: Sequence[str]) -> bool:

@@ -23,6 +23,12 @@ class GraderFault(BaseException):
     """Ends a check for what is no fault of the code that it checks."""
 
 
+class StudentLeft(BaseException):
+    """The student's code raised what is no Exception, such as SystemExit; its fault says what."""
+
+    fault: Fault
+
+
 @dataclass(frozen=True)
 class Frame:
     """A line of the student's code: folder and file, such as ch02_vectors/vector.py."""

@@ -1,31 +1,62 @@
-"""Checks and the student's code in one process, as students run them: quick, and full of trust."""
+"""Checks and the student's code in one process, as students run them: quick, and full of trust.
+
+What the code may import and do is all the same what it may where it is graded.
+"""
 
 from __future__ import annotations
 
 import faulthandler
+import gc
 import importlib
+import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
+from autograder.allowed_acts import limit_acts
+from autograder.allowed_imports import limit_imports
+from autograder.apart import CAN_COPY, DONE, how_it_ended, run_in_a_copy
 from autograder.definitions import read_definitions
 from autograder.explain import explain_import
 from autograder.faults import fault_of
 from autograder.missing import MissingNameError, answer_for_missing, broken_module
+from autograder.printed import CappedText
+from autograder.students_code import StudentsCode
+from autograder.surroundings import Depth, leave_home
 
 Tell = Callable[..., None]  # tells the runner of an event
+CALLS = 13  # of pytest's and the check's, between the start of a check and the student's code
 
 
 class InProcess:
     """The student's modules, imported beside the checks."""
 
-    def __init__(self, engine: list[str], time_limit: float, stack_file: str) -> None:
+    def __init__(
+        self,
+        engine: list[str],
+        time_limit: float,
+        stack_file: str,
+        complete: Sequence[str],
+        graded: Mapping[str, Collection[str]],
+        *,
+        apart: bool,
+    ) -> None:
         self.engine = [Path(folder).resolve() for folder in engine]
         self.time_limit = time_limit
         self.stack_file = Path(stack_file).open("wb")  # noqa: SIM115 - lives as long as we
+        self.complete = complete
+        self.graded = graded
+        self.apart = apart and CAN_COPY
+        self.printed: list[str] = []
+        self.streams = sys.stdin, sys.stdout, sys.stderr
+        self.depth = Depth()
 
     def open(self, modules: list[str], broken: dict[str, str], tell: Tell) -> None:
         """Import the student's modules before any check does, so that a bad one stops no other."""
+        leave_home()
+        code = StudentsCode(self.engine, self.graded)
+        limit_imports(code)
+        limit_acts(code)
         for module, message in broken.items():
             sys.modules[module] = broken_module(module, message)
         for module in modules:
@@ -41,7 +72,8 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def after_collection(self) -> None:
-        """Everything is there already: the checks' own imports need the modules."""
+        """Everything is there already; what is there now, copies of this process need not copy."""
+        gc.freeze()
 
     def _import(self, module: str) -> None:
         # A source edited twice within a second would be taken for its own stale bytecode.
@@ -51,7 +83,9 @@ class InProcess:
         except MissingNameError as error:  # it uses another module that is broken
             sys.modules[module] = broken_module(module, str(error))
         except BaseException as error:  # SystemExit among them
-            message = explain_import(fault_of(error, self.engine), module, self.engine)
+            message = explain_import(
+                fault_of(error, self.engine), module, self.engine, self.complete
+            )
             sys.modules[module] = broken_module(module, message)
         finally:
             sys.dont_write_bytecode = False
@@ -60,11 +94,31 @@ class InProcess:
         """Return what a module of the student's defines."""
         return read_definitions(file)
 
+    def run(self, check: Callable[[], object]) -> str | None:
+        """Run a check in a copy of this process; return why it told no verdict, if it did not.
+
+        Return None, and run nothing, where checks are not to be apart, or the system cannot copy
+        processes. Where the time was up this process ends too: the runner goes on in a new one.
+        """
+        if not self.apart:
+            return None
+        code = run_in_a_copy(check)
+        if Path(self.stack_file.name).stat().st_size:
+            os._exit(1)
+        return "" if code == DONE else how_it_ended(code)
+
     def start(self) -> None:
         """Write the stack and end the process when the time is up, whatever the code is doing."""
+        self.depth.adapt(CALLS)
+        sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - stop closes it
+        sys.stdout = sys.stderr = CappedText(self.printed.append)
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 
     def stop(self) -> str:
-        """Stop the clock. What was printed is pytest's to tell."""
+        """Stop the clock, and return what was printed."""
         faulthandler.cancel_dump_traceback_later()
-        return ""
+        sys.stdin.close()
+        sys.stdin, sys.stdout, sys.stderr = self.streams
+        printed = "".join(self.printed).strip()
+        self.printed.clear()
+        return printed

@@ -124,8 +124,17 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
     given = select_chapters(numbers) if numbers else []
     left = [chapter for chapter in chapters if chapter not in given]
     if not left:
-        raise ValueError(f"nothing is left to check: chapter {numbers} is given")
+        raise ValueError(f"nothing is left of your own: chapter {numbers} is given")
     return given, left
+
+
+def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
+    """Raise ValueError for an exercise of a chapter that a text such as "2-5" gives."""
+    if numbers and chapter in select_chapters(numbers):
+        raise ValueError(
+            f"exercise {exercise.id} is part of chapter {chapter.number}, which is given: "
+            "the reference's is used, so there is nothing for you to write in it"
+        )
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:

@@ -8,17 +8,21 @@ from pathlib import Path
 
 from autograder.calls import calls, names_class
 from autograder.definitions import functions
-from autograder.manifest import Chapter, Exercise
+from autograder.manifest import Chapter, Exercise, load_chapters
 from autograder.runner import Verdict
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
     """Return where to go: the line that the message names, or the body that the check called.
 
-    A line does not count where it lies in a body of another exercise, which may well be right. A
-    check of the student's own data leads to its file.
+    A line does not count where it lies in a body of another exercise, which may well be right, or
+    in a file that is complete and not for the student to edit. A check of the student's own data
+    leads to its file.
     """
+    complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     told = re.search(r"(?m)^where +(ch\d\d_\w+)/(\w+\.py), line (\d+)", failed.message)
+    if told and (told[1], told[2]) in complete:
+        told = None
     called = re.search(r"(?m)^called +(.*)", failed.message)
     data = [name for name in exercise.files if called and name in called[1]]
     if data and not (told and told[2] in chapter.edited_files):

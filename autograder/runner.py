@@ -22,6 +22,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import IO, Any
 
+from autograder.apart import how_it_ended
 from autograder.arrange import Behind, arrange, root_of_checks
 from autograder.explain import explain_hang
 from autograder.faults import clean
@@ -128,6 +129,7 @@ class _Run:
     run_limit: float
     on_verdict: Callable[[int, int], None]
     behind: Behind | None
+    apart: bool = True  # each check in a copy of the process, where no worker is there for it
     checks: dict[str, dict[str, Any]] = field(default_factory=dict)
     verdicts: dict[str, Verdict] = field(default_factory=dict)
     broken: dict[str, str] = field(default_factory=dict)  # modules whose import hung or left
@@ -204,7 +206,7 @@ class _Run:
         if hung:
             why = explain_hang(stack, self.limit, self.engine)
         else:
-            why = "the process ended in the middle: does the code call os._exit, or crash Python?"
+            why = how_it_ended(process.returncode)
         kind, name = current
         if kind == "import":
             self.broken[name] = f"{name.replace('.', '/')}.py, while it is imported: {why}"
@@ -224,6 +226,7 @@ class _Run:
                 "exercises": self.wanted,
                 "seed": self.seed,
                 "time_limit": self.limit,
+                "apart": self.apart,
                 "stack_file": str(folder / "stack.txt"),
                 "broken": self.broken,
                 "done": list(self.verdicts),

@@ -15,9 +15,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
+from _pytest.runner import runtestprotocol
 
 from autograder.explain import explain_exception
-from autograder.faults import CheckEnded, GraderFault, clean
+from autograder.faults import CheckEnded, GraderFault, StudentLeft, clean, fault_of
 from autograder.gone import explain_gone
 from autograder.in_process import InProcess, Tell
 from autograder.wrapping import PRINTED, few_lines
@@ -86,12 +87,27 @@ class Recorder:
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if item not in left_out]
 
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtest_protocol(self, item: pytest.Item) -> bool | None:
+        """Run a check that shares its process with the student's code in a copy of the process."""
+        if not isinstance(self.engine, InProcess):
+            return None
+        why = self.engine.run(lambda: runtestprotocol(item, log=False))
+        if why:
+            self.tell(event="verdict", name=item.name, status="failed", message=why, on_chart=None)
+        return None if why is None else True
+
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
         """Start the time limit of the check itself, and its worker if it has one."""
         self.tell(event="start", name=item.name)
         self.engine.start()  # until its report is made: a student's exception may hang in its str
-        return (yield)
+        try:
+            return (yield)
+        except KeyboardInterrupt as error:  # the student's, or pytest would end all checks
+            left = StudentLeft(str(error))
+            left.fault = fault_of(error, self.engine.engine)
+            raise left.with_traceback(error.__traceback__) from None
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_makereport(
@@ -115,7 +131,7 @@ class Recorder:
                 edits = self.config["edits"]
                 message = explain_gone(message, _marker(item).args[0], edits, self._defined)
         if report.when == "call":
-            printed = report.capstdout.strip() + self.engine.stop()
+            printed = self.engine.stop()
             if printed and message:
                 message += f"\n{PRINTED}{few_lines(clean(printed), *MOST_KEPT)}"
         if report.when == "call" or status == "error":
@@ -143,9 +159,9 @@ class Recorder:
 
 def _engine(config: dict[str, Any]) -> InProcess | InWorker:
     """Return what holds the student's code: this process, or workers."""
-    where = config["engine"], config["time_limit"], config["stack_file"]
+    where = config["engine"], config["time_limit"], config["stack_file"], config["complete"]
     if config["worker"] is None:
-        return InProcess(*where)
+        return InProcess(*where, config["graded"], apart=config["apart"])
     from autograder.isolation.in_worker import InWorker  # hand-outs lack it
 
     return InWorker(*where, config["worker"])
@@ -179,7 +195,7 @@ def main() -> int:
         wire.write(json.dumps(event) + "\n")
         wire.flush()
 
-    arguments = [*config["tests"], "--capture=sys", f"--rootdir={config['root']}"]
+    arguments = [*config["tests"], "--capture=no", f"--rootdir={config['root']}"]
     arguments += [f"--seed={config['seed']}", *(f"--engine={path}" for path in config["engine"])]
     for plugin in UNUSED_PLUGINS.split():
         arguments += ["-p", f"no:{plugin}"]

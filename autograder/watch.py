@@ -125,6 +125,8 @@ class Keyboard:
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         self.say(f"Drawing chapter {chapter.number} ...")
         command = [sys.executable, "-m", "studies", "plot", "--engine", str(session.engine[0])]
+        if given := session.progress.given:
+            command += ["--given", ",".join(str(chapter.number) for chapter in given)]
         subprocess.run(
             [*command, "--chapter", str(chapter.number)],
             cwd=ROOT,

@@ -24,7 +24,8 @@ from matplotlib.figure import Figure
 from rich.progress import track
 
 from autograder.manifest import ROOT, load_chapters
-from studies.plot import reason, shown, use_engine
+from studies.engine import add_engine_options, use_engine
+from studies.plot import reason, shown
 
 FRAME = 1.0 / 60.0
 STEPS_A_PICTURE = 3  # 20 pictures a second: the format counts in hundredths
@@ -62,19 +63,20 @@ class Demo(Protocol):
 def main(arguments: list[str]) -> int:
     """Play the demo that the arguments name; return 1 where it could not be played."""
     parser = argparse.ArgumentParser(prog="python -m studies demo", description=__doc__)
-    parser.add_argument("name", help="a demo, such as fireworks")
-    parser.add_argument("--engine", default="chapters", help="the folder to play with")
+    parser.add_argument("name", nargs="?", default="", help="a demo, such as fireworks")
+    add_engine_options(parser)
     parser.add_argument("--seconds", type=float, help="for how long the invented player plays")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "demos")
     options = parser.parse_args(arguments)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:
         parser.error(f"--seconds must be positive and finite, got {options.seconds!r}")
-    use_engine(parser, options.engine)
+    use_engine(parser, options.engine, options.given)
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
     demos = find_demos()
     if options.name not in demos:
         there = ", ".join(demos) or "none that can be read"
-        parser.error(f"there is no demo {options.name!r}; there is {there}")
+        wrong = f"there is no demo {options.name!r}" if options.name else "name a demo"
+        parser.error(f"{wrong}; there is {there}")
     try:
         figure = pyplot.figure(figsize=(8, 5), layout="constrained")
         demo = demos[options.name](figure)

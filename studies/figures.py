@@ -15,6 +15,7 @@ from PIL import Image, ImageSequence
 
 from autograder.manifest import ROOT
 from studies import demo, plot
+from studies.engine import use_engine
 from studies.plot import shown
 
 PLOTS = (
@@ -48,7 +49,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--engine", default="solutions", help="the folder to draw with")
     parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
     options = parser.parse_args(arguments)
-    plot.use_engine(parser, options.engine)
+    use_engine(parser, options.engine)
     pyplot.switch_backend("Agg")  # whether or not there is a display: demos go into files
     work = ROOT / "build" / "figures"
     done = []

@@ -10,16 +10,19 @@ import argparse
 import csv
 import faulthandler
 import importlib
-import sys
 import traceback
 from collections.abc import Callable
 from pathlib import Path
 
 from matplotlib import pyplot
 
+from autograder.explain import slip_of
+from autograder.faults import is_inside
 from autograder.finish import DRAWN_WITH
-from autograder.manifest import ROOT, Chapter, select_chapters
+from autograder.manifest import ROOT, Chapter, select_chapters, split_given
+from autograder.students_code import LIBRARY
 from studies.drawing import Picture
+from studies.engine import add_engine_options, use_engine
 
 TIME_LIMIT = 30.0  # seconds for one plot, which takes about one
 
@@ -28,12 +31,12 @@ def main(arguments: list[str]) -> int:
     """Draw the chapters that the arguments name; return 1 where a plot could not be drawn."""
     parser = argparse.ArgumentParser(prog="python -m studies plot", description=__doc__)
     parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
-    parser.add_argument("--engine", default="chapters", help="the folder to draw with")
+    add_engine_options(parser)
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "plots")
     options = parser.parse_args(arguments)
-    use_engine(parser, options.engine)
+    use_engine(parser, options.engine, options.given)
     try:
-        chapters = select_chapters(options.chapter)
+        _, chapters = split_given(select_chapters(options.chapter), options.given)
     except ValueError as error:
         parser.error(str(error))
     drawn = [draw_chapter(chapter, options.out / chapter.name) for chapter in chapters]
@@ -42,13 +45,6 @@ def main(arguments: list[str]) -> int:
     if pyplot.get_backend().lower() != "agg":  # matplotlib found a display to open windows on
         pyplot.show()
     return 0 if all(drawn) else 1
-
-
-def use_engine(parser: argparse.ArgumentParser, engine: str) -> None:
-    """Put a folder of chapters over the stubs; a parser's error where there is no such folder."""
-    if not (ROOT / engine).is_dir():
-        parser.error(f"--engine must be a folder of chapters, got {engine!r}")
-    sys.path[:0] = [str(ROOT / engine), str(ROOT / "chapters")]
 
 
 def note_engine(folder: Path, engine: Path) -> None:
@@ -99,15 +95,21 @@ def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -
 
 
 def reason(error: BaseException) -> str:
-    """Return the exception and the student's line that raised it."""
+    """Return the exception, the line that raised it, and what it most likely comes from."""
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
     if isinstance(error, SyntaxError) and error.filename:
         file, line, words = error.filename, error.lineno, error.msg
     else:
-        last = traceback.extract_tb(error.__traceback__)[-1]
+        frames = traceback.extract_tb(error.__traceback__)
+        not_theirs = [*LIBRARY, ROOT / "autograder"]  # which refuses some imports
+        written = [frame for frame in frames if not is_inside(frame.filename, not_theirs)]
+        last = (written or frames)[-1]
         file, line, words = last.filename, last.lineno, str(error)
-    return f"{type(error).__name__}: {words} ({shown(Path(file))}, line {line})"
+    told = f"{type(error).__name__}: {words}"
+    likely = slip_of(told)
+    where = f"{told} ({shown(Path(file))}, line {line})"
+    return f"{where}\nlikely    {likely}" if likely else where
 
 
 def shown(path: Path) -> Path:

@@ -32,7 +32,8 @@ def pytest_configure(config: pytest.Config) -> None:
     for folder in folders:
         if not (TESTS.parent / folder).is_dir():
             raise pytest.UsageError(f"--engine: there is no folder {folder!r}")
-    sys.path[:0] = [str(TESTS.parent / folder) for folder in folders] + [str(TESTS)]
+    sys.path.insert(0, str(TESTS))
+    sys.path += [str(TESTS.parent / folder) for folder in folders]  # behind Python's own modules
 
 
 @pytest.fixture

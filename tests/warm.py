@@ -23,10 +23,12 @@ def run_checks_warm(
 ) -> list[Verdict]:
     """Return the verdicts of run_checks, whose first process is a copy of one that waits here.
 
-    Where that does not come to its end, it is all left to run_checks.
+    Where that does not come to its end, it is all left to run_checks. Checks share that process:
+    a copy for each would take several times as long.
     """
     wanted = runner.with_needs(chapter, exercises)
-    ran = runner._Run(chapter, engine, wanted, seed, ROOT, 3.0, 90.0, lambda *_: None, None)
+    hear = lambda *_: None  # noqa: E731
+    ran = runner._Run(chapter, engine, wanted, seed, ROOT, 3.0, 90.0, hear, None, apart=False)
     with tempfile.TemporaryDirectory(prefix="checks-") as folder:
         config, events = Path(folder) / "config.json", Path(folder) / "events.txt"
         config.write_text(ran._config(Path(folder)), encoding="utf-8")

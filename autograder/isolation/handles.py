@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, NoReturn
 
 from autograder.explain import NOT_IMPLEMENTED
-from autograder.faults import CheckEnded, Fault, Frame, clean
+from autograder.faults import CheckEnded, Fault, Frame, StudentLeft, clean
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
 from autograder.nearest import MOST_SLOTS, Unknown
 
@@ -22,10 +22,6 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 class WorkerFailure(CheckEnded):
     """The worker is gone, or sent what it must not."""
-
-
-class StudentLeft(BaseException):
-    """The student's code raised what is no Exception, such as SystemExit; its fault says what."""
 
 
 class Session:

@@ -20,9 +20,9 @@ from types import ModuleType
 from typing import Any, NoReturn
 
 from autograder.explain import explain_import
-from autograder.faults import Fault
+from autograder.faults import Fault, StudentLeft
 from autograder.in_process import Tell
-from autograder.isolation.handles import Handle, Session, StudentLeft, WorkerFailure
+from autograder.isolation.handles import Handle, Session, WorkerFailure
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template
 
@@ -40,10 +40,12 @@ class InWorker:
         engine: list[str],
         time_limit: float,
         stack_file: str,
+        complete: Sequence[str],
         worker: dict[str, Any],
     ) -> None:
         self.engine = [Path(folder).resolve() for folder in engine]
         self.stack_file = Path(stack_file)
+        self.complete = complete
         level = Level(**worker["level"])
         folders = [str(folder) for folder in self.engine]
         self.probes = Path(worker["probes"])
@@ -105,7 +107,7 @@ class InWorker:
         except (Exception, StudentLeft) as error:
             if not isinstance(fault := getattr(error, "fault", None), Fault):
                 raise
-            message = explain_import(fault, module, self.engine)
+            message = explain_import(fault, module, self.engine, self.complete)
         self.broken[module] = message
         self.tell(event="broken", module=module, message=message)
         self.stop()  # the next worker knows it

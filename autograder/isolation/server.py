@@ -13,6 +13,7 @@ import socket
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from autograder.definitions import read_definitions
@@ -26,6 +27,7 @@ from autograder.isolation.wire import (
     unpack,
 )
 from autograder.missing import MissingNameError, answer_for_missing, broken_module
+from autograder.printed import CappedText
 
 _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 
@@ -127,10 +129,10 @@ class Server:
         return None if found is None else sorted(found)
 
     def do_import(self, module: str) -> None:
-        importlib.import_module(module)
+        _imported(module)
 
     def do_name(self, module: str, name: str) -> Any:
-        imported = importlib.import_module(module)
+        imported = _imported(module)
         imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
         return getattr(imported, name)
 
@@ -172,6 +174,15 @@ class Server:
                 ATTEMPTS[name](forbidden)
                 through.append(name)
         return through
+
+
+def _imported(name: str) -> ModuleType:
+    """Return a module. What it prints at its import is not shown: that belongs to no check."""
+    if name in sys.modules:
+        return sys.modules[name]
+    nowhere = CappedText(lambda _: None)
+    with contextlib.redirect_stdout(nowhere), contextlib.redirect_stderr(nowhere):
+        return importlib.import_module(name)
 
 
 def _reach_out(_: str) -> None:

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, NoReturn
 
+from autograder.apart import how_it_ended
 from autograder.faults import GraderFault
 from autograder.isolation.handles import Session, WorkerFailure
 from autograder.isolation.sandbox import Level, landlock_version, seccomp_works_here
@@ -184,10 +185,7 @@ class Template:
             return "the process ended its part in the middle: the code closed what the checks use"
         if code == -signal.SIGXCPU:
             return "the process ended in the middle: it had used up its processor time"
-        if code < 0:
-            name = signal.strsignal(-code) or f"signal {-code}"
-            return f"the process ended in the middle: Python crashed ({name})"
-        return f"the process ended in the middle, with exit code {code}: is there an os._exit?"
+        return how_it_ended(code)
 
     def stop_worker(self) -> None:
         """End the worker, if there is one."""

@@ -13,10 +13,10 @@ import faulthandler
 import gc
 import importlib
 import importlib.util
-import io
 import json
 import os
 import signal
+import site
 import socket
 import sys
 import time
@@ -27,8 +27,8 @@ from typing import Any
 from autograder.isolation import sandbox
 from autograder.isolation.server import Server
 from autograder.isolation.wire import Wire
+from autograder.printed import CappedText
 
-LONGEST_LOG = 4000  # characters
 # What engines tend to import: once in the template, rather than in every worker.
 PRELOADED = "math random dataclasses typing collections.abc functools itertools enum copy heapq"
 
@@ -40,12 +40,16 @@ def main(text: str) -> None:
     level = sandbox.Level(**config["level"])
     sys.path[:] = [path for path in sys.path if path != config["root"]] + config["folders"]
     sys.pycache_prefix = config["bytecode"]
+    for add in (site.setquit, site.setcopyright, site.sethelper):  # what every Python has built in
+        add()
     for name in PRELOADED.split() if config["preload"] else ():
         importlib.import_module(name)
     for folder in sorted({path.name for f in config["folders"] for path in Path(f).glob("ch??_*")}):
         importlib.import_module(folder)  # a folder without code of its own; its place is then known
         importlib.util.find_spec(f"{folder}.nothing")
     rules = sandbox.landlock_rules(config["readable"]) if level.landlock else None
+    for name in [name for name in sys.modules if name.partition(".")[0] == "autograder"]:
+        del sys.modules[name]  # it is not there for those who import it
     gc.freeze()
     control = socket.socket(fileno=config["control"])
     workers: set[int] = set()
@@ -119,7 +123,7 @@ def work(
         os.dup2(log, 1)
         os.dup2(log, 2)
         _close_all_but(wire_end, stack, rules)
-        sys.stdout = sys.stderr = CappedText()
+        sys.stdout = sys.stderr = CappedText(_log)
         faulthandler.register(signal.SIGUSR1, file=stack, all_threads=False)
         wire = Wire(wire_end)
         sandbox.enter(level, rules, config["seconds"])
@@ -141,18 +145,5 @@ def _close_all_but(*kept: int | None) -> None:
     os.closerange(first, 256)
 
 
-class CappedText(io.TextIOBase):
-    """Standard output of a worker: the first characters go to the log, and the rest nowhere."""
-
-    def __init__(self) -> None:
-        self.left = LONGEST_LOG
-
-    def write(self, text: str) -> int:
-        kept = text[: self.left]
-        self.left -= len(kept)
-        if kept:
-            os.write(1, kept.encode("utf-8", errors="backslashreplace"))
-        return len(text)
-
-    def writable(self) -> bool:
-        return True
+def _log(text: str) -> None:
+    os.write(1, text.encode("utf-8", errors="backslashreplace"))

@@ -11,8 +11,10 @@ from __future__ import annotations
 
 import math
 import sys
+from typing import TYPE_CHECKING
 
-from ch02_vectors.vector import Vector3
+if TYPE_CHECKING:  # for editors and type checkers alone: any file may import this one, vector.py too
+    from ch02_vectors.vector import Vector3
 
 LARGEST = sys.float_info.max  # an int beyond it would fit in no float
 
@@ -56,7 +58,7 @@ def whole(name: str, value: int) -> int:
 
 def finite_vector(name: str, v: Vector3) -> Vector3:
     """Return a copy of a vector whose components are all finite."""
-    if not isinstance(v, Vector3):
+    if not all(hasattr(v, component) for component in ("x", "y", "z")):
         raise TypeError(f"{name} must be a Vector3, got {v!r}")
     if not (math.isfinite(v.x) and math.isfinite(v.y) and math.isfinite(v.z)):
         raise ValueError(f"{name} must have finite components, got {v!r}")

@@ -237,9 +237,9 @@ def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
-        (["--chapter", "3", "--given", "3"], "nothing is left to check: chapter 3 is given"),
+        (["--chapter", "3", "--given", "3"], "nothing is left of your own: chapter 3 is given"),
         (["--chapter", "3", "--given", "19"], "there is no chapter 19 here"),
-        (["--exercise", "2.1", "--given", "2"], "nothing is left to check: chapter 2 is given"),
+        (["--exercise", "2.1", "--given", "2"], "nothing is left of your own: chapter 2 is given"),
     ],
 )
 def test_a_mistake_in_what_is_given_is_one_clear_sentence(

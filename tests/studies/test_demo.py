@@ -130,7 +130,7 @@ def test_a_demo_that_is_not_there_is_a_clear_sentence() -> None:
     there = ", ".join(NAMES)
     assert f"there is no demo 'trebuchets'; there is {there}" in " ".join(done.stderr.split())
     done = play("fireworks", "--engine", "nowhere")
-    assert "--engine must be a folder of chapters, got 'nowhere'" in done.stderr
+    assert "engine must be a folder of chapters, got 'nowhere'" in done.stderr
     done = play("fireworks", "--engine", "solutions", "--seconds", "-1")
     assert "--seconds must be positive and finite, got -1.0" in done.stderr
 

@@ -375,4 +375,4 @@ def test_an_engine_that_cannot_be_read_is_one_sentence(tmp_path: Path) -> None:
 def test_a_mistake_on_the_command_line_is_a_clear_sentence(tmp_path: Path) -> None:
     done = plot("nowhere", tmp_path)
     assert done.returncode == 2
-    assert "--engine must be a folder of chapters, got 'nowhere'" in done.stderr
+    assert "engine must be a folder of chapters, got 'nowhere'" in done.stderr

@@ -1,0 +1,68 @@
+"""A student's code imports Python's library and the chapters, and nothing that lies here by chance.
+
+Where work is graded nothing else is installed, and only what is handed in is there. Each import is
+looked at when it runs, and refused in the words that Python has for a module that is missing.
+"""
+
+from __future__ import annotations
+
+import builtins
+import importlib
+import importlib.util
+import re
+import sys
+from collections.abc import Mapping, Sequence
+from types import ModuleType
+from typing import Any
+
+from autograder.students_code import StudentsCode
+
+LIBRARY = sys.stdlib_module_names | {"__main__"}
+CHAPTER = re.compile(r"ch\d\d_\w+")
+
+
+def limit_imports(code: StudentsCode) -> None:
+    """From now on, refuse the student's imports of what a grader does not have."""
+    real_import, real_import_module = builtins.__import__, importlib.import_module
+
+    def guarded_import(
+        name: str,
+        globals: Mapping[str, Any] | None = None,  # noqa: A002 - as Python calls them
+        locals: Mapping[str, Any] | None = None,  # noqa: A002
+        fromlist: Sequence[str] | None = (),
+        level: int = 0,
+    ) -> ModuleType:
+        if (level or name.partition(".")[0] not in LIBRARY) and code.asks():
+            package = (globals or {}).get("__package__")
+            _refuse(code, "." * level + name, package, fromlist or ())
+        return real_import(name, globals, locals, fromlist or (), level)
+
+    def guarded_import_module(name: str, package: str | None = None) -> ModuleType:
+        if name.partition(".")[0] not in LIBRARY and code.asks():
+            _refuse(code, name, package, ())
+        return real_import_module(name, package)
+
+    builtins.__import__ = guarded_import
+    importlib.import_module = guarded_import_module
+
+
+def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
+    """Raise what Python would where only graded files are, and nothing is installed."""
+    if name.startswith("."):
+        try:
+            name = importlib.util.resolve_name(name, package)
+        except ImportError:
+            return  # Python says what is wrong with it
+    top, _, rest = name.partition(".")
+    module = rest.partition(".")[0]
+    if top in LIBRARY:
+        return
+    if not CHAPTER.fullmatch(top):
+        raise ModuleNotFoundError(f"No module named {top!r}", name=top)
+    if module and not code.is_graded(top, f"{module}.py"):
+        raise ModuleNotFoundError(f"No module named {f'{top}.{module}'!r}", name=f"{top}.{module}")
+    for wanted in () if module else fromlist:
+        if not (wanted.startswith(("_", "*")) or code.is_graded(top, f"{wanted}.py")):
+            raise ImportError(
+                f"cannot import name {wanted!r} from {top!r} (unknown location)", name=top
+            )

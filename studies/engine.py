@@ -1,0 +1,47 @@
+"""Put the engine on Python's path that plots, demos and measurements import the chapters from."""
+
+from __future__ import annotations
+
+import argparse
+import atexit
+import sys
+from contextlib import ExitStack
+from pathlib import Path
+
+from autograder.allowed_acts import limit_acts
+from autograder.allowed_imports import limit_imports
+from autograder.commands import find_engine
+from autograder.given import with_given
+from autograder.manifest import load_chapters, select_chapters
+from autograder.students_code import StudentsCode, graded_files
+
+_given = ExitStack()  # folders with the reference's given chapters, until the end
+atexit.register(_given.close)
+_limited: set[tuple[Path, ...]] = set()
+
+
+def add_engine_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options that name an engine to a command of students."""
+    parser.add_argument("--engine", default="chapters", help="the folder with your work")
+    parser.add_argument("--given", default="", help="chapters to take from the reference")
+
+
+def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
+    """Import chapters from this folder from now on, and the given ones from the reference.
+
+    The code in the folder may import and do what it may where it is graded. A folder or a chapter
+    that is not there is a parser's error.
+    """
+    try:
+        chapters = select_chapters(given) if given else []
+        folders = _given.enter_context(with_given(chapters, find_engine(engine)))
+    except ValueError as error:
+        parser.error(str(error))
+    sys.path += map(str, folders)  # behind Python's own modules, as where work is graded
+    if tuple(folders) not in _limited:
+        _limited.add(tuple(folders))
+        chapters = load_chapters()
+        ours = [f"{chapter.name}/{file}" for chapter in chapters for file in chapter.complete]
+        code = StudentsCode(folders, graded_files(chapters), ours)
+        limit_imports(code)
+        limit_acts(code)

@@ -1,0 +1,221 @@
+"""Advice can be followed: each file, function and name that a student is sent to is there.
+
+Advice is what checks say, the hints, and the docstrings of what students write.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from autograder.definitions import functions
+from autograder.explain import explain_import
+from autograder.faults import Fault, Frame
+from autograder.handout import STUDENT_TOOLS
+from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
+from autograder.places import next_place
+from autograder.runner import Verdict
+
+CHAPTERS = load_chapters()
+FILE = re.compile(r"\b[a-z]\w*\.(?:py|md|csv|toml)\b")
+OF_A_FILE = re.compile(r"((?:\w+(?:, | and ))*\w+) of (\w+\.py)")
+PROSE = {"functions", "lines", "line", "head", "top", "rest"}  # of a file, and no names in it
+LIBRARY = re.compile(r"\b(math|random|itertools|functools|statistics|copy)\.([a-z]\w*)")
+# A name of two words or more; what begins with one letter, such as v_s, is a formula's.
+NAME = re.compile(r"(?<![\w.\"'{/-])_?[a-z]{2,}_[a-z_0-9]+\b(?!\.(?:py|csv|md))")
+FOR_ALL_CHAPTERS = ("tests/expect.py", "autograder/explain.py")
+ROOT_FILES = {*STUDENT_TOOLS["."].split(), "README.md", "errata.md"}
+
+
+def texts(tree: ast.Module, *, docstrings: bool) -> Iterator[str]:
+    """The texts of a file: its docstrings, or all others."""
+    kinds = (ast.Module, ast.ClassDef, ast.FunctionDef)
+    owners = [node for node in ast.walk(tree) if isinstance(node, kinds)]
+    documented = {
+        id(node.body[0].value)
+        for node in owners
+        if node.body and isinstance(node.body[0], ast.Expr)
+    }
+    for node in ast.walk(tree):
+        is_text = isinstance(node, ast.Constant) and isinstance(node.value, str)
+        if is_text and (id(node) in documented) == docstrings:
+            yield node.value
+
+
+@cache
+def stub(chapter: str, file: str) -> ast.Module:
+    """What a student's file says: the reference's, without the bodies that students write."""
+    tree = parsed(f"solutions/{chapter}/{file}")
+    (manifest,) = [each for each in CHAPTERS if each.name == chapter]
+    edited = {name for exercise in manifest.exercises for name in exercise.edit}
+    for name, node in functions(tree).items():
+        if f"{file.removesuffix('.py')}.{name}" in edited:
+            node.body = node.body[:1]
+    return tree
+
+
+def parsed(path: str) -> ast.Module:
+    return ast.parse((ROOT / path).read_text(encoding="utf-8"))
+
+
+def advice(chapter: Chapter) -> list[str]:
+    """All that a student of a chapter is told."""
+    told = [hint for exercise in chapter.exercises for hint in exercise.hints]
+    for file in sorted((ROOT / "tests" / chapter.name).glob("test_*.py")):
+        told += texts(parsed(str(file.relative_to(ROOT))), docstrings=False)
+    for path in FOR_ALL_CHAPTERS:
+        told += texts(parsed(path), docstrings=False)
+    for file in chapter.edited_files:
+        told += texts(stub(chapter.name, file), docstrings=True)
+    return [text for text in told if " " in text]
+
+
+def below(chapter: Chapter) -> list[Chapter]:
+    return [other for other in CHAPTERS if other.number <= chapter.number]
+
+
+def names_in(tree: ast.AST) -> set[str]:
+    """Each name that a file uses or defines, and each single word among its texts."""
+    found: set[str] = set()
+    for node in ast.walk(tree):
+        for key in ("id", "name", "arg", "attr", "value"):
+            if isinstance(word := getattr(node, key, None), str):
+                found.add(word)
+    return found
+
+
+def file_named(chapter: Chapter, name: str) -> str | None:
+    """The path of a module that a student of the chapter has, of this chapter or one below."""
+    for other in reversed(below(chapter)):
+        if name in other.edited_files:
+            return f"solutions/{other.name}/{name}"
+        if name in other.complete:
+            return f"chapters/{other.name}/{name}"
+    return None
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+def test_each_file_that_is_named_is_there_for_students(chapter: Chapter) -> None:
+    there = set(ROOT_FILES)
+    for other in below(chapter):
+        there |= {*other.handed_in, *other.complete, "chapter.toml"}
+        there |= {path.name for path in (ROOT / "chapters" / other.name).glob("*.md")}
+    named = {name for text in advice(chapter) for name in FILE.findall(text)}
+    assert named, "advice names files"
+    assert named - there == set()
+
+
+def functions_of_files(chapter: Chapter) -> set[tuple[str, str]]:
+    """The file and the name of each function that advice names as one of a file."""
+    return {
+        (file, name)
+        for text in advice(chapter)
+        for words, file in OF_A_FILE.findall(text)
+        for name in re.split(r", | and ", words)
+        if name not in PROSE
+    }
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+def test_each_function_of_a_file_and_of_the_library_is_there(chapter: Chapter) -> None:
+    for file, name in functions_of_files(chapter):
+        path = file_named(chapter, file)
+        assert path, file
+        assert name in names_in(parsed(path)), f"{name} of {file}"
+    for text in advice(chapter):
+        for module, name in LIBRARY.findall(text):
+            assert hasattr(importlib.import_module(module), name), text
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+def test_each_name_of_several_words_is_one_that_students_see(chapter: Chapter) -> None:
+    known: set[str] = set()
+    for other in below(chapter):
+        for file in other.edited_files:
+            known |= names_in(stub(other.name, file))
+        for file in other.complete:
+            if file.endswith(".py"):
+                known |= names_in(parsed(f"chapters/{other.name}/{file}"))
+    told = {(name, text) for text in advice(chapter) for name in NAME.findall(text)}
+    assert {(name, text) for name, text in told if name not in known} == set()
+
+
+IMPORT_EACH = """
+import importlib, sys
+for module in sys.argv[1:]:
+    for name in [name for name in sys.modules if name.startswith("ch0")]:
+        del sys.modules[name]
+    importlib.import_module(module)
+"""
+
+
+def test_what_is_advised_can_be_imported_in_every_file_that_students_edit(tmp_path: Path) -> None:
+    """Really done: the import is put at the top of each of the reference's modules."""
+    advised = {
+        (path, name)
+        for chapter in CHAPTERS
+        for file, name in functions_of_files(chapter)
+        if (path := file_named(chapter, file)) and path.startswith("chapters/")
+    }
+    lines = {
+        f"from {Path(path).parent.name}.{Path(path).stem} import {name}" for path, name in advised
+    }
+    assert "from ch02_vectors.arguments import finite" in lines
+    future, modules = "from __future__ import annotations\n", []
+    for chapter in CHAPTERS:
+        (tmp_path / chapter.name).mkdir()
+        for file in chapter.edited_files:
+            source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
+            assert future in source
+            edited = source.replace(future, "\n".join([future, *sorted(lines), ""]))
+            (tmp_path / chapter.name / file).write_text(edited, encoding="utf-8")
+            modules.append(f"{chapter.name}.{file.removesuffix('.py')}")
+    path = f"sys.path[:0] = {[str(tmp_path), str(ROOT / 'chapters')]!r}"
+    code = IMPORT_EACH.replace("import importlib, sys", f"import importlib, sys\n{path}")
+    done = subprocess.run(
+        [sys.executable, "-c", code, *modules], capture_output=True, encoding="utf-8", check=False
+    )
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.fixture
+def second() -> tuple[Chapter, Exercise]:
+    """The first exercise of chapter 2."""
+    return CHAPTERS[0], CHAPTERS[0].exercises[0]
+
+
+@pytest.mark.parametrize("called", ["called    Vector3(1, 2, 3).copy()\n", ""])
+def test_nobody_is_sent_to_a_file_that_is_not_to_be_edited(
+    second: tuple[Chapter, Exercise], called: str
+) -> None:
+    message = (
+        f"{called}got       TypeError\nwhere     ch02_vectors/arguments.py, line 40, in finite: x"
+    )
+    failed = Verdict("test", second[1].id, 1.0, "failed", message)
+    place = next_place([ROOT / "solutions", ROOT / "chapters"], *second, failed)
+    assert "arguments.py" not in place
+    assert "ch02_vectors/vector.py:" in place
+
+
+def test_a_complete_module_that_an_edit_breaks_leads_to_the_students_line() -> None:
+    """A contact lost its name: joints.py cannot import it, and bridge.py imports joints.py."""
+    frames = [
+        Frame("ch08_mass_aggregate/bridge.py", 13, "<module>"),
+        Frame("ch08_mass_aggregate/joints.py", 9, "<module>"),
+    ]
+    text = "cannot import name 'Contact' from 'ch07_constraints.contacts'"
+    fault = Fault("ImportError", text, frames)
+    engine = [ROOT / "solutions", ROOT / "chapters"]
+    complete = ["ch08_mass_aggregate/joints.py"]
+    told = explain_import(fault, "ch08_mass_aggregate.bridge", engine, complete)
+    assert text in told
+    assert "where     ch08_mass_aggregate/bridge.py, line 13" in told
+    assert "joints.py" not in told.partition("where")[2].partition(":")[0]

@@ -1,0 +1,135 @@
+"""make puts students first, refuses variables that it does not know, and fails only for trouble."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT
+from copies import copy_tree
+
+STUDENTS = ["watch", "check", "hint", "reset", "plot", "demo", "setup"]
+pytestmark = pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
+
+
+def make(*arguments: str, folder: Path = ROOT) -> subprocess.CompletedProcess[str]:
+    """Run make, which takes .venv as it is."""
+    command = ["make", "--no-print-directory", "--old-file=.venv/ready", *arguments]
+    return subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False)
+
+
+def listed(screen: str) -> list[str]:
+    return re.findall(r"(?m)^  make (\w+)  ", screen)
+
+
+def test_alone_it_lists_the_students_commands_with_watch_first() -> None:
+    done = make()
+    assert done.returncode == 0, done.stderr
+    assert listed(done.stdout) == STUDENTS
+    assert "make help-all" in done.stdout
+    assert "GIVEN" in done.stdout
+
+
+def test_help_all_lists_every_command_under_headings() -> None:
+    done = make("help-all")
+    names = {
+        name
+        for file in ("Makefile", "instructor.mk")
+        for name in re.findall(r"(?m)^TAKES_(\w+) :=", (ROOT / file).read_text(encoding="utf-8"))
+    }
+    assert listed(done.stdout)[: len(STUDENTS)] == STUDENTS
+    assert {*listed(done.stdout)} == names - {"help", "help-all"}
+    assert len(re.findall(r"(?m)^[A-Z].*:$", done.stdout)) >= 3
+    for screen in (make().stdout, done.stdout):
+        assert max(map(len, screen.splitlines())) <= 80
+        starts = {len(start) for start in re.findall(r"(?m)^  make \w+ +", screen)}
+        assert len(starts) == 1, "aligned"
+
+
+def test_a_hand_out_has_the_students_commands_alone(tmp_path: Path) -> None:
+    shutil.copyfile(ROOT / "Makefile", tmp_path / "Makefile")
+    for arguments in ((), ("help-all",)):
+        done = make(*arguments, folder=tmp_path)
+        assert listed(done.stdout) == STUDENTS
+        assert "instructors" not in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ("plot EX=2.5", ["make plot does not take EX", "CH", "GIVEN"]),
+        ("demo CH=4", ["make demo does not take CH", "DEMO"]),
+        ("hint EX=2.5 CHAPTER=2", ["make hint does not take CHAPTER", "EX"]),
+        ("CH=2", ["make help does not take CH"]),
+        ("grade CH=2", ["make grade does not take CH;", "CHAPTERS"]),
+        ("lint QUICK=1", ["make lint does not take QUICK"]),
+        ("chekc CH=2", ['there is no command "make chekc"', "check"]),
+        ("check 2.5", ['there is no command "make 2.5"']),
+    ],
+)
+def test_what_a_command_does_not_know_is_an_error_that_names_what_it_takes(
+    arguments: str, words: list[str]
+) -> None:
+    done = make("--dry-run", *arguments.split())
+    assert done.returncode == 2
+    assert done.stdout == ""
+    for word in words:
+        assert word in done.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        "watch CH=3 SEED=4 ENGINE=solutions",
+        "check CH=3 EX=3.1 PYTHON=python3",
+        "hint EX=3.1 N=2",
+        "reset EX=3.1 WHOLE=1",
+        "plot CH=3",
+        "demo DEMO=ball",
+    ],
+)
+def test_every_command_of_students_takes_given(arguments: str) -> None:
+    done = make("--dry-run", *arguments.split(), "GIVEN=2")
+    assert done.returncode == 0, done.stderr
+    assert '--given "2"' in done.stdout
+
+
+def test_several_commands_take_what_any_of_them_takes() -> None:
+    done = make("--dry-run", "check", "demo", "EX=2.5", "DEMO=ball")
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_tests_of_the_companion_say_what_they_are_and_how_long_they_take() -> None:
+    first, second = make("--dry-run", "test").stdout.splitlines()[:2]
+    assert "companion itself" in first
+    assert re.search(r"\d+ minutes", first)
+    assert "make check" in second
+
+
+@pytest.fixture
+def engine(tmp_path: Path) -> Path:
+    """The reference's chapter 2, in which one body is not written."""
+    copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / "ch02_vectors")
+    vector = tmp_path / "ch02_vectors/vector.py"
+    source = vector.read_text(encoding="utf-8")
+    unwritten = 'raise NotImplementedError("Exercise B2.2: Length")\n        return math.hypot('
+    vector.write_text(source.replace("return math.hypot(", unwritten), encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize("command", ["check EX=B2.2", "plot CH=2"])
+def test_a_diagnosis_is_no_error_of_makes(command: str, engine: Path) -> None:
+    done = make(*command.split(), f"ENGINE={engine}")
+    assert "not written yet: Exercise B2.2" in done.stdout
+    assert "***" not in done.stderr
+    assert done.returncode == 0
+
+
+def test_trouble_is_an_error() -> None:
+    done = make("check", "CH=77")
+    assert "there is no chapter 77" in done.stderr
+    assert done.returncode != 0

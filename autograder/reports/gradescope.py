@@ -104,7 +104,7 @@ def _output(exercise: dict[str, Any]) -> str:
     lost = [check for check in checks if check["status"] != "passed"]
     blocks = [OURS] if status == "error" else []
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))
-    blocks.append(f"{status}; checks that pass: {passing}")
+    blocks.append(f"{status}: {passing} checks pass")
     if status == "inherited":
         blocks.append("the mistake lies in an earlier chapter: on the given ones this passes")
     if chart := exercise.get("chart"):

@@ -16,6 +16,7 @@ import yaml
 
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.platforms.classroom import WORKFLOW, make_classroom, workflow
+from graded import points_of
 
 CHAPTERS = load_chapters()
 CH02 = CHAPTERS[0]
@@ -59,7 +60,7 @@ def test_each_exercise_with_checks_is_graded_once_for_its_points(job: dict[str, 
     names = [step["with"]["test-name"].split()[0] for step in steps]
     written = {"2.2b", "2.3"}
     assert names == [e.id for e in CH02.exercises if e.id not in written]
-    assert sum(step["with"]["max-score"] for step in steps) == 43
+    assert sum(step["with"]["max-score"] for step in steps) == points_of(CH02)
 
 
 @pytest.mark.parametrize("chapters", [[CH02], CHAPTERS], ids=["one", "all"])

@@ -17,7 +17,7 @@ from autograder.given import (
 )
 from autograder.manifest import Chapter, Exercise
 from autograder.runner import GraderError, Verdict, run_checks, with_needs
-from autograder.scores import results_of
+from autograder.scores import result_of, results_of
 from autograder.screen import ProgressBar, Report, print_report
 from autograder.written import print_written
 
@@ -33,9 +33,10 @@ def check(
 ) -> bool:
     """Check the chapters, or one exercise and what it needs; print it all; return success.
 
-    With ``only``, what an exercise needs is checked, but neither shown nor asked for success. The
-    ``given`` chapters are the reference's. A written exercise has no checks: it is shown, and that
-    is a success. A question that is still open does not stand in the way of success either.
+    With ``only``, the physics of the exercise alone is shown and decides: what it needs and its
+    robust checks are run and left out. The ``given`` chapters are the reference's. A written
+    exercise has no checks: it is shown, and that is a success. A question that is still open does
+    not stand in the way of success either.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -47,7 +48,7 @@ def check(
             report = report_on(chapter, exercise, folders, given, run, progress)
             if exercise and only:
                 told, better = (
-                    [result for result in results if result.exercise.id == exercise.id]
+                    [result_of(exercise, r.physics) for r in results if r.exercise == exercise]
                     for results in (report.results, report.on_reference)
                 )
                 report = replace(report, results=told, on_reference=better)

@@ -127,6 +127,8 @@ class Recorder:
             if printed and message:
                 message += f"\nprinted   {clean(printed)[:2000]}"
         if report.when == "call" or status == "error":
+            for folder in self.engine.engine:  # where the engine lies is another place in grading
+                message = message.replace(f"{folder}{os.sep}", "")
             told = dict(item.user_properties)
             # Where a hidden check puts a work could tell what it asks.
             point = None if "rationale" in told else told.get("on_chart")

@@ -1,8 +1,9 @@
-"""A student's code computes: it writes no file, starts nothing, and reaches nobody.
+"""A student's code may compute. It may not write files, start programs or threads, or use sockets.
 
-Where work is graded walls refuse all that. Here Python tells of each act before it is done, and it
-is refused in the words of those walls. They hold against a hostile submission; this only lets
-students find out at home. What Python does not tell of, such as os.pipe, is done.
+Where work is graded, walls refuse all of this. Here Python's audit events announce most such acts
+before they happen, and this module refuses them with the same errors. The walls hold against a
+hostile submission. This module does not: it only lets students find out at home. An act without
+an event, such as os.pipe, is carried out.
 """
 
 from __future__ import annotations
@@ -25,8 +26,7 @@ READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]
 THREAD_STARTERS = "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
 NOT_STARTED = 32512  # what os.system returns where no process can be started
 
-# What is not permitted, by Python's names of events: first those whose arguments begin with a path
-# that the error names, then those with two, then those without.
+# Audit events that are not permitted. The error names one path, two paths, or none.
 WITH_PATH = "os.mkdir os.remove os.rmdir os.chmod os.chown os.truncate os.chdir os.posix_spawn"
 WITH_PATHS = "os.rename os.link os.symlink"
 WITHOUT = (
@@ -36,7 +36,7 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """From now on, refuse the student's code what a grader's walls refuse."""
+    """Refuse the student's code, from now on, what a grader's walls refuse."""
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),
@@ -54,7 +54,7 @@ def limit_acts(code: StudentsCode) -> None:
     sys.addaudithook(hear)
     real_system = os.system
     os.system = lambda command: NOT_STARTED if code.asks() else real_system(command)
-    for module in (_thread, threading):  # not every Python tells of a thread
+    for module in (_thread, threading):  # not every Python has an event for it
         for name in THREAD_STARTERS.split():
             if hasattr(module, name):
                 setattr(module, name, _no_threads(code, getattr(module, name)))
@@ -84,7 +84,7 @@ def _list(code: StudentsCode, path: Any) -> None:
 
 
 def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
-    """Raise PermissionError for what lies elsewhere than in Python's library, or in ``more``."""
+    """Raise PermissionError for a path outside of Python's library and the ``more`` folders."""
     inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - so that a folder is in itself
     if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)

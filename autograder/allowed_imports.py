@@ -1,7 +1,7 @@
-"""A student's code imports Python's library and the chapters, and nothing that lies here by chance.
+"""A student's code may import Python's library and the chapters, and nothing else.
 
-Where work is graded nothing else is installed, and only what is handed in is there. Each import is
-looked at when it runs, and refused in the words that Python has for a module that is missing.
+Where work is graded, no package is installed, and only the files that are handed in are there. So
+an import that would fail there fails here too, when it runs and in Python's own words.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """From now on, refuse the student's imports of what a grader does not have."""
+    """Refuse, from now on, each import by the student's code of what a grader does not have."""
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
@@ -47,7 +47,7 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise what Python would where only graded files are, and nothing is installed."""
+    """Raise what Python raises where no package is installed and only graded files exist."""
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

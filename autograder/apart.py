@@ -1,4 +1,7 @@
-"""Each check in a copy of this process, so that none finds what another has left behind."""
+"""Run a check in a copy of this process, so that it finds nothing that another has left behind.
+
+A grader starts a fresh process for each check. A counter or a cache in a module then begins anew.
+"""
 
 from __future__ import annotations
 
@@ -9,11 +12,11 @@ import traceback
 from collections.abc import Callable
 
 CAN_COPY = hasattr(os, "fork")
-DONE = 87  # the exit code of a copy that has told its verdict
+DONE = 87  # the exit code of a copy that has reported its verdict
 
 
 def run_in_a_copy(work: Callable[[], object]) -> int:
-    """Do the work in a copy of this process; return its exit code, which is DONE where it ended."""
+    """Do the work in a copy of this process and return its exit code, DONE if the work ended."""
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")
     copy = os.fork()

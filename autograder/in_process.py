@@ -1,6 +1,6 @@
 """Checks and the student's code in one process, as students run them: quick, and full of trust.
 
-What the code may import and do is all the same what it may where it is graded.
+All the same, the code may import and do only what it may where it is graded.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from autograder.students_code import StudentsCode
 from autograder.surroundings import Depth, leave_home
 
 Tell = Callable[..., None]  # tells the runner of an event
-CALLS = 13  # of pytest's and the check's, between the start of a check and the student's code
+CALLS = 13  # nested calls of pytest and the check, from the start of a check to the student's code
 
 
 class InProcess:
@@ -72,7 +72,7 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def after_collection(self) -> None:
-        """Everything is there already; what is there now, copies of this process need not copy."""
+        """Leave what exists by now to itself: copies of this process then share it for longer."""
         gc.freeze()
 
     def _import(self, module: str) -> None:
@@ -95,10 +95,11 @@ class InProcess:
         return read_definitions(file)
 
     def run(self, check: Callable[[], object]) -> str | None:
-        """Run a check in a copy of this process; return why it told no verdict, if it did not.
+        """Run a check in a copy of this process. Return "", or why it did not report a verdict.
 
-        Return None, and run nothing, where checks are not to be apart, or the system cannot copy
-        processes. Where the time was up this process ends too: the runner goes on in a new one.
+        Return None, and run nothing, if checks share this process: where that is wanted, and where
+        the system cannot copy one. If a check's time is up this process ends too, and the runner
+        continues in a new one.
         """
         if not self.apart:
             return None

@@ -1,4 +1,4 @@
-"""What a student's code prints: the first characters are kept, and the rest goes nowhere."""
+"""Keep the first characters that a student's code prints, and drop the rest."""
 
 from __future__ import annotations
 

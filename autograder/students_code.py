@@ -22,8 +22,9 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 class StudentsCode:
     """The code in the folders of an engine.
 
-    ``graded`` are the files that a grader has, by their chapter's folder. A folder that is not
-    named is graded whole. The files ``ours``, such as ch02_vectors/plots.py, are not the student's.
+    ``graded`` lists, for each chapter's folder, the files that a grader has. A folder that is not
+    in it is taken whole. The files ``ours``, such as ch02_vectors/plots.py, were not written by
+    the student.
     """
 
     def __init__(
@@ -38,9 +39,10 @@ class StudentsCode:
         self._known: dict[str, bool | None] = {}
 
     def asks(self) -> bool:
-        """Say whether the student's code asks for what our caller was called for.
+        """Say whether the student's code made the call that our caller is to judge.
 
-        That is the nearest code that is not Python's own. Python's imports answer for themselves.
+        The nearest function on the stack that is not of Python's library decides. What Python
+        does in order to import a module counts as Python's own act, not as the student's.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -62,7 +64,7 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Say whether a grader has a file of a chapter's folder, be it probes of its own."""
+        """Say whether a grader has this file of a chapter's folder. Probes come with the checks."""
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")
         )

@@ -1,7 +1,7 @@
-"""What a student's code finds around it is here what it is where work is graded.
+"""Give a student's code the surroundings that it has where it is graded.
 
-No folder to work in, no arguments, no variables of the user's, nothing to type, and as much memory
-and depth of calls as there.
+It works in the root folder, without arguments and without the user's environment variables. It has
+as much memory as there, and its calls may be nested as deeply.
 """
 
 from __future__ import annotations
@@ -12,14 +12,15 @@ from pathlib import Path
 
 VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
 NEEDED = ("SYSTEMROOT",)  # by Python itself, on Windows
-# Bytes on top of what is used: a grader's 512 MB, less Python, more what the clock's thread takes.
+# Bytes beyond what the process has now. A grader has 512 MB in all, of which Python needs some 30;
+# here the thread that watches the time reserves about 80 more.
 MEMORY = 560 << 20
-DEPTH = 1000  # calls in each other, of which a grader uses up the first few
-FIRST_CALLS = 9  # of a grader's own, above those of a student's code
+DEPTH = 1000  # nested calls in a grader's process
+FIRST_CALLS = 9  # of those, the grader's own around a student's code
 
 
 def leave_home() -> None:
-    """Take what is the user's away from this process, for good, and limit its memory."""
+    """Take the user's surroundings away from this process, for good, and limit its memory."""
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
     os.environ.clear()
@@ -36,15 +37,15 @@ def leave_home() -> None:
 
 
 class Depth:
-    """Leaves a student's code as many calls in each other as a grader does, however deep we are."""
+    """Lets a student's code nest as many calls as a grader does, however deep the stack is here."""
 
     def __init__(self) -> None:
         self.limit = sys.getrecursionlimit()
 
     def adapt(self, more: int) -> None:
-        """Set the limit for code that is called ``more`` calls below our caller's.
+        """Set the recursion limit for code that runs ``more`` calls deeper than our caller.
 
-        A limit that the student's code has set stays.
+        A limit that the student's code has set itself stays.
         """
         if sys.getrecursionlimit() != self.limit:
             return

@@ -1,4 +1,4 @@
-"""Put the engine on Python's path that plots, demos and measurements import the chapters from."""
+"""Choose the engine whose chapters plots, demos and measurements import."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def add_engine_options(parser: argparse.ArgumentParser) -> None:
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
     """Import chapters from this folder from now on, and the given ones from the reference.
 
-    The code in the folder may import and do what it may where it is graded. A folder or a chapter
-    that is not there is a parser's error.
+    The code in the folder may import and do only what it may where it is graded. A folder or a
+    chapter that does not exist is reported as a parser's error.
     """
     try:
         chapters = select_chapters(given) if given else []

@@ -122,7 +122,7 @@ def test_every_command_of_the_readmes_is_there() -> None:
     )
     targets = set(re.findall(r"(?m)^([a-z-]+):", makefiles))
     listed = set(re.findall(r"(?m)^([a-z-]+): .*## \S", makefiles))
-    assert listed == targets, "make help lists every command"
+    assert listed == targets - {"help", "help-all"}, "make help-all lists every command"
     for readme in (
         ROOT / "README.md",
         *ROOT.glob("*/README.md"),

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from autograder.allowed_acts import limit_acts
 from autograder.allowed_imports import limit_imports
-from autograder.apart import CAN_COPY, DONE, how_it_ended, run_in_a_copy
+from autograder.apart import CAN_COPY
 from autograder.definitions import read_definitions
 from autograder.explain import explain_import
 from autograder.faults import fault_of
@@ -93,20 +93,6 @@ class InProcess:
     def definitions(self, file: Path) -> set[str] | None:
         """Return what a module of the student's defines."""
         return read_definitions(file)
-
-    def run(self, check: Callable[[], object]) -> str | None:
-        """Run a check in a copy of this process. Return "", or why it did not report a verdict.
-
-        Return None, and run nothing, if checks share this process: where that is wanted, and where
-        the system cannot copy one. If a check's time is up this process ends too, and the runner
-        continues in a new one.
-        """
-        if not self.apart:
-            return None
-        code = run_in_a_copy(check)
-        if Path(self.stack_file.name).stat().st_size:
-            os._exit(1)
-        return "" if code == DONE else how_it_ended(code)
 
     def start(self) -> None:
         """Write the stack and end the process when the time is up, whatever the code is doing."""

@@ -129,7 +129,7 @@ class _Run:
     run_limit: float
     on_verdict: Callable[[int, int], None]
     behind: Behind | None
-    apart: bool = True  # each check in a copy of the process, where no worker is there for it
+    apart: bool = True  # each exercise in a copy of the process, where no worker is there for it
     checks: dict[str, dict[str, Any]] = field(default_factory=dict)
     verdicts: dict[str, Verdict] = field(default_factory=dict)
     broken: dict[str, str] = field(default_factory=dict)  # modules whose import hung or left

@@ -11,12 +11,15 @@ import json
 import os
 import sys
 from collections.abc import Generator
+from functools import partial
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
 from _pytest.runner import runtestprotocol
 
+from autograder.apart import run_in_a_copy
 from autograder.explain import explain_exception
 from autograder.faults import CheckEnded, GraderFault, StudentLeft, clean, fault_of
 from autograder.gone import explain_gone
@@ -88,14 +91,14 @@ class Recorder:
         items[:] = [item for item in items if item not in left_out]
 
     @pytest.hookimpl(tryfirst=True)
-    def pytest_runtest_protocol(self, item: pytest.Item) -> bool | None:
-        """Run a check that shares its process with the student's code in a copy of the process."""
-        if not isinstance(self.engine, InProcess):
+    def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
+        """Run the checks of each exercise in a copy of this process, if they share it with code."""
+        apart = isinstance(self.engine, InProcess) and self.engine.apart
+        if session.testsfailed or not apart:  # checks that cannot be collected are for pytest
             return None
-        why = self.engine.run(lambda: runtestprotocol(item, log=False))
-        if why:
-            self.tell(event="verdict", name=item.name, status="failed", message=why, on_chart=None)
-        return None if why is None else True
+        for _, group in groupby(session.items, lambda item: _marker(item).args[0]):
+            run_in_a_copy(partial(_run_all, list(group)))
+        return True
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
@@ -157,6 +160,11 @@ class Recorder:
         code = pytest.ExitCode
         if exitstatus in (code.OK, code.TESTS_FAILED, code.NO_TESTS_COLLECTED):
             self.tell(event="end")
+
+
+def _run_all(checks: list[pytest.Item]) -> None:
+    for check in checks:
+        runtestprotocol(check, log=False)
 
 
 def _engine(config: dict[str, Any]) -> InProcess | InWorker:

@@ -329,7 +329,8 @@ def _print_class(console: Console, reports: list[Report]) -> None:
         checks = [(e, check) for e in report["exercises"] for check in e["checks"]]
         passed = sum(check["status"] == "passed" for _, check in checks)
         order = ("error", "failed", "inherited", "blocked")
-        lost = [pair for status in order for pair in checks if pair[1]["status"] == status]
+        lost = [pair for pair in checks if pair[1]["status"] in order]
+        lost.sort(key=lambda pair: (order.index(pair[1]["status"]), pair[1]["robust"]))
         table.add_row(
             escape(report["student"]),
             f"{shown(report['score'])}/{report['points']}",

@@ -37,7 +37,7 @@ def failure_of(
     chapter: Chapter,
     result: Result,
     engine: list[Path],
-    title: str = "Fix this first",
+    title: str = "",
     edited: Collection[str] = (),
 ) -> Failure | None:
     """Return the first failure of an exercise, None where it has no check that fails.
@@ -57,6 +57,7 @@ def failure_of(
     lines = [f"check     {failed.name}", diagnosis]
     if failed.robust and exercise.robust:
         lines.insert(0, f"robust    {exercise.robust}")
+    title = title or ("Make this robust" if failed.robust else "Fix this first")
     heading = f"{'Inherited, for example' if inherited else title}: {exercise.id} {exercise.title}"
     if inherited:
         steps = [f"Next: {check_command(engine, CH=numbers_of(chapters_below(chapter)))}"]
@@ -68,15 +69,9 @@ def failure_of(
     return Failure(heading, "\n".join(lines), printed, steps)
 
 
-def print_failure(
-    console: Console,
-    chapter: Chapter,
-    result: Result,
-    engine: list[Path],
-    title: str = "Fix this first",
-) -> None:
+def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
     """Print one failed check in full, and what to do next."""
-    failure = failure_of(chapter, result, engine, title)
+    failure = failure_of(chapter, result, engine)
     if failure is None:
         words = f"No check was found for exercise {result.exercise.id}."
         console.print(words, style="magenta")

@@ -37,7 +37,7 @@ def test_double_of_minus_one():
 def chapter(tmp_path: Path) -> Chapter:
     """A small chapter whose first exercise has a robust check above a physics one."""
     root = make_root(tmp_path / "root")
-    (root / "tests/ch90_small/test_small.py").write_text(CHECKS + REFUSES)
+    (root / "tests/ch90_small/test_small.py").write_text(CHECKS + REFUSES, encoding="utf-8")
     return load_chapter(root / "chapters/ch90_small")
 
 
@@ -45,7 +45,7 @@ def verdicts_of(chapter: Chapter, tmp_path: Path, code: str) -> list[Verdict]:
     engine = tmp_path / "engine"
     shutil.rmtree(engine, ignore_errors=True)
     (engine / chapter.name).mkdir(parents=True)
-    (engine / chapter.name / "small.py").write_text(code)
+    (engine / chapter.name / "small.py").write_text(code, encoding="utf-8")
     return run_checks(chapter, [engine], seed="1", root=tmp_path / "root")
 
 

@@ -115,6 +115,7 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
         (0.25, [0.5, 0.5]),  # a frame as long as the share that is kept in it: 0.25^0.5
         (0.99, [0.25] * 4),
         (1.5, [0.25] * 2),  # above 1 a particle gains speed; nothing forbids it
+        (2.0, [0.5]),
     ):
         call = f"p = Particle(velocity=Vector3{v}, {damping=}); p.integrate(h) for each h in "
         cause = "a frame of h seconds keeps d^h: damping ** duration"

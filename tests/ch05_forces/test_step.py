@@ -200,6 +200,14 @@ def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     p.integrate(1)
     wanted = tuple((v[i] + f[i]) / 2.0 for i in range(3))
     expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+    cause = "A damping above 1 makes the particle faster. Take d^h of it as of any other damping."
+    call = f"p = Particle(velocity=Vector3{v}, damping=2.0); p.add_force(Vector3{f}); "
+    call += "p.integrate(2.0); p.velocity"
+    p = Particle(velocity=Vector3(*v), damping=2.0)
+    p.add_force(Vector3(*f))
+    p.integrate(2.0)
+    wanted = tuple((v[i] + 2.0 * f[i]) * 4.0 for i in range(3))
+    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=10.0 * ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 
 from autograder.check import check
@@ -127,14 +128,21 @@ def run_hint(arguments: argparse.Namespace) -> int:
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
     """Return the exercise of an id, in capitals or not, and its chapter.
 
-    Raises ValueError that names those whose ids begin alike, or else all of them.
+    Raises ValueError that names those with a similar id, or else the chapters' first and last.
     """
     known = {e.id.lower(): (chapter, e) for chapter in chapters for e in chapter.exercises}
     if wanted.lower() in known:
         return known[wanted.lower()]
-    alike = [e.id for key, (_, e) in known.items() if key.startswith(wanted.lower())]
-    there = ", ".join(alike or [e.id for _, e in known.values()])
-    raise ValueError(f"there is no exercise {wanted!r}; there is {there}")
+    bare = re.sub(r"^[a-z]", "", wanted.lower())
+    ids = [e.id for _, e in known.values()]
+    if same := [name for name in ids if bare and re.sub(r"^[A-Z]", "", name).lower() == bare]:
+        raise ValueError(f"there is no exercise {wanted!r}. Did you mean {' or '.join(same)}?")
+    if alike := [e.id for key, (_, e) in known.items() if key.startswith(wanted.lower())]:
+        raise ValueError(f"there is no exercise {wanted!r}; there is {', '.join(alike)}")
+    raise ValueError(
+        f"there is no exercise {wanted!r}. An exercise has an id such as {ids[0]} or {ids[-1]}; "
+        f"{line_of('check')} lists them"
+    )
 
 
 if __name__ == "__main__":

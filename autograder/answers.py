@@ -174,6 +174,8 @@ def _problems(
     if len(own) > 1:
         lines = " and ".join(str(section.line) for section in own)
         return [f"In {file} '{heading}' is the heading of two texts (lines {lines}). Keep one."]
+    if own[0].answer and not own[0].has_words and not own[0].places and not strangers:
+        return [f"In {file} the answer to {exercise.id} is too short. Give a reason in a sentence."]
     if own[0].has_words and own[0].places:
         return [f"In {file} the line '{own[0].places[0]}' is still there. Delete it."]
     if strangers and not own[0].has_words:

@@ -82,6 +82,17 @@ PERHAPS = (
     ("cannot unpack", "The number of results is wrong. The docstring says which it returns."),
     ("has no attribute", "The name is misspelled, or the object has another type than you think."),
     ("unterminated", "A quotation mark is missing, here or further up, or one of three."),
+    ("TabError", "The line is indented with tabs and spaces. Use four spaces for each level."),
+    ("unindent does not match", "Indent the line as far as the block that it belongs to."),
+    ("unexpected indent", "The line is indented too far. Use four spaces for each level."),
+    ("expected an indented block", "The body is missing, or is not indented by four spaces."),
+    ("MemoryError", "The code asks for more memory than a check may use. Is a list too long?"),
+    ("is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z."),
+    (
+        "TypeError",
+        "A value in this line has another type than the code expects. Which type does each name "
+        "have there? A method that is named without its brackets is not called.",
+    ),
 )
 ESCAPED = re.compile(
     r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"

@@ -42,13 +42,17 @@ def failure_of(
 ) -> Failure | None:
     """Return the first failure of an exercise, None where it has no check that fails.
 
-    A check that calls one of the functions ``edited`` comes before the others.
+    A check that calls one of the functions ``edited`` comes before the others, and one of code that
+    is written before one that waits for a body.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
     if not candidates:
         return None
-    failed = min(candidates, key=lambda check: not _is_about(check, edited))
+    failed = min(
+        candidates,
+        key=lambda check: (check.robust, not _is_about(check, edited), UNWRITTEN in check.message),
+    )
     message = failed.message
     inherited = failed.status == "inherited"
     if inherited:  # the cause that a check of this chapter suggests is another

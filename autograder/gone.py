@@ -67,6 +67,11 @@ def _words(
 ) -> str:
     """Return what became of a body, and what to do: undo a new name, or put the stub back."""
     prefix = path.removesuffix(own_name(f"{module}.{path}"))
+    if prefix and not any(name.startswith(prefix) for name in there):
+        short = own_name(f"{module}.{path}")
+        others = sorted(name.rpartition(".")[0] for name in there if name.endswith(f".{short}"))
+        undo = f" If you renamed it to {others[0]}, change the name back." if others else ""
+        return f"{module}.py has no class {prefix.rstrip('.')} any more.{undo}"
     listed = {name.partition(".")[2] for names in edits.values() for name in names}
     others = [name.removeprefix(prefix) for name in there - listed if name.startswith(prefix)]
     renamed = nearest(path.removeprefix(prefix), sorted(others), 0.75)

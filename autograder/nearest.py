@@ -18,6 +18,7 @@ from typing import Any
 
 SHORTEST = 3  # letters: any shorter name is near to too many others
 LONGEST = 100  # characters of a name
+BUILT_IN = 0.8  # how near a built-in name must be: print is not what iter or help stands for
 MOST_SLOTS = 20
 STORES = "STORE_ATTR"
 ATTRIBUTE = re.compile(r"'(\w+)' object has no attribute '(\w+)'")
@@ -97,7 +98,7 @@ def _name(error: NameError) -> Unknown | None:
         return Unknown(name, nearest=f"self.{name}")
     if name in sys.stdlib_module_names:
         return Unknown(name, module=True)
-    return Unknown(name, nearest=nearest(name, there) or nearest(name, dir(builtins)))
+    return Unknown(name, nearest=nearest(name, there) or nearest(name, dir(builtins), BUILT_IN))
 
 
 def _attribute(error: AttributeError) -> Unknown | None:

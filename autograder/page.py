@@ -46,8 +46,11 @@ class Page:
         """Return the lines for a terminal of this size, the diagnosis cut in the middle."""
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = _wrapped(self._printed(), width)
-        room = height - 1 - len(top) - len(below) - len(printed) - len(keys)
         diagnosis = [words for words, _ in _wrapped(self._diagnosis(only=True), width)]
+        room = height - 1 - len(top) - len(below) - len(keys)
+        # The diagnosis matters more than what the code printed, which keeps a line at least.
+        printed = printed[: max(1, room - len(diagnosis))]
+        room -= len(printed)
         note = f"{'...':10}too long for this screen; the whole: {self.whole}"
         middle = [(words, "") for words in cut(diagnosis, room, note[:width])]
         return [*top, *middle, *printed, *below, *keys]

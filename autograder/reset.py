@@ -109,6 +109,13 @@ def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str
         if not missing:
             return Change(file, before, without_bodies(module, messages).bytes, [*messages])
         if missing_stub := pristine_stub(chapter, file.name):
+            classes = {node.name for node in tree.body if isinstance(node, ast.ClassDef)}
+            lost = {name.partition(".")[0] for name in missing if "." in name} - classes
+            if lost and classes:  # most likely renamed: a second class would take its place
+                raise ValueError(
+                    f"it has no class {min(lost)}, but a class {min(classes)}. If you renamed it, "
+                    "change the name back"
+                )
             if bound := [name for name in missing if name in bound_names(tree)]:
                 raise ValueError(f"it defines {', '.join(bound)} without a def")
             after = put_back(module, cst.parse_module(missing_stub), missing).bytes

@@ -57,7 +57,8 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     """Return the result of one exercise: its points, times the weight of the checks that pass.
 
     Where it has both tiers, PHYSICS_SHARE of the points are for the physics and the rest for the
-    robust checks. An exercise without checks is an error of ours, not a zero.
+    robust checks. Its status is that of its physics until that passes. An exercise without
+    checks is an error of ours, not a zero.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -71,8 +72,9 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     tiers = [(share, tier) for share, tier in tiers if tier]
     earned = sum(share * _passing(tier) for share, tier in tiers)
     score = exercise.points * earned / sum(share for share, _ in tiers)
+    open_physics = {check.status for check in checks if not check.robust} - {"passed"}
     order = ("failed", "blocked", "inherited", "passed")
-    status = next(status for status in order if status in statuses)
+    status = next(status for status in order if status in (open_physics or statuses))
     return Result(exercise, status, round(score, 2), checks)
 
 

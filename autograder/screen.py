@@ -15,6 +15,7 @@ from autograder.commands import check_command
 from autograder.failure import UNWRITTEN, print_failure
 from autograder.finish import print_finish
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
+from autograder.originals import changed_files
 from autograder.runner import Verdict
 from autograder.scores import Result, place_on_chart, shown, total
 from autograder.wrapping import wrapped
@@ -96,17 +97,38 @@ def print_report(
     on_given = f" on the reference's {_named(given)}" if given else ""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
+    if exercise:  # of what it builds on, only the physics counts
+        open_ones = [p for p in open_ones if p[1].exercise == exercise or not p[1].works]
+    changed = [line for report in reports for line in print_changed(console, report, engine)]
     if open_ones:
         # The physics of everything comes before the robust checks of anything.
         first = min(open_ones, key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)))
         print_failure(console, *first, engine)
+    elif changed:
+        console.print("All checks pass here, but grading uses the original files.", style="red")
     elif exercise:
         console.print(f"All checks of {exercise.id} pass{on_given}.", style="bold green")
     else:
         words = all_pass([report.chapter for report in reports], engine, on_given)
         console.print(words, style="bold green", markup=False, soft_wrap=True)
     print_finish(console, reports, exercise, engine, given)
-    return not open_ones
+    return not open_ones and not changed
+
+
+def print_changed(console: Console, report: Report, engine: list[Path]) -> list[Path]:
+    """Print which files of a chapter are not the originals, which grading uses; return them."""
+    changed = changed_files(report.chapter, engine)
+    for file in changed:
+        console.print(
+            f"{file} is not the original any more. It is not handed in, and grading uses the "
+            "original, so code that needs your change fails there. Keep your own code in the files "
+            f"that the exercises name, and take the original again, for example by: "
+            f"git checkout -- {file}\n",
+            style="red",
+            markup=False,
+            soft_wrap=True,
+        )
+    return changed
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
@@ -135,7 +157,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
     console.print(table)
     console.print()
     if any(_state(result, written) == WORKS for result in results):
-        console.print(f"{WORKS}: the physics passes, and robust checks are still open.\n")
+        console.print(f'"{WORKS}" means that the physics passes and robust checks are open.\n')
     earned, points = total(results)
     answers = sum(result.exercise.points for result in results) - points
     more = f", and {answers} for written answers, which a person marks" if answers else ""
@@ -216,7 +238,8 @@ def _state(result: Result, written: set[str]) -> str:
     if result.works and result.status == "failed":
         return WORKS
     lost = [check for check in result.checks if check.status != "passed"]
-    if not lost or any(UNWRITTEN not in check.message for check in lost):
+    own = f"{UNWRITTEN}: Exercise {result.exercise.id}:"
+    if not lost or any(own not in check.message for check in lost):
         return result.status
     return UNWRITTEN if len(lost) == len(result.checks) else "half written"
 

@@ -133,9 +133,11 @@ class Session:
             checks = "1 robust check" if left == 1 else f"{left} robust checks"
             verb = "waits" if left == 1 else "wait"
             until = f"{verb} until the end of the chapter" if wait else f"{verb} for you now"
-            words = (
-                f"{title} works: all {len(result.physics)} physics checks pass. {checks} {until}."
+            count = len(result.physics)
+            passing = (
+                f"all {count} physics checks pass" if count > 1 else "its physics check passes"
             )
+            words = f"{title} works: {passing}. {checks} {until}."
         self.page.top += [(words, "bold green"), ("", "")]
 
     def find_next(self) -> None:

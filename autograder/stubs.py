@@ -90,6 +90,7 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
         file.write_text(text, encoding="utf-8", newline="\n")
         written.append(path)
     hashes = {path: stub_hash(text) for path, text in stubs.items() if path not in left_alone}
+    hashes |= complete_hashes(root)
     kept = {path: locked[path] for path in left_alone if path in locked}
     lock_text = json.dumps(dict(sorted((hashes | kept).items())), indent=1) + "\n"
     (root / LOCK_NAME).write_text(lock_text, encoding="utf-8", newline="\n")
@@ -97,8 +98,23 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
 
 
 def stale_stubs(root: Path = ROOT) -> list[str]:
-    """Return the paths whose files in chapters/ are not what would be made now."""
-    return [path for path, text in make_stubs(root).items() if _read(root / path) != text]
+    """Return the paths whose files in chapters/ are not what would be made now, or not locked."""
+    stale = [path for path, text in make_stubs(root).items() if _read(root / path) != text]
+    locked = read_lock(root)
+    return stale + [path for path, key in complete_hashes(root).items() if locked.get(path) != key]
+
+
+def complete_hashes(root: Path = ROOT) -> dict[str, str]:
+    """Return the hash of every module that students use as it is, by its path."""
+    files = [
+        root / "chapters" / chapter.name / name
+        for chapter in load_chapters(root)
+        for name in chapter.complete
+    ]
+    return {
+        file.relative_to(root).as_posix(): stub_hash(file.read_text(encoding="utf-8"))
+        for file in files
+    }
 
 
 def _read(file: Path) -> str | None:

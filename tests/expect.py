@@ -88,8 +88,15 @@ def expect_close(
 def expect_exactly(call: str, got: Any, wanted: Any, *, cause: str, read: str) -> None:
     """Expect exactly this value of exactly this type, such as a word or True."""
     __tracebackhide__ = True
-    if type(got) is not type(wanted) or got != wanted:
-        _complain(call, _shown(got), _shown(wanted), cause, read)
+    if type(got) is type(wanted) and got == wanted:
+        return
+    if is_plain(got) and got == wanted:  # such as 1 and 1.0, which look alike
+        shown = (
+            f"{got!r}, of type {type(got).__name__}",
+            f"{wanted!r}, of type {type(wanted).__name__}",
+        )
+        _complain(call, *shown, cause, read)
+    _complain(call, _shown(got), _shown(wanted), cause, read)
 
 
 def expect_nan(call: str, got: Any, *, cause: str, read: str) -> None:

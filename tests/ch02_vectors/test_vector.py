@@ -314,6 +314,11 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     expect_close(call, got, scaled(a, 1.0 / length), cause=cause, read=read)
     cause = "normalized makes a new vector and only reads v; normalize is the one that changes v"
     expect_unchanged(call, "v", xyz(v), a, cause=cause, read=read)
+    first = v.normalized()
+    Vector3(0.0, -1.0, 0.0).normalized()
+    call = f"u = Vector3{a}.normalized(); Vector3(0, -1, 0).normalized(); u"
+    cause = "Every call must make a vector of its own: this one changed when the next was made."
+    expect_close(call, xyz(first), scaled(a, 1.0 / length), cause=cause, read=read)
 
 
 @pytest.mark.exercise("B2.4")

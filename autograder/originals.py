@@ -1,0 +1,25 @@
+"""Tell whether the files that students use as they are have been edited: grading uses originals."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from autograder.manifest import ROOT, Chapter
+from autograder.stubs import read_lock, stub_hash
+
+
+def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
+    """Return the complete files of a chapter that differ from their originals, by stubs.lock.
+
+    A file that is not there, or that the lock does not know, counts as unchanged.
+    """
+    locked, changed = read_lock(root), []
+    for name in chapter.complete:
+        file = engine[0] / chapter.name / name
+        known = locked.get(f"chapters/{chapter.name}/{name}")
+        if known and file.is_file():
+            text = file.read_text(encoding="utf-8-sig", errors="replace")
+            if stub_hash(text) != known:
+                below = file.is_relative_to(Path.cwd())
+                changed.append(file.relative_to(Path.cwd()) if below else file)
+    return changed

@@ -135,10 +135,10 @@ def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exerci
         return known[wanted.lower()]
     bare = re.sub(r"^[a-z]", "", wanted.lower())
     ids = [e.id for _, e in known.values()]
-    if same := [name for name in ids if bare and re.sub(r"^[A-Z]", "", name).lower() == bare]:
-        raise ValueError(f"there is no exercise {wanted!r}. Did you mean {' or '.join(same)}?")
     if alike := [e.id for key, (_, e) in known.items() if key.startswith(wanted.lower())]:
         raise ValueError(f"there is no exercise {wanted!r}; there is {', '.join(alike)}")
+    if same := [name for name in ids if bare and re.sub(r"^[A-Z]", "", name).lower() == bare]:
+        raise ValueError(f"there is no exercise {wanted!r}. Did you mean {' or '.join(same)}?")
     raise ValueError(
         f"there is no exercise {wanted!r}. An exercise has an id such as {ids[0]} or {ids[-1]}; "
         f"{line_of('check')} lists them"

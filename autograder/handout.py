@@ -16,9 +16,9 @@ STUDENT_TOOLS = {
     "autograder": (
         "__init__.py __main__.py allowed_acts.py allowed_imports.py answers.py apart.py arrange.py "
         "calls.py check.py commands.py definitions.py edits.py explain.py failure.py faults.py "
-        "finish.py given.py gone.py in_process.py keys.py make_venv.py manifest.py memory.py "
-        "missing.py nearest.py originals.py page.py places.py printed.py progress.py put_back.py "
-        "reset.py runner.py scores.py screen.py session.py students_code.py stubs.py "
+        "finish.py given.py gone.py in_process.py keys.py lock.py make_venv.py manifest.py "
+        "memory.py missing.py nearest.py originals.py page.py places.py printed.py progress.py "
+        "put_back.py reset.py runner.py scores.py screen.py session.py students_code.py stubs.py "
         "surroundings.py verdicts.py watch.py wrapping.py written.py"
     ),
     "studies": (

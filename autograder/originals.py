@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from autograder.lock import read_lock, stub_hash
 from autograder.manifest import ROOT, Chapter
-from autograder.stubs import read_lock, stub_hash
 
 
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:

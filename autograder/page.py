@@ -49,7 +49,9 @@ class Page:
         diagnosis = [words for words, _ in _wrapped(self._diagnosis(only=True), width)]
         room = height - 1 - len(top) - len(below) - len(keys)
         # The diagnosis matters more than what the code printed, which keeps a line at least.
-        printed = printed[: max(1, room - len(diagnosis))]
+        few = max(2, room - len(diagnosis))
+        if len(printed) > few:
+            printed = [*printed[: few - 1], (f"{'...':10}the whole: {self.whole}", "")]
         room -= len(printed)
         note = f"{'...':10}too long for this screen; the whole: {self.whole}"
         middle = [(words, "") for words in cut(diagnosis, room, note[:width])]

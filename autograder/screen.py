@@ -5,6 +5,7 @@ rich is loaded when it is needed: by then the checks run in their own process, s
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -238,8 +239,8 @@ def _state(result: Result, written: set[str]) -> str:
     if result.works and result.status == "failed":
         return WORKS
     lost = [check for check in result.checks if check.status != "passed"]
-    own = f"{UNWRITTEN}: Exercise {result.exercise.id}:"
-    if not lost or any(own not in check.message for check in lost):
+    own = rf"{UNWRITTEN}: Exercise {re.escape(result.exercise.id)}(?!\w)"
+    if not lost or any(not re.search(own, check.message) for check in lost):
         return result.status
     return UNWRITTEN if len(lost) == len(result.checks) else "half written"
 

@@ -8,7 +8,6 @@ and never overwritten.
 from __future__ import annotations
 
 import ast
-import hashlib
 import json
 import subprocess
 import sys
@@ -19,9 +18,9 @@ import libcst as cst
 
 from autograder.answers import blank_answers
 from autograder.definitions import functions
+from autograder.lock import LOCK_NAME, read_lock, stub_hash
 from autograder.manifest import ROOT, Chapter, load_chapters
 
-LOCK_NAME = "stubs.lock"
 KEPT = "stubs"  # the folder of a hand-out that keeps the stubs as they were handed out
 
 
@@ -57,20 +56,6 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
         return stub_of(chapter, file, root)
     kept = root / KEPT / chapter.name / file
     return kept.read_text(encoding="utf-8") if kept.is_file() else None
-
-
-def stub_hash(text: str) -> str:
-    """Return the hash that stubs.lock keeps of a stub."""
-    return hashlib.sha256(text.encode("utf-8")).hexdigest()
-
-
-def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Return the hash of each stub as it was last made, by its path; empty without a lock."""
-    path = root / LOCK_NAME
-    if not path.exists():
-        return {}
-    hashes: dict[str, str] = json.loads(path.read_text(encoding="utf-8"))
-    return hashes
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:

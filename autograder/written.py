@@ -29,6 +29,8 @@ def print_written(
     if not question.answered or question.section is None:
         for problem in question.problems:
             _say(console, problem, "red", soft_wrap=True)
+        if not question.problems and question.section and question.section.words:
+            _say(console, "Your answer is too short. Give the reason in a sentence.", "red")
         waits = f"{exercise.id} waits for your answer. Write it here: {question.place}"
         _say(console, waits, soft_wrap=True)
         return

@@ -254,7 +254,7 @@ def test_a_hand_out_can_do_it_too_without_solutions(tmp_path: Path) -> None:
 
 def test_what_cannot_be_reset_is_one_clear_sentence() -> None:
     for exercise, complaint in (
-        ("2.99", "there is no exercise '2.99'; there is B2.1"),
+        ("2.99", "there is no exercise '2.99'. An exercise has an id such as B2.1"),
         ("2.2", "there is no exercise '2.2'; there is 2.2a, 2.2b"),
         ("2.3", "2.3 is answered in answers.md"),
     ):

@@ -47,7 +47,7 @@ def lines() -> list[Measurement]:
 class VectorSpring(Spring):
     """A spring as a student writes it first, in vectors."""
 
-    def update_force(self, particle: Particle, duration: float) -> None:
+    def update_force(self, particle: Particle, duration: float) -> None:  # noqa: ARG002
         """Add the force on the particle, seen from the other one."""
         offset = particle.position - self.other.position
         velocity = particle.velocity - self.other.velocity

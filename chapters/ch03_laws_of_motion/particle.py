@@ -111,15 +111,35 @@ class Particle:
         """All of the acceleration of the last step, as new; so far that is the constant one."""
         raise NotImplementedError("Exercise B3.4: The step")
 
-    def integrate(self, duration: float) -> None:
-        """Move the particle on by a duration in s, the length of a frame: explicit Euler (3.3.2).
+    def drift(self, duration: float) -> None:
+        """Move the position with the velocity for a duration in s: p' = p + v h (Eq. 2.7).
 
-        First the position, with the velocity from before the step: p' = p + v h (Eq. 2.7; the
-        term a h^2 / 2 is left out on purpose). Then the velocity, damped after the acceleration is
-        added: v' = (v + a h) d^h, the form of the book's listing. Its Eq. 3.6 has v d^h + a h
-        (E-16). The book calls this order of steps by another name (E-17).
+        The velocity stays as it is, and an immovable particle stays where it is. Integrators drift
+        for parts of a step, and a few drift back, so the duration may be 0 or negative.
+
+        Raises ValueError where the duration is not finite, and TypeError where it is not a number.
+        """
+        raise NotImplementedError("Exercise B3.4: The step")
+
+    def kick(self, duration: float) -> None:
+        """Change the velocity as the acceleration does in a duration in s: v' = (v + a h) d^h.
+
+        The velocity is damped after the acceleration is added. That is the form of the book's
+        listing; its Eq. 3.6 has v d^h + a h (E-16). The position stays as it is, and an immovable
+        particle keeps its velocity. The duration may be 0 or negative, as for drift.
+
+        Raises ValueError where the duration is not finite, and TypeError where it is not a number.
+        """
+        raise NotImplementedError("Exercise B3.4: The step")
+
+    def integrate(self, duration: float) -> None:
+        """Make the book's step for a duration in s: drift, then kick. It is explicit Euler (3.3.2).
+
+        So the position moves with the velocity from before the step, and the term a h^2 / 2 is left
+        out on purpose. The book calls this order by another name (E-17). Chapter 5 adds forces to
+        the kick, and gets its step from here: call self.kick(duration).
 
         An immovable particle stays as it is. Raises ValueError where the duration is not positive
-        and finite; the particle is then as it was.
+        and finite, and TypeError where it is not a number; the particle is then as it was.
         """
         raise NotImplementedError("Exercise B3.4: The step")

@@ -70,14 +70,14 @@ class Particle(particle.Particle):
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")
 
-    def integrate(self, duration: float) -> None:
-        """Move the particle on by a duration in s: explicit Euler, as in chapter 3, with forces.
+    def kick(self, duration: float) -> None:
+        """Change the velocity as chapter 3's kick does, with the forces: v' = (v + a h) d^h.
 
-        p' = p + v h, and then v' = (v + (a + f / m) h) d^h, where a is the constant acceleration
-        and f the sum of the forces since the last step. That sum is cleared, for an immovable
-        particle too, and kept as what the last step used.
+        Here a is the constant acceleration plus f / m, and f is the sum of the forces since the
+        last kick. The sum is cleared, for an immovable particle too, and kept as what the last
+        step used. integrate needs no body here: chapter 3's drifts, and then calls this kick.
 
-        Raises ValueError where the duration is not positive and finite; the particle, and the sum
-        of its forces, are then as they were.
+        Raises ValueError where the duration is not finite, and TypeError where it is not a number;
+        the velocity, and the sum of the forces, are then as they were.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")

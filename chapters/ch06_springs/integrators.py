@@ -30,7 +30,7 @@ Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
 def explicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step as the book does: p' = p + v h, and then v' = (v + a h) d^h, by Particle.integrate.
+    """Drift, then kick, as the book's step does: p' = p + v h, and then v' = (v + a h) d^h.
 
     Order 1; not symplectic; one evaluation of the forces. Stable for no stiffness, at d = 1; below
     max_stable_stiffness where d < 1. A damper c in the spring makes it stable for k h < c, while
@@ -42,7 +42,7 @@ def explicit_euler(
 def semi_implicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step the velocity first, v' = (v + a h) d^h, and then p' = p + v' h.
+    """Kick, then drift: v' = (v + a h) d^h, and then p' = p + v' h.
 
     Order 1; symplectic at d = 1 where no force depends on the velocity, so that energy does not
     drift; one evaluation of the forces. Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2
@@ -55,7 +55,7 @@ def semi_implicit_euler(
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step by the accelerations a of now and b of the place that a leads to.
+    """Step by the acceleration a of now, and by b, that of the position that a leads to.
 
     p' = p + v h + a h^2 / 2, and v' = (v + (a + b) h / 2) d^h. Forces that depend on the velocity
     are asked for b with v + a h.

@@ -15,6 +15,8 @@ from ch02_vectors.arguments import finite_vector, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 
+Numbers = tuple[float, float, float]
+
 
 class DirectChain:
     """A chain of rods from an anchor through particles, in their order, that makes their steps.
@@ -59,49 +61,67 @@ class DirectChain:
         first = not self._pulls
         pulls = self._pulls or [0.0] * count
         time = 0.5 * duration if first else duration  # for which the frame accelerates
-        rods = [end - start for start, end in pairwise(self._places())]
         for particle in particles:
-            x, y, z = particle.position
-            particle.integrate(duration)
-            place = particle.position
-            place.x, place.y, place.z = x, y, z
-            if first and particle.inverse_mass:
-                particle.velocity.add_scaled(particle.last_acceleration, time - duration)
-        self._pull(rods, [pull * time for pull in pulls])
+            particle.kick(time)
+        masses = [particle.inverse_mass for particle in particles]
+        rods = self._rods()
+        velocities = self._pulled(rods, masses, [pull * time for pull in pulls])
 
         # Row i says how the impulses of the rods i - 1, i and i + 1, for each m of their lengths,
-        # change half the square of what rod i will be.
+        # change half the square of what rod i will be. Plain floats: vectors take twice the time.
         below, middle, above, excess = [], [], [], []
-        inverse, still = 0.0, Vector3()
-        for i, particle in enumerate(particles):
-            start = particles[i - 1].velocity if i else still
-            rod, length, v = rods[i], self.lengths[i], particle.velocity
-            x = rod.x + (v.x - start.x) * duration
-            y = rod.y + (v.y - start.y) * duration
-            z = rod.z + (v.z - start.z) * duration
-            before, after = inverse, particle.inverse_mass
-            middle.append((before + after) * (x * rod.x + y * rod.y + z * rod.z))
-            last = rods[i - 1]
-            below.append(-before * (x * last.x + y * last.y + z * last.z))
-            following = rods[(i + 1) % count]
-            above.append(-after * (x * following.x + y * following.y + z * following.z))
-            excess.append((x * x + y * y + z * z - length * length) / (2.0 * duration))
-            inverse = after
-        changes = solve_tridiagonal(below, middle, above, excess)
-        self._pull(rods, changes)
-        self._pulls = [pull + change / time for pull, change in zip(pulls, changes, strict=True)]
-        for particle in particles:
-            particle.position.add_scaled(particle.velocity, duration)
-
-    def _pull(self, rods: list[Vector3], impulses: list[float]) -> None:
-        """Pull at both ends of each rod, by an impulse in N s for each m of its length."""
-        for i, (particle, rod, impulse) in enumerate(
-            zip(self.particles, rods, impulses, strict=True)
+        before = last_x = last_y = last_z = last_u = last_v = last_w = 0.0
+        following = [*rods[1:], (0.0, 0.0, 0.0)]
+        for length, after, (rod_x, rod_y, rod_z), (u, v, w), (next_x, next_y, next_z) in zip(
+            self.lengths, masses, rods, velocities, following, strict=True
         ):
-            particle.velocity.add_scaled(rod, -impulse * particle.inverse_mass)
-            if i:
-                before = self.particles[i - 1]
-                before.velocity.add_scaled(rod, impulse * before.inverse_mass)
+            x = rod_x + (u - last_u) * duration
+            y = rod_y + (v - last_v) * duration
+            z = rod_z + (w - last_w) * duration
+            below.append(-before * (x * last_x + y * last_y + z * last_z))
+            middle.append((before + after) * (x * rod_x + y * rod_y + z * rod_z))
+            above.append(-after * (x * next_x + y * next_y + z * next_z))
+            excess.append((x * x + y * y + z * z - length * length) / (2.0 * duration))
+            before, last_x, last_y, last_z = after, rod_x, rod_y, rod_z
+            last_u, last_v, last_w = u, v, w
+        changes = solve_tridiagonal(below, middle, above, excess)
+        self._pulls = [pull + change / time for pull, change in zip(pulls, changes, strict=True)]
+        self._pulled(rods, masses, changes)
+        for particle in particles:
+            particle.drift(duration)
+
+    def _rods(self) -> list[Numbers]:
+        """Return the vector along each rod, as numbers, from the anchor's end to the other."""
+        rods = []
+        last = self.anchor
+        for particle in self.particles:
+            place = particle.position
+            rods.append((place.x - last.x, place.y - last.y, place.z - last.z))
+            last = place
+        return rods
+
+    def _pulled(
+        self, rods: list[Numbers], masses: list[float], impulses: list[float]
+    ) -> list[Numbers]:
+        """Pull at both ends of each rod, by an impulse in N s for each m of its length.
+
+        ``masses`` are the inverse masses. Return the velocities afterwards.
+        """
+        velocities = []
+        next_x = next_y = next_z = 0.0  # the impulse of the rod after this one, from the last on
+        for i in range(len(rods) - 1, -1, -1):
+            x, y, z = rods[i]
+            impulse, inverse, velocity = impulses[i], masses[i], self.particles[i].velocity
+            x *= impulse
+            y *= impulse
+            z *= impulse
+            velocity.x = u = velocity.x + (next_x - x) * inverse
+            velocity.y = v = velocity.y + (next_y - y) * inverse
+            velocity.z = w = velocity.z + (next_z - z) * inverse
+            velocities.append((u, v, w))
+            next_x, next_y, next_z = x, y, z
+        velocities.reverse()
+        return velocities
 
     def _places(self) -> list[Vector3]:
         return [self.anchor, *(particle.position for particle in self.particles)]
@@ -119,14 +139,15 @@ def solve_tridiagonal(
     factors: list[float] = []
     solved: list[float] = []
     factor, value = 0.0, 0.0
-    for i, (b, m, a, r) in enumerate(zip(below, middle, above, right, strict=True)):
-        pivot = m - b * factor if i else m
+    for b, m, a, r in zip((0.0, *below[1:]), middle, above, right, strict=True):
+        pivot = m - b * factor
         if not pivot > 0.0:  # NaN too
-            raise ArithmeticError(f"rod {i} turns too far in one frame: shorter frames would help")
-        value = (r - b * value if i else r) / pivot
+            wanted = "shorter frames would help"
+            raise ArithmeticError(f"rod {len(solved)} turns too far in one frame: {wanted}")
+        value = (r - b * value) / pivot
         factor = a / pivot
         solved.append(value)
         factors.append(factor)
     for i in range(len(solved) - 2, -1, -1):
-        solved[i] -= factors[i] * solved[i + 1]
+        solved[i] = value = solved[i] - factors[i] * value
     return solved

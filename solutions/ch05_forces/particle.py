@@ -5,9 +5,7 @@ Units are SI: forces are in N. What is no number, or no Vector3, is a TypeError 
 
 from __future__ import annotations
 
-import math
-
-from ch02_vectors.arguments import finite_vector, positive
+from ch02_vectors.arguments import finite, finite_vector
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import particle
 
@@ -84,43 +82,36 @@ class Particle(particle.Particle):
         force = Vector3(*(self._forces[1] or ()))
         return self.acceleration + force * self._inverse_mass
 
-    def integrate(self, duration: float) -> None:
-        """Move the particle on by a duration in s: explicit Euler, as in chapter 3, with forces.
+    def kick(self, duration: float) -> None:
+        """Change the velocity as chapter 3's kick does, with the forces: v' = (v + a h) d^h.
 
-        p' = p + v h, and then v' = (v + (a + f / m) h) d^h, where a is the constant acceleration
-        and f the sum of the forces since the last step. That sum is cleared, for an immovable
-        particle too, and kept as what the last step used.
+        Here a is the constant acceleration plus f / m, and f is the sum of the forces since the
+        last kick. The sum is cleared, for an immovable particle too, and kept as what the last
+        step used. integrate needs no body here: chapter 3's drifts, and then calls this kick.
 
-        Raises ValueError where the duration is not positive and finite; the particle, and the sum
-        of its forces, are then as they were.
+        Raises ValueError where the duration is not finite, and TypeError where it is not a number;
+        the velocity, and the sum of the forces, are then as they were.
         """
-        if not (type(duration) is float and 0.0 < duration < math.inf):
-            positive("duration", duration)
-        force, last_force = self._forces
-        if not self._inverse_mass:
-            self._forces = [None, force]
+        if type(duration) is not float or duration * 0.0 != 0.0:
+            finite("duration", duration)
+        forces = self._forces
+        force, last_force = forces
+        if force is not last_force:  # both None: no force acts, and none has to be forgotten
+            forces[0], forces[1] = None, force
+        inverse_mass = self._inverse_mass
+        if not inverse_mass:
             return
         keep = self._damping
         if keep != 1.0:
             keep **= duration
-        position = self.position
         velocity = self.velocity
         acceleration = self.acceleration
-        vx = velocity.x
-        vy = velocity.y
-        vz = velocity.z
-        position.x += vx * duration
-        position.y += vy * duration
-        position.z += vz * duration
-        if force is last_force:  # both None: no force acts, and none has to be forgotten
-            velocity.x = (vx + acceleration.x * duration) * keep
-            velocity.y = (vy + acceleration.y * duration) * keep
-            velocity.z = (vz + acceleration.z * duration) * keep
+        if force is None:
+            velocity.x = (velocity.x + acceleration.x * duration) * keep
+            velocity.y = (velocity.y + acceleration.y * duration) * keep
+            velocity.z = (velocity.z + acceleration.z * duration) * keep
         else:
-            forces = self._forces
-            forces[0], forces[1] = None, force
-            fx, fy, fz = force or (0.0, 0.0, 0.0)
-            inverse_mass = self._inverse_mass
-            velocity.x = (vx + (acceleration.x + fx * inverse_mass) * duration) * keep
-            velocity.y = (vy + (acceleration.y + fy * inverse_mass) * duration) * keep
-            velocity.z = (vz + (acceleration.z + fz * inverse_mass) * duration) * keep
+            fx, fy, fz = force
+            velocity.x = (velocity.x + (acceleration.x + fx * inverse_mass) * duration) * keep
+            velocity.y = (velocity.y + (acceleration.y + fy * inverse_mass) * duration) * keep
+            velocity.z = (velocity.z + (acceleration.z + fz * inverse_mass) * duration) * keep

@@ -21,6 +21,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
@@ -33,7 +34,7 @@ Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
 def explicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step as the book does: p' = p + v h, and then v' = (v + a h) d^h, by Particle.integrate.
+    """Drift, then kick, as the book's step does: p' = p + v h, and then v' = (v + a h) d^h.
 
     Order 1; not symplectic; one evaluation of the forces. Stable for no stiffness, at d = 1; below
     max_stable_stiffness where d < 1. A damper c in the spring makes it stable for k h < c, while
@@ -42,13 +43,14 @@ def explicit_euler(
     positive("duration", duration)
     apply_forces(duration)
     for particle in particles:
-        particle.integrate(duration)
+        particle.drift(duration)
+        particle.kick(duration)
 
 
 def semi_implicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step the velocity first, v' = (v + a h) d^h, and then p' = p + v' h.
+    """Kick, then drift: v' = (v + a h) d^h, and then p' = p + v' h.
 
     Order 1; symplectic at d = 1 where no force depends on the velocity, so that energy does not
     drift; one evaluation of the forces. Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2
@@ -58,21 +60,14 @@ def semi_implicit_euler(
     positive("duration", duration)
     apply_forces(duration)
     for particle in particles:
-        # Plain floats: this is the step for every particle of a world, in every frame.
-        place = particle.position
-        x, y, z = place.x, place.y, place.z
-        particle.integrate(duration)
-        if particle.inverse_mass:
-            place, velocity = particle.position, particle.velocity
-            place.x = x + velocity.x * duration
-            place.y = y + velocity.y * duration
-            place.z = z + velocity.z * duration
+        particle.kick(duration)
+        particle.drift(duration)
 
 
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step by the accelerations a of now and b of the place that a leads to.
+    """Step by the acceleration a of now, and by b, that of the position that a leads to.
 
     p' = p + v h + a h^2 / 2, and v' = (v + (a + b) h / 2) d^h. Forces that depend on the velocity
     are asked for b with v + a h.
@@ -82,19 +77,32 @@ def velocity_verlet(
     Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
     """
     positive("duration", duration)
-    by_hand = _forces_of(particles)
+    half = 0.5 * duration
+    starts, by_hand = _starts(particles)
     apply_forces(duration)
-    first = _forces_of(particles)
-    starts = [particle.velocity.copy() for particle in particles]
-    for particle, force in zip(particles, first, strict=True):
-        if particle.inverse_mass:
-            acceleration = particle.acceleration + force * particle.inverse_mass
-            particle.position.add_scaled(particle.velocity, duration)
-            particle.position.add_scaled(acceleration, 0.5 * duration * duration)
-            particle.velocity.add_scaled(acceleration, duration)
-    second = _evaluate(particles, by_hand, apply_forces, duration)
-    for particle, velocity, a, b in zip(particles, starts, first, second, strict=True):
-        _end(particle, particle.position, velocity, (a + b) * 0.5, duration)
+    first = []
+    for particle, m, a, p, q, x, y, z, u, v, w in starts:
+        force = particle.force_accumulator
+        particle.clear_forces()
+        first.append(force)
+        if m:
+            ax, ay, az = a.x + force.x * m, a.y + force.y * m, a.z + force.z * m
+            p.x = x + (u + ax * half) * duration
+            p.y = y + (v + ay * half) * duration
+            p.z = z + (w + az * half) * duration
+            q.x, q.y, q.z = u + ax * duration, v + ay * duration, w + az * duration
+    _add_again(by_hand)
+    apply_forces(duration)
+    for (particle, m, _, _, q, _, _, _, u, v, w), force in zip(starts, first, strict=True):
+        if m:
+            second = particle.force_accumulator
+            force.x = 0.5 * (force.x + second.x)
+            force.y = 0.5 * (force.y + second.y)
+            force.z = 0.5 * (force.z + second.z)
+            q.x, q.y, q.z = u, v, w
+            particle.clear_forces()
+            particle.add_force(force)
+        particle.kick(duration)
 
 
 def runge_kutta_4(
@@ -111,31 +119,46 @@ def runge_kutta_4(
     Mathematik und Physik 46 (1901), 435.
     """
     positive("duration", duration)
-    by_hand = _forces_of(particles)
-    starts = [(particle.position.copy(), particle.velocity.copy()) for particle in particles]
-    velocities = [Vector3() for _ in particles]
-    accelerations = [Vector3() for _ in particles]
-    way = [Vector3() for _ in particles]  # the sum of the velocities, each times its weight
-    pushes = [Vector3() for _ in particles]  # and that of the forces
-    for part, weight in ((0.0, 1.0), (0.5, 2.0), (0.5, 2.0), (1.0, 1.0)):
-        for i, particle in enumerate(particles):
-            if particle.inverse_mass:
-                place, velocity = starts[i]
-                _put(
-                    particle,
-                    place + velocities[i] * (part * duration),
-                    velocity + accelerations[i] * (part * duration),
-                )
-        forces = _evaluate(particles, by_hand, apply_forces, duration)
-        for i, particle in enumerate(particles):
-            velocities[i] = particle.velocity.copy()
-            accelerations[i] = particle.acceleration + forces[i] * particle.inverse_mass
-            way[i].add_scaled(velocities[i], weight)
-            pushes[i].add_scaled(forces[i], weight)
-    for i, particle in enumerate(particles):
-        place, velocity = starts[i]
-        end = place + way[i] * (duration / 6.0) if particle.inverse_mass else place
-        _end(particle, end, velocity, pushes[i] / 6.0, duration)
+    half, sixth = 0.5 * duration, duration / 6.0
+    starts, by_hand = _starts(particles)
+    rates = []  # four lists: of each particle the velocity, and then the force
+    for ahead in (half, half, duration, 0.0):
+        apply_forces(duration)
+        here = []
+        for particle, m, a, p, q, x, y, z, u, v, w in starts:
+            force = particle.force_accumulator
+            particle.clear_forces()
+            dx, dy, dz = q.x, q.y, q.z
+            fx, fy, fz = force.x, force.y, force.z
+            here.append((dx, dy, dz, fx, fy, fz))
+            if m and ahead:
+                p.x = x + dx * ahead
+                p.y = y + dy * ahead
+                p.z = z + dz * ahead
+                q.x = u + (a.x + fx * m) * ahead
+                q.y = v + (a.y + fy * m) * ahead
+                q.z = w + (a.z + fz * m) * ahead
+        rates.append(here)
+        if ahead and by_hand:
+            _add_again(by_hand)
+    mean = Vector3()
+    for (
+        (particle, m, _, p, q, x, y, z, u, v, w),
+        (u1, v1, w1, f1, g1, h1),
+        (u2, v2, w2, f2, g2, h2),
+        (u3, v3, w3, f3, g3, h3),
+        (u4, v4, w4, f4, g4, h4),
+    ) in zip(starts, *rates, strict=True):
+        if m:
+            p.x = x + (u1 + 2.0 * (u2 + u3) + u4) * sixth
+            p.y = y + (v1 + 2.0 * (v2 + v3) + v4) * sixth
+            p.z = z + (w1 + 2.0 * (w2 + w3) + w4) * sixth
+            q.x, q.y, q.z = u, v, w
+            mean.x = (f1 + 2.0 * (f2 + f3) + f4) / 6.0
+            mean.y = (g1 + 2.0 * (g2 + g3) + g4) / 6.0
+            mean.z = (h1 + 2.0 * (h2 + h3) + h4) / 6.0
+            particle.add_force(mean)
+        particle.kick(duration)
 
 
 def backward_euler(
@@ -219,42 +242,30 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     return step
 
 
-def _forces_of(particles: Iterable[Particle]) -> list[Vector3]:
-    """Return the forces in the accumulators."""
-    return [particle.force_accumulator for particle in particles]
+def _starts(
+    particles: Iterable[Particle],
+) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
+    """Return how the particles are before a step, and the forces that were added by hand.
+
+    For each particle that is: the particle, its inverse mass, acceleration, position and velocity,
+    and the six components of the last two, since those vectors will be changed.
+    """
+    starts = []
+    by_hand = []
+    for particle in particles:
+        p, v = particle.position, particle.velocity
+        m, a = particle.inverse_mass, particle.acceleration
+        starts.append((particle, m, a, p, v, p.x, p.y, p.z, v.x, v.y, v.z))
+        force = particle.force_accumulator
+        if force.x or force.y or force.z:
+            by_hand.append((particle, force))
+    return starts, by_hand
 
 
-def _evaluate(
-    particles: Sequence[Particle],
-    by_hand: list[Vector3],
-    apply_forces: ApplyForces,
-    duration: float,
-) -> list[Vector3]:
-    """Return the forces on the particles as they are now, with those that were added by hand."""
-    for particle, force in zip(particles, by_hand, strict=True):
-        particle.clear_forces()
+def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
+    """Add the forces that were added by hand, since each evaluation starts from them."""
+    for particle, force in by_hand:
         particle.add_force(force)
-    apply_forces(duration)
-    return _forces_of(particles)
-
-
-def _end(
-    particle: Particle, place: Vector3, velocity: Vector3, force: Vector3, duration: float
-) -> None:
-    """End a step at a place; chapter 5's step gives the velocity, by the mean force."""
-    end = place.copy()
-    _put(particle, place, velocity)
-    particle.clear_forces()
-    particle.add_force(force)
-    particle.integrate(duration)
-    _put(particle, end, particle.velocity)
-
-
-def _put(particle: Particle, place: Vector3, velocity: Vector3) -> None:
-    """Give a particle a place and a velocity, in the vectors that it has: others may hold them."""
-    p, v = particle.position, particle.velocity
-    p.x, p.y, p.z = place
-    v.x, v.y, v.z = velocity
 
 
 def _per_mass(

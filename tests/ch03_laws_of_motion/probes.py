@@ -27,3 +27,17 @@ def position_after_fall(gravity: float, duration: float, steps: int) -> Componen
     for _ in range(steps):
         particle.integrate(duration)
     return particle.position.x, particle.position.y, particle.position.z
+
+
+def kicks_of_a_step(
+    position: Components, velocity: Components, duration: float
+) -> list[tuple[float, Components]]:
+    """Integrate a particle with a kick of its own; return the duration and position of each."""
+    kicks: list[tuple[float, Components]] = []
+
+    class Kicked(Particle):
+        def kick(self, duration: float) -> None:
+            kicks.append((duration, (self.position.x, self.position.y, self.position.z)))
+
+    Kicked(Vector3(*position), Vector3(*velocity)).integrate(duration)
+    return kicks

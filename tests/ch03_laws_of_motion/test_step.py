@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import probes
 from ch03_laws_of_motion.particle import Particle
 from draw import Components, components
-from expect import cause_of, expect_close, expect_error, expect_unchanged, xyz
+from expect import cause_of, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 
 def draw_frame(rng: Random) -> float:
@@ -261,6 +261,22 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     call = f"p.acceleration = Vector3{(a[1], a[2], a[0])}; p.integrate(0.5); p.last_acceleration"
     got = xyz(p.last_acceleration)
     expect_close(call, got, (a[1], a[2], a[0]), cause=cause, read=read)
+
+
+@pytest.mark.exercise("B3.4")
+def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
+    x, v, h = components(rng), components(rng), draw_frame(rng)
+    call = f"p.integrate({h}), where a class derived from Particle has a kick of its own: "
+    read = "the docstring of integrate"
+    kicks = probes.kicks_of_a_step(x, v, h)
+    cause = "Chapter 5 adds forces to the kick. For its particle to have the same step, integrate "
+    cause += "must call self.kick(duration), once."
+    got = [duration for duration, _ in kicks]
+    expect_exactly(f"{call}the durations of the kicks", got, [h], cause=cause, read=read)
+    cause = "The drift comes first, with the velocity from before the step. The kick comes second."
+    wanted = tuple(x[i] + v[i] * h for i in range(3))
+    name = f"{call}p.position when kick is called"
+    expect_close(name, kicks[0][1], wanted, cause=cause, read=read, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.4")

@@ -58,7 +58,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     cause = named(got, cause, slips)
     expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
     cause = "the position moves with the velocity from before the step, as in chapter 3 (E-17)"
-    read = "book 3.3.2, the docstring of integrate, errata.md"
+    read = "book 3.3.2, the docstring of kick, errata.md"
     slips = {
         "v' h, the velocity from after the step": [wanted[i] * h for i in range(3)],
         "v h + a h^2 / 2": [(v[i] + wanted[i]) / 2.0 * h for i in range(3)],
@@ -76,7 +76,7 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     words, p = moving(ZERO, v, a, mass)
     call = f"{words}; p.add_force(Vector3{f}); p.add_force(Vector3{g}); p.integrate({h})"
     cause = "the acceleration of the step is a + f / m, where f is the sum of all forces"
-    read = "the docstring of integrate"
+    read = "the docstring of kick"
     p.add_force(Vector3(*f))
     p.add_force(Vector3(*g))
     p.integrate(h)
@@ -102,7 +102,7 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
     words, p = moving(ZERO, v, a, mass, damping)
     call = f"{words}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
     cause = "v' = (v + (a + f / m) h) d^h, the damping comes last"
-    read = "the docstring of integrate, E-16 of errata.md"
+    read = "the docstring of kick, E-16 of errata.md"
     p.add_force(Vector3(*f))
     p.integrate(h)
     keep, gained = damping**h, [(a[i] + f[i] / mass) * h for i in range(3)]
@@ -147,7 +147,7 @@ def test_without_forces_the_step_is_chapter_3s(rng: Random) -> None:
     words, p = moving(x, v, a, mass, damping)
     call = f"{words}; p.integrate({h})"
     cause = "without a force: p' = p + v h, v' = (v + a h) d^h, whatever the mass"
-    read = "the docstring of integrate"
+    read = "the docstring of kick"
     p.integrate(h)
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     got = xyz(p.position)
@@ -163,7 +163,7 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
     call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; "
     call += f"p.mass = {mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity"
     cause = "d^h and 1 / m are those of now: what is kept of an earlier step is out of date"
-    read = "the docstring of integrate"
+    read = "the docstring of kick"
     p = Particle(velocity=Vector3(*v))
     p.integrate(0.5)
     p.damping = 0.25
@@ -184,7 +184,7 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
 @pytest.mark.exercise("B5.2")
 def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     v, f = components(rng), components(rng)
-    read = "the docstring of integrate"
+    read = "the docstring of kick"
     cause = "0^h is 0: a damping of 0 stops the particle, whatever pushes it"
     call = f"p = Particle(velocity=Vector3{v}, damping=0.0); p.add_force(Vector3{f}); "
     call += "p.integrate(0.5); p.velocity"
@@ -291,7 +291,7 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     h, mass = draw_frame(rng), draw_mass(rng)
     call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
     call += f"p.add_force(Vector3{f}); p.integrate({h})"
-    read = "the docstring of integrate"
+    read = "the docstring of kick"
     cause = "ask for the inverse mass before anything moves"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf)
     p.add_force(Vector3(*f))
@@ -314,10 +314,47 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B5.2")
+def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
+    x, v, a, f = (components(rng) for _ in range(4))
+    mass, h = draw_mass(rng), draw_frame(rng)
+    words, p = moving(x, v, a, mass)
+    call = f"{words}; p.add_force(Vector3{f}); p.drift({h} / 2)"
+    read = "the docstring of kick"
+    p.add_force(Vector3(*f))
+    p.drift(h / 2.0)
+    cause = "A drift moves the position only. The forces wait for the kick."
+    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, f, cause=cause, read=read)
+    call += f"; p.kick({h})"
+    before = xyz(p.position)
+    p.kick(h)
+    cause = "A kick changes the velocity only: v' = (v + (a + f / m) h) d^h."
+    expect_unchanged(call, "p.position", xyz(p.position), before, cause=cause, read=read)
+    total = [a[i] + f[i] / mass for i in range(3)]
+    wanted = tuple(v[i] + total[i] * h for i in range(3))
+    got = xyz(p.velocity)
+    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    cause = "The kick has used the forces, so it clears their sum."
+    got = xyz(p.force_accumulator)
+    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
+    cause = "last_acceleration is what the kick used, until the next kick."
+    call += f"; p.drift({h} / 2)"
+    p.drift(h / 2.0)
+    name = f"{call}; p.last_acceleration"
+    got = xyz(p.last_acceleration)
+    expect_close(name, got, total, cause=cause, read=read, tolerance=ROUNDED)
+    cause = "Half a drift, a kick and half a drift are exact under a constant force."
+    wanted = tuple(x[i] + v[i] * h + total[i] * h * h / 2.0 for i in range(3))
+    got = xyz(p.position)
+    expect_close(f"{call}; p.position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+
+
+@pytest.mark.exercise("B5.2")
 @pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_refused_step_keeps_the_forces(duration: float) -> None:
-    read = "the docstring of integrate"
+    read = "the docstring of kick"
     error = TypeError if isinstance(duration, str) else ValueError
     x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
     for mass in (2.0, math.inf):
@@ -337,6 +374,34 @@ def test_a_refused_step_keeps_the_forces(duration: float) -> None:
         expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
         expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
         expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+        got = xyz(p.force_accumulator)
+        expect_close(f"{call}; p.force_accumulator", got, f, cause=cause, read=read)
+        got = xyz(p.last_acceleration)
+        expect_close(f"{call}; p.last_acceleration", got, a, cause=cause, read=read)
+
+
+@pytest.mark.exercise("B5.2")
+@pytest.mark.robust
+@pytest.mark.parametrize("duration", [math.inf, -math.inf, math.nan, "0.5"])
+def test_a_refused_kick_keeps_the_forces(duration: float) -> None:
+    read = "the docstring of kick"
+    error = TypeError if isinstance(duration, str) else ValueError
+    x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
+    for mass in (2.0, math.inf):
+        words, p = moving(x, v, a, mass)
+        cause = "finite of arguments.py refuses it. Negative durations and 0 are allowed here."
+        call = f"{words}; p.add_force(Vector3{f}); p.kick({duration!r})"
+        p.add_force(Vector3(*f))
+        expect_error(
+            call,
+            lambda p=p: p.kick(duration),
+            error,
+            allowed=lambda: Particle().kick(-0.5),
+            cause=cause,
+            read=read,
+        )
+        cause = "Refuse the duration before anything is changed."
+        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
         got = xyz(p.force_accumulator)
         expect_close(f"{call}; p.force_accumulator", got, f, cause=cause, read=read)
         got = xyz(p.last_acceleration)

@@ -3,6 +3,7 @@
 import math
 
 from ch02_vectors.arguments import (
+    finite,
     finite_vector,
     not_negative,
     positive,
@@ -14,9 +15,7 @@ VECTORS = ("position", "velocity", "acceleration")
 
 
 class Particle:
-    def __init__(
-        self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0
-    ):
+    def __init__(self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0):
         for name, value in zip(VECTORS, (position, velocity, acceleration), strict=True):
             setattr(self, name, Vector3() if value is None else value)
         self.mass = mass
@@ -65,9 +64,18 @@ class Particle:
     def last_acceleration(self):
         return self.acceleration.copy()
 
-    def integrate(self, duration):
-        positive("duration", duration)
+    def drift(self, duration):
+        finite("duration", duration)
         if self.has_finite_mass:
             self.position += self.velocity * duration
+
+    def kick(self, duration):
+        finite("duration", duration)
+        if self.has_finite_mass:
             self.velocity += self.acceleration * duration
             self.velocity *= self.damping**duration
+
+    def integrate(self, duration):
+        positive("duration", duration)
+        self.drift(duration)
+        self.kick(duration)

@@ -25,9 +25,7 @@ class ShotType:
 
 SHOT_TYPES = {
     "pistol": ShotType("pistol", 2.0, (0.0, 0.0, 35.0), (0.0, -1.0, 0.0), 0.99),
-    "artillery": ShotType(
-        "artillery", 200.0, (0.0, 30.0, 40.0), (0.0, -20.0, 0.0), 0.99
-    ),
+    "artillery": ShotType("artillery", 200.0, (0.0, 30.0, 40.0), (0.0, -20.0, 0.0), 0.99),
     "fireball": ShotType("fireball", 1.0, (0.0, 0.0, 10.0), (0.0, 0.6, 0.0), 0.9),
     "laser": ShotType("laser", 0.1, (0.0, 0.0, 100.0), (0.0, 0.0, 0.0), 0.99),
     "grenade": ShotType("grenade", 0.6, (0.0, 12.0, 12.0), (0.0, -10.0, 0.0), 0.9),

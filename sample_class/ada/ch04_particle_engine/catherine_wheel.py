@@ -8,9 +8,7 @@ from ch03_laws_of_motion.particle import Particle
 
 
 class CatherineWheel:
-    def __init__(
-        self, show, spark_type, center, radius, rate, sparks_per_second, jet=0.0
-    ):
+    def __init__(self, show, spark_type, center, radius, rate, sparks_per_second, jet=0.0):
         self.show = show
         self.spark_type = spark_type
         self.center = center.copy()

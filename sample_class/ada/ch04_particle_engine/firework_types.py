@@ -4,9 +4,7 @@ from ch04_particle_engine.fireworks import FireworkRule, Payload
 
 
 def rule(type, ages, low, high, damping, *payloads):
-    return FireworkRule(
-        type, *ages, low, high, damping, tuple(Payload(*p) for p in payloads)
-    )
+    return FireworkRule(type, *ages, low, high, damping, tuple(Payload(*p) for p in payloads))
 
 
 FIREWORK_TYPES = (

@@ -84,9 +84,7 @@ class FireworksShow:
             lit = min(count - skipped, room)
             room -= lit
             for _ in range(lit):
-                self.fireworks.append(
-                    make_firework(self.rules[type], self.random, parent)
-                )
+                self.fireworks.append(make_firework(self.rules[type], self.random, parent))
         self.fireworks = self.fireworks[-self.capacity :]
         self.dropped += burning + asked - len(self.fireworks)
 

@@ -6,9 +6,7 @@ from ch02_vectors.vector import Vector3
 
 
 class Particle:
-    def __init__(
-        self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0
-    ):
+    def __init__(self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0):
         self.position = position or Vector3()
         self.velocity = velocity or Vector3()
         self.acceleration = acceleration or Vector3()
@@ -34,6 +32,12 @@ class Particle:
 
     def kinetic_energy(self):
         raise NotImplementedError("Exercise 3.3: Kinetic energy")
+
+    def drift(self, duration):
+        raise NotImplementedError("Exercise B3.4: The step")
+
+    def kick(self, duration):
+        raise NotImplementedError("Exercise B3.4: The step")
 
     def integrate(self, duration):
         raise NotImplementedError("Exercise B3.4: The step")

@@ -7,9 +7,7 @@ from ch02_vectors.vector import Vector3
 
 
 class Particle:
-    def __init__(
-        self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0
-    ):
+    def __init__(self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0):
         self.position = position.copy() if position else Vector3()
         self.velocity = velocity.copy() if velocity else Vector3()
         self.acceleration = acceleration.copy() if acceleration else Vector3()
@@ -38,10 +36,17 @@ class Particle:
     def kinetic_energy(self):
         return self.mass * self.velocity.squared_magnitude() / 2
 
+    def drift(self, duration):
+        if self.has_finite_mass:
+            self.position.add_scaled(self.velocity, duration)
+
+    def kick(self, duration):
+        if self.has_finite_mass:
+            self.velocity *= self.damping**duration
+            self.velocity.add_scaled(self.acceleration, duration)
+
     def integrate(self, duration):
         if duration <= 0:
             raise ValueError("duration must be positive")
-        if self.has_finite_mass:
-            self.position.add_scaled(self.velocity, duration)
-            self.velocity *= self.damping**duration
-            self.velocity.add_scaled(self.acceleration, duration)
+        self.drift(duration)
+        self.kick(duration)

@@ -1,6 +1,6 @@
 """Forces."""
 
-from ch02_vectors.arguments import finite_vector, positive
+from ch02_vectors.arguments import finite_vector
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import particle
 
@@ -33,11 +33,9 @@ class Particle(particle.Particle):
             result.add_scaled(Vector3(*self._forces[1]), self.inverse_mass)
         return result
 
-    def integrate(self, duration):
-        positive("duration", duration)
+    def kick(self, duration):
         if not self.has_finite_mass:
             return
         self._forces = [None, self._forces[0]]
-        self.position.add_scaled(self.velocity, duration)
         self.velocity.add_scaled(self.last_acceleration, duration)
         self.velocity *= self.damping**duration

@@ -117,9 +117,7 @@ class FakeStiffSpring:
         target = Vector3()
         for axis in ("x", "y", "z"):
             x, v = getattr(position, axis), getattr(particle.velocity, axis)
-            state = damped_spring_state(
-                x, v, self.stiffness, self.damping, particle.mass, duration
-            )
+            state = damped_spring_state(x, v, self.stiffness, self.damping, particle.mass, duration)
             setattr(target, axis, state[0])
         accel = (target - position) * (1 / duration**2) - particle.velocity
         particle.add_force(accel * particle.mass)

@@ -7,9 +7,7 @@ from ch02_vectors import arguments
 
 
 class Particle:
-    def __init__(
-        self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0
-    ):
+    def __init__(self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0):
         self.position = position or Vector3()
         self.velocity = velocity or Vector3()
         self.acceleration = acceleration or Vector3()
@@ -64,9 +62,18 @@ class Particle:
     def last_acceleration(self):
         return self.acceleration.copy()
 
-    def integrate(self, duration):
-        arguments.positive("duration", duration)
+    def drift(self, duration):
+        arguments.finite("duration", duration)
         if self.has_finite_mass:
             self.position.add_scaled(self.velocity, duration)
+
+    def kick(self, duration):
+        arguments.finite("duration", duration)
+        if self.has_finite_mass:
             self.velocity.add_scaled(self.acceleration, duration)
             self.velocity *= self.damping**duration
+
+    def integrate(self, duration):
+        arguments.positive("duration", duration)
+        self.drift(duration)
+        self.kick(duration)

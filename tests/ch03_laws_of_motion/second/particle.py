@@ -137,19 +137,27 @@ class Particle:
         """Mass times velocity, in kg m/s, as a fresh vector; zero for an immovable particle."""
         return self._motion * self._kilograms if self.has_finite_mass else Vector3()
 
-    def integrate(self, duration: float) -> None:
-        """Take one explicit Euler step of so many seconds; an immovable particle stays put.
+    def drift(self, duration: float) -> None:
+        """Carry the position along with the velocity for so many seconds, backward if negative."""
+        seconds = _as_number("duration", duration)
+        if not math.isfinite(seconds):
+            raise ValueError(f"duration: expected a finite number, got {duration!r}")
+        if self.has_finite_mass:
+            self._place = self._place + self._motion * seconds
 
-        The old velocity carries the position; then the velocity is accelerated and damped.
-        """
+    def kick(self, duration: float) -> None:
+        """Accelerate the velocity for so many seconds, then damp it."""
+        seconds = _as_number("duration", duration)
+        if not math.isfinite(seconds):
+            raise ValueError(f"duration: expected a finite number, got {duration!r}")
+        if self.has_finite_mass:
+            kept = math.pow(self._kept_per_second, seconds)
+            self._motion = (self._motion + self._pull * seconds) * kept
+
+    def integrate(self, duration: float) -> None:
+        """Take one explicit Euler step of so many seconds; an immovable particle stays put."""
         seconds = _as_number("duration", duration)
         if not 0 < seconds < math.inf:
             raise ValueError(f"duration: expected a finite number above 0, got {duration!r}")
-        if not self.has_finite_mass:
-            return
-
-        # Both are worked out before either is stored: an error leaves no half a step behind.
-        kept = math.pow(self._kept_per_second, seconds)
-        place = self._place + self._motion * seconds
-        motion = (self._motion + self._pull * seconds) * kept
-        self._place, self._motion = place, motion
+        self.drift(seconds)
+        self.kick(seconds)

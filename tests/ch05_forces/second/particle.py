@@ -61,22 +61,22 @@ class Particle(particle.Particle):
         """
         return self._acceleration_under(self._forces[1])
 
-    def integrate(self, duration: float) -> None:
-        """Move the particle on by a duration in s: explicit Euler, as in chapter 3, with forces.
+    def kick(self, duration: float) -> None:
+        """Change the velocity for a duration in s, by the acceleration and the forces.
 
-        p' = p + v h, and then v' = (v + (a + f / m) h) d^h, where a is the constant acceleration
-        and f the sum of the forces since the last step. That sum is cleared, for an immovable
-        particle too, and kept as what the last step used.
+        v' = (v + (a + f / m) h) d^h, where a is the constant acceleration and f the sum of the
+        forces since the last kick. That sum is cleared, for an immovable particle too, and kept as
+        what the last step used.
 
-        Raises ValueError where the duration is not positive and finite; the particle, and the sum
-        of its forces, are then as they were.
+        Raises ValueError where the duration is not finite; the particle, and the sum of its forces,
+        are then as they were.
         """
         gathered = self._forces[0]
         constant = self.acceleration
-        # Chapter 3's step knows one acceleration only, so it is lent the whole of it.
+        # Chapter 3's kick knows one acceleration only, so it is lent the whole of it.
         object.__setattr__(self, "acceleration", self._acceleration_under(gathered))
         try:
-            super().integrate(duration)
+            super().kick(duration)
         finally:
             object.__setattr__(self, "acceleration", constant)
         self._forces = [None, gathered]

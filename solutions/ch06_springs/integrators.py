@@ -76,13 +76,12 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     Hairer, Lubich and Wanner, Acta Numerica 12 (2003), 399.
     """
     positive("duration", duration)
-    half = 0.5 * duration
     for particle in particles:
-        particle.drift(half)
+        particle.drift(0.5 * duration)
     apply_forces(duration)
     for particle in particles:
         particle.kick(duration)
-        particle.drift(half)
+        particle.drift(0.5 * duration)
 
 
 def velocity_verlet(
@@ -266,11 +265,8 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
 def _starts(
     particles: Iterable[Particle],
 ) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
-    """Return how the particles are before a step, and the forces that were added by hand.
-
-    For each particle that is: the particle, its inverse mass, acceleration, position and velocity,
-    and the six components of the last two, since those vectors will be changed.
-    """
+    """Return how the particles are before a step, and the forces that were added by hand."""
+    # Inverse mass, acceleration, position and velocity, and the components of these last two.
     starts = []
     by_hand = []
     for particle in particles:

@@ -23,20 +23,14 @@ RULES = {
     "explicit_euler": "p' = p + v h, then v' = (v + a h) d^h once: a and v are of the start",
     "semi_implicit_euler": "v' = (v + a h) d^h once, then p' = p + v' h: the new velocity, from "
     "the old place: a vector that integrate changes in place has to be copied",
-    "leapfrog": "drift for h / 2, ask for the forces there, kick for h, drift for h / 2: p1 = p + v "
-    "h / 2, v' = (v + a h) d^h once, p' = p1 + v' h / 2",
+    "leapfrog": "p1 = p + v h / 2, where the forces are asked for; v' = (v + a h) d^h once; "
+    "p' = p1 + v' h / 2",
     "velocity_verlet": "p' = p + v h + a h^2 / 2; b is asked for at p', with v + a h; "
     "v' = (v + (a + b) h / 2) d^h, damped once",
     "runge_kutta_4": "the mean of four rates, of which the second and the third count double; "
     "d^h multiplies the new velocity once",
 }
-EVALUATIONS = {
-    "explicit_euler": 1,
-    "semi_implicit_euler": 1,
-    "leapfrog": 1,
-    "velocity_verlet": 2,
-    "runge_kutta_4": 4,
-}
+EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
 methods = pytest.mark.parametrize(
     "method",
     [pytest.param(name, marks=pytest.mark.exercise(id_)) for name, id_ in EXERCISES.items()],
@@ -106,14 +100,12 @@ def wrong_steps(
         middle = x + 0.5 * h * v
         new = (v + force(middle, v) * h) * keep
         early = (v + first * h) * keep
+        halved = (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h)
         return {
             "a step that asks for the forces at the start": (x + 0.5 * h * (v + early), early),
             "a step that drifts for h after the kick": (middle + h * new, new),
             "a step without the second drift": (middle, new),
-            "a step that kicks for h / 2": (
-                middle + 0.5 * h * (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h),
-                (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h),
-            ),
+            "a step that kicks for h / 2": (middle + 0.5 * h * halved, halved),
         }
     if method == "velocity_verlet":
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h

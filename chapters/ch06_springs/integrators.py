@@ -1,6 +1,6 @@
 """Steps: ways to move particles on by a frame, and what each is good for.
 
-The first four take ``(particles, apply_forces, duration)``. ``apply_forces(duration)`` adds the
+The first five take ``(particles, apply_forces, duration)``. ``apply_forces(duration)`` adds the
 forces of the moment to the accumulators, as ForceRegistry.update_forces does, and may only act on
 these particles. A step asks it once or several times, each time with no other forces in the
 accumulators than those that were added by hand before the step. At its end they are empty, and
@@ -50,6 +50,20 @@ def semi_implicit_euler(
     Lubich and Wanner, Geometric Numerical Integration, I.1.2.
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
+
+
+def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
+    """Drift for half of the step, kick for all of it, and drift for the other half.
+
+    p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and p' = p1 + v' h / 2. The one
+    kick damps once, so the order at d = 1 stays what it is.
+
+    Order 2 where no force depends on the velocity, and 1 where one does, since those forces are
+    asked with the old velocity. Symplectic at d = 1 in the first case. One evaluation of the
+    forces. Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2 (1 + d^h) / d^h. Source:
+    Hairer, Lubich and Wanner, Acta Numerica 12 (2003), 399.
+    """
+    raise NotImplementedError("Exercise B6.6b: Leapfrog")
 
 
 def velocity_verlet(

@@ -1,6 +1,6 @@
 """Steps: ways to move particles on by a frame, and what each is good for.
 
-The first four take ``(particles, apply_forces, duration)``. ``apply_forces(duration)`` adds the
+The first five take ``(particles, apply_forces, duration)``. ``apply_forces(duration)`` adds the
 forces of the moment to the accumulators, as ForceRegistry.update_forces does, and may only act on
 these particles. A step asks it once or several times, each time with no other forces in the
 accumulators than those that were added by hand before the step. At its end they are empty, and
@@ -62,6 +62,26 @@ def semi_implicit_euler(
     for particle in particles:
         particle.kick(duration)
         particle.drift(duration)
+
+
+def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
+    """Drift for half of the step, kick for all of it, and drift for the other half.
+
+    p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and p' = p1 + v' h / 2. The one
+    kick damps once, so the order at d = 1 stays what it is.
+
+    Order 2 where no force depends on the velocity, and 1 where one does, since those forces are
+    asked with the old velocity. Symplectic at d = 1 in the first case. One evaluation of the
+    forces. Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2 (1 + d^h) / d^h. Source:
+    Hairer, Lubich and Wanner, Acta Numerica 12 (2003), 399.
+    """
+    positive("duration", duration)
+    for particle in particles:
+        particle.drift(0.5 * duration)
+    apply_forces(duration)
+    for particle in particles:
+        particle.kick(duration)
+        particle.drift(0.5 * duration)
 
 
 def velocity_verlet(
@@ -245,11 +265,8 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
 def _starts(
     particles: Iterable[Particle],
 ) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
-    """Return how the particles are before a step, and the forces that were added by hand.
-
-    For each particle that is: the particle, its inverse mass, acceleration, position and velocity,
-    and the six components of the last two, since those vectors will be changed.
-    """
+    """Return how the particles are before a step, and the forces that were added by hand."""
+    # Inverse mass, acceleration, position and velocity, and the components of these last two.
     starts = []
     by_hand = []
     for particle in particles:

@@ -130,16 +130,16 @@ class Connection:
             return
         v, w = a.velocity, b.velocity
         rate = ((v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z) / length
-        pull = (self.stiffness * (length - self.rest_length) + self.damping * rate) / length
+        push = self.stiffness * (self.rest_length - length) - self.damping * rate
         force = self._vector
-        force.x = x = x * pull
-        force.y = y = y * pull
-        force.z = z = z * pull
-        b.add_force(force)
+        force.x = x = x / length * push
+        force.y = y = y / length * push
+        force.z = z = z / length * push
+        a.add_force(force)
         force.x = -x
         force.y = -y
         force.z = -z
-        a.add_force(force)
+        b.add_force(force)
 
 
 def connect(

@@ -15,6 +15,7 @@ ZERO = (0.0, 0.0, 0.0)
 EXERCISES = {
     "explicit_euler": "B6.6",
     "semi_implicit_euler": "B6.6",
+    "leapfrog": "B6.6b",
     "velocity_verlet": "B6.7",
     "runge_kutta_4": "B6.8",
 }
@@ -22,17 +23,14 @@ RULES = {
     "explicit_euler": "p' = p + v h, then v' = (v + a h) d^h once: a and v are of the start",
     "semi_implicit_euler": "v' = (v + a h) d^h once, then p' = p + v' h: the new velocity, from "
     "the old place: a vector that integrate changes in place has to be copied",
+    "leapfrog": "p1 = p + v h / 2, where the forces are asked for; v' = (v + a h) d^h once; "
+    "p' = p1 + v' h / 2",
     "velocity_verlet": "p' = p + v h + a h^2 / 2; b is asked for at p', with v + a h; "
     "v' = (v + (a + b) h / 2) d^h, damped once",
     "runge_kutta_4": "the mean of four rates, of which the second and the third count double; "
     "d^h multiplies the new velocity once",
 }
-EVALUATIONS = {
-    "explicit_euler": 1,
-    "semi_implicit_euler": 1,
-    "velocity_verlet": 2,
-    "runge_kutta_4": 4,
-}
+EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
 methods = pytest.mark.parametrize(
     "method",
     [pytest.param(name, marks=pytest.mark.exercise(id_)) for name, id_ in EXERCISES.items()],
@@ -52,7 +50,11 @@ def one_step(
 
     keep = d**h
     first = force(x, v)
-    if method == "velocity_verlet":
+    if method == "leapfrog":
+        middle = x + 0.5 * h * v
+        mean = force(middle, v)
+        place = middle + 0.5 * h * (v + mean * h) * keep
+    elif method == "velocity_verlet":
         place = x + v * h + 0.5 * first * h * h
         mean = 0.5 * (first + force(place, v + first * h))
     elif method == "runge_kutta_4":
@@ -93,6 +95,17 @@ def wrong_steps(
             "a step with both moves, by v and by v'": (x + (v + new) * h, new),
             "a step that moves by the mean of v and v'": (x + 0.5 * (v + new) * h, new),
             "a step that moves by v' before it is damped": (x + (v + first * h) * h, new),
+        }
+    if method == "leapfrog":
+        middle = x + 0.5 * h * v
+        new = (v + force(middle, v) * h) * keep
+        early = (v + first * h) * keep
+        halved = (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h)
+        return {
+            "a step that asks for the forces at the start": (x + 0.5 * h * (v + early), early),
+            "a step that drifts for h after the kick": (middle + h * new, new),
+            "a step without the second drift": (middle, new),
+            "a step that kicks for h / 2": (middle + 0.5 * h * halved, halved),
         }
     if method == "velocity_verlet":
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
@@ -285,7 +298,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
     for i in range(3):
         first = a[i] - k * p[i] / mass
         places = [p[i]]
-        if method == "velocity_verlet":
+        if method == "leapfrog":
+            places = [p[i] + 0.5 * h * v[i]]
+        elif method == "velocity_verlet":
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
             cause = (

@@ -19,6 +19,7 @@ from ch06_springs.integrators import (
     Integrator,
     backward_euler,
     explicit_euler,
+    leapfrog,
     runge_kutta_4,
     semi_implicit_euler,
     trapezoidal,
@@ -27,9 +28,9 @@ from ch06_springs.integrators import (
 from ch06_springs.springs import AnchoredSpring
 
 FRAME = 1.0 / 60.0
-STEPS = [explicit_euler, semi_implicit_euler, velocity_verlet, runge_kutta_4]
-ORDERS = list(zip(STEPS, (1, 1, 2, 4), strict=True))
-SYMPLECTIC = (semi_implicit_euler, velocity_verlet)
+STEPS = [explicit_euler, semi_implicit_euler, leapfrog, velocity_verlet, runge_kutta_4]
+ORDERS = list(zip(STEPS, (1, 1, 2, 2, 4), strict=True))
+SYMPLECTIC = (semi_implicit_euler, leapfrog, velocity_verlet)
 
 
 def swinging(damping: float = 0.0) -> tuple[Particle, ApplyForces]:
@@ -64,6 +65,8 @@ def state(particle: Particle) -> Any:
 @pytest.mark.parametrize(("step", "order"), ORDERS)
 def test_halved_frames_show_the_order(step: Integrator, order: int, damping: float) -> None:
     """Differences between ends after 1 s, in steps h, h / 2 and h / 4: their ratio is 2^order."""
+    if step is leapfrog and damping:
+        order = 1  # it asks with the old velocity for forces that depend on it
     ends = []
     n = 100 if order == 4 else 800
     for frames in (n, 2 * n, 4 * n):
@@ -90,7 +93,7 @@ def test_a_particle_s_own_damping_makes_every_order_1(step: Integrator) -> None:
     assert math.log2(first / second) == pytest.approx(1.0, abs=0.1)
 
 
-@pytest.mark.parametrize(("step", "asked"), list(zip(STEPS, (1, 1, 2, 4), strict=True)))
+@pytest.mark.parametrize(("step", "asked"), list(zip(STEPS, (1, 1, 1, 2, 4), strict=True)))
 def test_the_forces_are_asked_for_so_often_a_step(step: Integrator, asked: int) -> None:
     particle, apply_forces = swinging()
     durations = []
@@ -104,7 +107,9 @@ def test_the_forces_are_asked_for_so_often_a_step(step: Integrator, asked: int) 
     assert durations == [0.01] * (10 * asked)
 
 
-@pytest.mark.parametrize(("step", "share"), list(zip(STEPS, (0.0, 1.0, 0.5, 0.5), strict=True)))
+@pytest.mark.parametrize(
+    ("step", "share"), list(zip(STEPS, (0.0, 1.0, 0.5, 0.5, 0.5), strict=True))
+)
 @given(st.floats(-100.0, 100.0), st.floats(-100.0, 100.0), st.floats(-100.0, 100.0))
 def test_a_force_by_hand_lasts_all_of_one_frame(
     step: Integrator, share: float, v: float, a: float, force: float
@@ -136,7 +141,7 @@ def test_the_last_acceleration_is_the_mean_one_of_the_step(step: Integrator) -> 
 
 
 @pytest.mark.parametrize("step", STEPS)
-def test_the_jacobian_of_a_step_is_symplectic_for_two_of_them(step: Integrator) -> None:
+def test_the_jacobian_of_a_step_is_symplectic_for_three_of_them(step: Integrator) -> None:
     """J' W J = W, which implies a determinant of 1: areas of states stay what they are."""
     columns = []
     for i in range(4):
@@ -160,7 +165,10 @@ def test_the_jacobian_of_a_step_is_symplectic_for_two_of_them(step: Integrator) 
         assert min(off, volume) > 1e-3
 
 
-@pytest.mark.parametrize(("step", "swing"), [(semi_implicit_euler, 0.25), (velocity_verlet, 0.02)])
+@pytest.mark.parametrize(
+    ("step", "swing"),
+    [(semi_implicit_euler, 0.25), (leapfrog, 0.02), (velocity_verlet, 0.02)],
+)
 def test_symplectic_steps_keep_the_energy_within_bounds_for_100_000_steps(
     step: Integrator, swing: float
 ) -> None:

@@ -20,6 +20,7 @@ from ch06_springs.integrators import (
     SimulationDiverged,
     backward_euler,
     explicit_euler,
+    leapfrog,
     runge_kutta_4,
     semi_implicit_euler,
     trapezoidal,
@@ -37,6 +38,8 @@ EDGES = [
     (semi_implicit_euler, 0.999, 14400.1),
     (semi_implicit_euler, 0.9, 14412.65),
     (semi_implicit_euler, 0.5, 14483.7),
+    (leapfrog, 1.0, 14400.0),
+    (leapfrog, 0.9, 14412.65),
     (velocity_verlet, 1.0, 14400.0),
     (runge_kutta_4, 1.0, 28800.0),
 ]
@@ -50,6 +53,7 @@ def exact_edge(step: Integrator, d: float) -> float:
         return 1.0 / kept - 1.0
     return {
         semi_implicit_euler: 2.0 * (1.0 + kept) / kept,
+        leapfrog: 2.0 * (1.0 + kept) / kept,
         velocity_verlet: 4.0,
         runge_kutta_4: 8.0,
     }[step]

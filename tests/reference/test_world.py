@@ -18,6 +18,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import (
     Integrator,
     explicit_euler,
+    leapfrog,
     runge_kutta_4,
     semi_implicit_euler,
     velocity_verlet,
@@ -261,7 +262,13 @@ def test_rods_and_cables_keep_the_momentum_and_the_way_of_the_centre(step: Integ
 
 @pytest.mark.parametrize(
     ("step", "order"),
-    [(explicit_euler, 1), (semi_implicit_euler, 1), (velocity_verlet, 2), (runge_kutta_4, 4)],
+    [
+        (explicit_euler, 1),
+        (semi_implicit_euler, 1),
+        (leapfrog, 2),
+        (velocity_verlet, 2),
+        (runge_kutta_4, 4),
+    ],
 )
 def test_each_step_has_its_order_in_a_world(step: Integrator, order: int) -> None:
     """On a spring with w = 2 that is let go from 1 m: x = cos(2 t), at 1.3 s."""

@@ -20,10 +20,18 @@ def semi_implicit_euler(particles, apply_forces, duration):
     positive("duration", duration)
     apply_forces(duration)
     for p in particles:
-        start = p.position.copy()
-        p.integrate(duration)
-        if p.has_finite_mass:
-            p.position.set(*(start + p.velocity * duration))
+        p.kick(duration)
+        p.drift(duration)
+
+
+def leapfrog(particles, apply_forces, duration):
+    h = positive("duration", duration)
+    for p in particles:
+        p.drift(h / 2)
+    apply_forces(h)
+    for p in particles:
+        p.kick(h)
+        p.drift(h / 2)
 
 
 def velocity_verlet(particles, apply_forces, duration):

@@ -149,6 +149,21 @@ def semi_implicit_euler(
             _set(particle.position, start)
 
 
+def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
+    """Take the forces in the middle of the way, then finish it with the new velocity."""
+    positive("duration", duration)
+    middles: list[Vector3] = []
+    for particle in particles:
+        if particle.inverse_mass:
+            particle.position.add_scaled(particle.velocity, 0.5 * duration)
+        middles.append(particle.position.copy())
+    explicit_euler(particles, apply_forces, duration)
+    for particle, middle in zip(particles, middles, strict=True):
+        if particle.inverse_mass:
+            middle.add_scaled(particle.velocity, 0.5 * duration)
+            _set(particle.position, middle)
+
+
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:

@@ -30,7 +30,7 @@ def joined(registry: ForceRegistry) -> list[Pair]:
     """
     return [
         (particle, value)
-        for particle, generator in registry._pairs
+        for particle, generator in registry.pairs()
         for value in getattr(generator, "__dict__", {}).values()
         if isinstance(value, Particle) and value is not particle
         if particle.inverse_mass and value.inverse_mass

@@ -173,11 +173,13 @@ class Particle:
         """
         if not (type(duration) is float and 0.0 < duration < math.inf):
             positive("duration", duration)
-        if self._inverse_mass:
-            # The drift, written out: with a second call a step takes 1.3 times as long.
-            position = self.position
-            velocity = self.velocity
-            position.x += velocity.x * duration
-            position.y += velocity.y * duration
-            position.z += velocity.z * duration
+        # The drift is written out: with a second call a step takes 1.3 times as long. It uses the
+        # velocity from before the kick, and follows it: if the kick fails, nothing has moved.
+        velocity = self.velocity
+        vx, vy, vz = velocity.x, velocity.y, velocity.z
         self.kick(duration)
+        if self._inverse_mass:
+            position = self.position
+            position.x += vx * duration
+            position.y += vy * duration
+            position.z += vz * duration

@@ -27,11 +27,15 @@ class ForceRegistry:
     """Pairs of a particle and a generator that acts on it, in the order in which they were added.
 
     The constructor makes ``_pairs``, an empty list for tuples (particle, generator). You may keep
-    the pairs in another way.
+    the pairs in another way. If you do, change ``pairs`` to match.
     """
 
     def __init__(self) -> None:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
+
+    def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
+        """Return the pairs in their order, in a list of its own. Later chapters ask for them."""
+        return [*self._pairs]
 
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
         """Let a generator act on a particle from now on (5.2.2); a pair added twice acts twice.

@@ -76,12 +76,13 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     Hairer, Lubich and Wanner, Acta Numerica 12 (2003), 399.
     """
     positive("duration", duration)
+    half = 0.5 * duration
     for particle in particles:
-        particle.drift(0.5 * duration)
+        particle.drift(half)
     apply_forces(duration)
     for particle in particles:
         particle.kick(duration)
-        particle.drift(0.5 * duration)
+        particle.drift(half)
 
 
 def velocity_verlet(

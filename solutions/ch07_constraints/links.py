@@ -36,11 +36,7 @@ class Cable:
         Its particle is a, its other b, its normal leads from a to b, and its penetration is what
         the cable is too long.
         """
-        offset = self.b.position - self.a.position
-        excess = offset.magnitude() - self.max_length
-        if excess < 0.0:
-            return []
-        return [Contact(self.a, self.b, offset.normalized(), self.restitution, excess)]
+        return _of_cable(self, self.a, self.b, self.b.position)
 
 
 class AnchoredCable:
@@ -56,11 +52,7 @@ class AnchoredCable:
 
     def contacts(self) -> list[Contact]:
         """Return a contact with no other where the cable is taut; its normal is to the anchor."""
-        offset = self.anchor - self.particle.position
-        excess = offset.magnitude() - self.max_length
-        if excess < 0.0:
-            return []
-        return [Contact(self.particle, None, offset.normalized(), self.restitution, excess)]
+        return _of_cable(self, self.particle, None, self.anchor)
 
 
 class Rod:
@@ -78,14 +70,7 @@ class Rod:
         restitution 0. Ends at one place have no direction: +Y stands for the one from a to b. The
         book's text has two contacts for each rod, its listing one, which is enough (E-9).
         """
-        offset = self.b.position - self.a.position
-        excess = offset.magnitude() - self.length
-        if excess == 0.0:
-            return []
-        normal = direction_of(offset)
-        if excess < 0.0:
-            normal.invert()
-        return [Contact(self.a, self.b, normal, 0.0, abs(excess))]
+        return _of_rod(self, self.a, self.b, self.b.position)
 
 
 class AnchoredRod:
@@ -98,14 +83,7 @@ class AnchoredRod:
 
     def contacts(self) -> list[Contact]:
         """Return a contact with no other, as a Rod does: to the anchor where it is too long."""
-        offset = self.anchor - self.particle.position
-        excess = offset.magnitude() - self.length
-        if excess == 0.0:
-            return []
-        normal = direction_of(offset)
-        if excess < 0.0:
-            normal.invert()
-        return [Contact(self.particle, None, normal, 0.0, abs(excess))]
+        return _of_rod(self, self.particle, None, self.anchor)
 
 
 class Limits:
@@ -173,6 +151,31 @@ class TwoSidedRod(Rod):
             Contact(self.a, self.b, normal, 0.0, excess),
             Contact(self.a, self.b, -normal, 0.0, -excess),
         ]
+
+
+def _of_cable(
+    cable: Cable | AnchoredCable, particle: Particle, other: Particle | None, end: Vector3
+) -> list[Contact]:
+    """Return the contact of a cable from a particle to an end, which may be another particle's."""
+    offset = end - particle.position
+    excess = offset.magnitude() - cable.max_length
+    if excess < 0.0:
+        return []
+    return [Contact(particle, other, offset.normalized(), cable.restitution, excess)]
+
+
+def _of_rod(
+    rod: Rod | AnchoredRod, particle: Particle, other: Particle | None, end: Vector3
+) -> list[Contact]:
+    """Return the contact of a rod from a particle to an end, which may be another particle's."""
+    offset = end - particle.position
+    excess = offset.magnitude() - rod.length
+    if excess == 0.0:
+        return []
+    normal = direction_of(offset)
+    if excess < 0.0:
+        normal.invert()
+    return [Contact(particle, other, normal, 0.0, abs(excess))]
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:

@@ -110,7 +110,7 @@ class SleepingWorld(ParticleWorld):
         and each particle has its own mass for that time. The accumulators of what sleeps are empty
         before and afterwards.
         """
-        for particle, generator in self.registry._pairs.copy():
+        for particle, generator in self.registry.pairs():
             sleep = self.asleep.get(particle)
             if sleep is not None:
                 particle.inverse_mass = sleep.inverse_mass

@@ -73,6 +73,8 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         (-drawn, 1.0, 1.0),
         (draw_part(rng), drawn, 4.0),
         (draw_part(rng), 0.0, 1.0),
+        (draw_part(rng), 2.0, 1.0),
+        (0.0, 0.0, 1.0),
     ):
         words, p = a_particle(x, v, a, mass, damping)
         call = f"{words}; p.kick({h})"

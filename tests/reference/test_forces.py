@@ -270,3 +270,15 @@ def test_an_infinite_velocity_never_becomes_a_force() -> None:
     particle.velocity.x = INF
     with pytest.raises(ValueError, match="force must have finite components"):
         Drag(1.0, 0.0).update_force(particle, 0.1)
+
+
+def test_the_pairs_of_a_registry_are_a_list_of_its_own() -> None:
+    particle, first, second = Particle(), Gravity(Vector3()), Drag(0.1, 0.0)
+    registry = ForceRegistry()
+    registry.add(particle, first)
+    registry.add(particle, second)
+    pairs = registry.pairs()
+    assert [(p is particle, g) for p, g in pairs] == [(True, first), (True, second)]
+    pairs.clear()
+    registry.remove(particle, first)
+    assert [g for _, g in registry.pairs()] == [second]

@@ -10,6 +10,9 @@ class ForceRegistry:
     def __init__(self):
         self._pairs = []
 
+    def pairs(self):
+        return [*self._pairs]
+
     def add(self, particle, generator):
         if not hasattr(particle, "add_force") or not hasattr(generator, "update_force"):
             raise TypeError(f"no particle and generator: {particle!r}, {generator!r}")

@@ -67,7 +67,7 @@ class SleepingWorld(ParticleWorld):
                 self.wake(p)
 
     def wake_pushed(self, duration):
-        pushes = [pair for pair in self.registry._pairs if pair[0] in self.asleep]
+        pushes = [pair for pair in self.registry.pairs() if pair[0] in self.asleep]
         # some springs pull at both ends; who is awake must not notice
         others = [(p, p.force_accumulator) for p in self.particles if p not in self.asleep]
         for p, sleep in self.asleep.items():

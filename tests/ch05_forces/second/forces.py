@@ -31,6 +31,10 @@ class ForceRegistry:
     def __init__(self) -> None:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
 
+    def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
+        """Return the pairs in their order, in a list of its own. Later chapters ask for them."""
+        return [*self._pairs]
+
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
         """Let a generator act on a particle from now on (5.2.2); a pair added twice acts twice.
 

@@ -100,7 +100,7 @@ class SleepingWorld(ParticleWorld):
         pushes: dict[Particle, Vector3] = {}
         for one, sleep in self.asleep.items():
             one.inverse_mass = sleep.inverse_mass
-        for particle, generator in list(self.registry._pairs):
+        for particle, generator in self.registry.pairs():
             if particle in self.asleep:
                 generator.update_force(particle, duration)
         for one in self.asleep:

@@ -202,12 +202,16 @@ def test_the_equations_refuse_what_the_step_refuses(
 def test_a_refused_step_is_no_lasting_damage() -> None:
     particle = Particle(velocity=Vector3(1.0, 0.0, 0.0), damping=1e200)
     with pytest.raises(OverflowError):
-        particle.integrate(10.0)  # 1e200^10 is no float
+        particle.kick(10.0)  # 1e200^10 is no float
     assert tuple(particle.position) == (0.0, 0.0, 0.0)
+    assert tuple(particle.velocity) == (1.0, 0.0, 0.0)
+    with pytest.raises(OverflowError):
+        particle.integrate(10.0)  # the drift is made, the kick is refused
+    assert tuple(particle.position) == (10.0, 0.0, 0.0)
     assert tuple(particle.velocity) == (1.0, 0.0, 0.0)
     particle.damping = 1.0
     particle.integrate(10.0)
-    assert tuple(particle.position) == (10.0, 0.0, 0.0)
+    assert tuple(particle.position) == (20.0, 0.0, 0.0)
 
 
 def test_frames_of_any_lengths_in_any_order_keep_what_the_power_says() -> None:

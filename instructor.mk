@@ -38,12 +38,12 @@ gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
 
 # == For those who work on the companion itself ==
-test: say-what-test-is lint .venv/cluster .venv/mutants ## test the companion itself, in about 12 minutes
+test: say-what-test-is lint .venv/cluster .venv/mutants ## test the companion itself, in about 15 minutes
 	@$(RUN) -m pytest -n auto --engine=solutions --engine=chapters --ignore=$(HOSTILE)
 	@$(RUN) -m pytest --engine=solutions --engine=chapters $(HOSTILE)
 
 say-what-test-is:
-	@echo "This tests the companion itself, and takes about 12 minutes."
+	@echo "This tests the companion itself, and takes about 15 minutes."
 	@echo "To check what you wrote, run make check or make watch."
 
 .venv/cluster .venv/mutants: .venv/%: %.lock $(READY)

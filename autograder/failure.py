@@ -15,7 +15,7 @@ from autograder.manifest import Chapter, chapters_below, numbers_of
 from autograder.places import next_place
 from autograder.runner import Verdict
 from autograder.scores import Result
-from autograder.wrapping import PRINTED, few_lines, without_printed, wrapped
+from autograder.wrapping import PRINTED, few_lines, print_wrapped, without_printed
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -88,8 +88,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
         (failure.steps[0], "bold"),
         *((step, "") for step in failure.steps[1:]),
     ]:
-        lines = wrapped(words, console.width) if console.is_terminal else [words]
-        console.print("\n".join(lines), style=style, markup=False, soft_wrap=True)
+        print_wrapped(console, words, style)
 
 
 def few_printed(printed: str, lines: int, characters: int) -> str:

@@ -24,7 +24,7 @@ class GraderFault(BaseException):
 
 
 class StudentLeft(BaseException):
-    """The student's code raised what is no Exception, such as SystemExit; its fault says what."""
+    """The student's code raised something other than an Exception, such as SystemExit."""
 
     fault: Fault
 

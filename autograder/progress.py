@@ -51,10 +51,6 @@ class Progress:
         """Say whether the physics of the whole chapter passed when it was last checked."""
         return not any(lacks_physics(result) for result in self._results(chapter))
 
-    def is_finished(self, chapter: Chapter) -> bool:
-        """Say whether every check of the chapter passed when it was last run."""
-        return not any(lacks_anything(result) for result in self._results(chapter))
-
     def words(self, chapter: Chapter) -> str:
         """Return how much of a chapter is done: its physics first, and then all of its checks."""
         results = [result for result in self._results(chapter) if result.status != "waiting"]

@@ -19,7 +19,7 @@ from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.originals import changed_files
 from autograder.runner import Verdict
 from autograder.scores import Result, place_on_chart, shown, total
-from autograder.wrapping import wrapped
+from autograder.wrapping import print_wrapped
 from autograder.written import all_pass
 
 if TYPE_CHECKING:
@@ -197,9 +197,8 @@ def print_inherited(
 ) -> None:
     """Say how many checks an earlier chapter fails, and the two ways to go on."""
     for note in inherited_notes(report, exercise, engine):
-        lines = wrapped(note, console.width) if console.is_terminal else [note]
-        words = "\n".join(lines) + "\n"
-        console.print(words, style=STYLES["inherited"], markup=False, soft_wrap=True)
+        print_wrapped(console, note, STYLES["inherited"])
+        console.print()
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:

@@ -27,7 +27,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
     """Show how the current exercise does, at once and after every save, until q is pressed.
 
     It is the one that was just edited; at first it is the first of these chapters that is open.
-    Raises ValueError where a given chapter is not at hand.
+    Raises ValueError where the reference of a given chapter is not in this folder.
     """
     with with_given(given, engine) as folders, keys.single_keys():
         progress = Progress(chapters, folders, given, Memory(seed))

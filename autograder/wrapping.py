@@ -7,6 +7,10 @@ from __future__ import annotations
 
 import re
 import textwrap
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 INDENT = 10  # columns of the label
 LABELED = re.compile(rf"(?=[a-z]+ )[a-z ]{{{INDENT - 1}}} \S")
@@ -31,6 +35,12 @@ def wrapped(message: str, width: int) -> list[str]:
             break_on_hyphens=False,
         ) or [""]
     return lines
+
+
+def print_wrapped(console: Console, words: str, style: str) -> None:
+    """Print words, wrapped on a terminal; where the output goes to a file, lines stay whole."""
+    lines = wrapped(words, console.width) if console.is_terminal else [words]
+    console.print("\n".join(lines), style=style, markup=False, soft_wrap=True)
 
 
 def without_printed(message: str) -> tuple[str, str]:

@@ -119,7 +119,7 @@ def grade_over(
         future = client.submit(*call, pure=False)
         whose[future] = submission
     for future in as_completed(list(whose), loop=client.loop):
-        submission = whose.pop(future)
+        submission = whose[future]  # and the future is kept: its __del__ would swallow a Ctrl-C
         try:
             report: Report = future.result()
         except KilledWorker as error:

@@ -271,8 +271,10 @@ def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_n
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].startswith("spring, k = 10000 N/m, c = 20 N s/m: 2 s, to 0.001 of its scale")
     assert lines[1].startswith("  cheapest:     closed form, once a frame: ")
-    # Nothing but one step a frame of another model is as cheap, and none of them is right.
-    assert lines[2].startswith(("  next cheaper: trapezoidal", "  next cheaper: backward"))
+    # Only another model at one step per frame is as cheap, and each of them is wrong here. Which
+    # of them is the next cheaper one depends on the machine.
+    assert lines[2].startswith("  next cheaper: ")
+    assert ", once a frame: " in lines[2]
     assert lines[2].endswith(": fails")
     assert lines[3] == "  pymunk:       does not meet it within the time that was tried"
 

@@ -5,10 +5,12 @@ Units are SI: forces are in N. What is no number, or no Vector3, is a TypeError 
 
 from __future__ import annotations
 
+from ch02_vectors.arguments import finite_vector
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import particle
 
 Numbers = tuple[float, float, float]
+NO_FORCE: Numbers = (0.0, 0.0, 0.0)
 
 
 class Particle(particle.Particle):
@@ -16,8 +18,8 @@ class Particle(particle.Particle):
 
     Where the forces are kept is your choice. Here ``_forces`` is a list with two entries: the sum
     since the last step, and the sum that the last step used. Each is three numbers, or None while
-    no force was added. If you keep them in another way, change ``__slots__``, the constructor and
-    ``__copy__`` to match.
+    no force was added. If you keep them in another way, change ``__slots__``, the constructor,
+    ``__copy__``, ``take_forces`` and ``add_force_pair`` to match.
     """
 
     __slots__ = ("_forces",)
@@ -42,6 +44,42 @@ class Particle(particle.Particle):
         other.inverse_mass = self.inverse_mass
         other._forces = [*self._forces]
         return other
+
+    def take_forces(self) -> Numbers:
+        """Return the sum of the forces in N as three numbers, and clear it.
+
+        For integrators that evaluate the forces several times in a step. It does what
+        force_accumulator and clear_forces do, in a third of the time.
+        """
+        forces = self._forces
+        force = forces[0]
+        forces[0] = None
+        return force or NO_FORCE
+
+    def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
+        """Add a force in N to this particle, and the opposite force to another one.
+
+        This is Newton's third law for a force with the components x, y and z. It does what two
+        calls of add_force do, in half of the time: a cloth needs it for hundreds of springs.
+
+        Raises ValueError where a component, or one of the two sums, is not finite; both sums are
+        then as they were.
+        """
+        mine, others = self._forces, other._forces
+        ax, ay, az = mine[0] or NO_FORCE
+        bx, by, bz = others[0] or NO_FORCE
+        ax += x
+        ay += y
+        az += z
+        bx -= x
+        by -= y
+        bz -= z
+        if 0.0 * (ax + ay + az + bx + by + bz) != 0.0:  # one question for six numbers
+            finite_vector("the force", Vector3(x, y, z))
+            finite_vector("the sum of the forces", Vector3(ax, ay, az))
+            finite_vector("the sum of the forces", Vector3(bx, by, bz))
+        mine[0] = (ax, ay, az)
+        others[0] = (bx, by, bz)
 
     @property
     def force_accumulator(self) -> Vector3:

@@ -105,7 +105,6 @@ class Connection:
         self.stiffness = not_negative("stiffness", stiffness)
         self.rest_length = not_negative("rest_length", rest_length)
         self.damping = not_negative("damping", damping)
-        self._vector = Vector3()  # add_force only reads it, so one vector serves every step
 
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the spring_force on a to a, and exactly its opposite to b.

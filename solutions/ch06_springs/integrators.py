@@ -25,7 +25,7 @@ from typing import Any
 
 from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch05_forces.particle import Particle
+from ch05_forces.particle import NO_FORCE, Particle
 
 ApplyForces = Callable[[float], None]
 Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
@@ -101,28 +101,24 @@ def velocity_verlet(
     half = 0.5 * duration
     starts, by_hand = _starts(particles)
     apply_forces(duration)
-    first = []
-    for particle, m, a, p, q, x, y, z, u, v, w in starts:
-        force = particle.force_accumulator
-        particle.clear_forces()
-        first.append(force)
+    for particle, m, a, p, q, x, y, z, u, v, w, forces in starts:
+        fx, fy, fz = force = particle.take_forces()
+        forces.append(force)
         if m:
-            ax, ay, az = a.x + force.x * m, a.y + force.y * m, a.z + force.z * m
+            ax, ay, az = a.x + fx * m, a.y + fy * m, a.z + fz * m
             p.x = x + (u + ax * half) * duration
             p.y = y + (v + ay * half) * duration
             p.z = z + (w + az * half) * duration
             q.x, q.y, q.z = u + ax * duration, v + ay * duration, w + az * duration
     _add_again(by_hand)
     apply_forces(duration)
-    for (particle, m, _, _, q, _, _, _, u, v, w), force in zip(starts, first, strict=True):
+    mean = Vector3()
+    for particle, m, _, _, q, _, _, _, u, v, w, [(fx, fy, fz)] in starts:
+        gx, gy, gz = particle.take_forces()
         if m:
-            second = particle.force_accumulator
-            force.x = 0.5 * (force.x + second.x)
-            force.y = 0.5 * (force.y + second.y)
-            force.z = 0.5 * (force.z + second.z)
             q.x, q.y, q.z = u, v, w
-            particle.clear_forces()
-            particle.add_force(force)
+            mean.x, mean.y, mean.z = 0.5 * (fx + gx), 0.5 * (fy + gy), 0.5 * (fz + gz)
+            particle.add_force(mean)
         particle.kick(duration)
 
 
@@ -142,39 +138,32 @@ def runge_kutta_4(
     positive("duration", duration)
     half, sixth = 0.5 * duration, duration / 6.0
     starts, by_hand = _starts(particles)
-    rates = []  # four lists: of each particle the velocity, and then the force
-    for ahead in (half, half, duration, 0.0):
+    for ahead in (half, half, duration, 0.0):  # 0: after the fourth rate all is back at the start
         apply_forces(duration)
-        here = []
-        for particle, m, a, p, q, x, y, z, u, v, w in starts:
-            force = particle.force_accumulator
-            particle.clear_forces()
+        for particle, m, a, p, q, x, y, z, u, v, w, rates in starts:
+            fx, fy, fz = force = particle.take_forces()
             dx, dy, dz = q.x, q.y, q.z
-            fx, fy, fz = force.x, force.y, force.z
-            here.append((dx, dy, dz, fx, fy, fz))
-            if m and ahead:
+            rates.append((dx, dy, dz, force))
+            if m:
                 p.x = x + dx * ahead
                 p.y = y + dy * ahead
                 p.z = z + dz * ahead
                 q.x = u + (a.x + fx * m) * ahead
                 q.y = v + (a.y + fy * m) * ahead
                 q.z = w + (a.z + fz * m) * ahead
-        rates.append(here)
-        if ahead and by_hand:
+        if by_hand and ahead:
             _add_again(by_hand)
     mean = Vector3()
-    for (
-        (particle, m, _, p, q, x, y, z, u, v, w),
-        (u1, v1, w1, f1, g1, h1),
-        (u2, v2, w2, f2, g2, h2),
-        (u3, v3, w3, f3, g3, h3),
-        (u4, v4, w4, f4, g4, h4),
-    ) in zip(starts, *rates, strict=True):
+    for particle, m, _, p, _, x, y, z, _, _, _, rates in starts:
+        first, second, third, fourth = rates
+        u1, v1, w1, (f1, g1, h1) = first
+        u2, v2, w2, (f2, g2, h2) = second
+        u3, v3, w3, (f3, g3, h3) = third
+        u4, v4, w4, (f4, g4, h4) = fourth
         if m:
             p.x = x + (u1 + 2.0 * (u2 + u3) + u4) * sixth
             p.y = y + (v1 + 2.0 * (v2 + v3) + v4) * sixth
             p.z = z + (w1 + 2.0 * (w2 + w3) + w4) * sixth
-            q.x, q.y, q.z = u, v, w
             mean.x = (f1 + 2.0 * (f2 + f3) + f4) / 6.0
             mean.y = (g1 + 2.0 * (g2 + g3) + g4) / 6.0
             mean.z = (h1 + 2.0 * (h2 + h3) + h4) / 6.0
@@ -266,17 +255,22 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
 def _starts(
     particles: Iterable[Particle],
 ) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
-    """Return how the particles are before a step, and the forces that were added by hand."""
-    # Inverse mass, acceleration, position and velocity, and the components of these last two.
+    """Return each particle with its start of the step, and the forces that were added by hand.
+
+    A start is the particle, inverse mass, acceleration, position, velocity, the components of these
+    last two, and an empty list for what the step evaluates.
+    """
     starts = []
     by_hand = []
     for particle in particles:
         p, v = particle.position, particle.velocity
         m, a = particle.inverse_mass, particle.acceleration
-        starts.append((particle, m, a, p, v, p.x, p.y, p.z, v.x, v.y, v.z))
-        force = particle.force_accumulator
-        if force.x or force.y or force.z:
-            by_hand.append((particle, force))
+        starts.append((particle, m, a, p, v, p.x, p.y, p.z, v.x, v.y, v.z, []))
+        force = particle.take_forces()
+        if force is not NO_FORCE:
+            by_hand.append((particle, Vector3(*force)))
+    if by_hand:
+        _add_again(by_hand)
     return starts, by_hand
 
 

@@ -112,34 +112,28 @@ class Connection:
         self.stiffness = not_negative("stiffness", stiffness)
         self.rest_length = not_negative("rest_length", rest_length)
         self.damping = not_negative("damping", damping)
-        self._vector = Vector3()  # add_force only reads it, so one vector serves every step
 
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the spring_force on a to a, and exactly its opposite to b.
 
         So the momentum of the two stays what it was. Which of the two is asked for does not matter.
         """
-        # spring_force once more, in plain floats and without a call: a cloth has hundreds of these.
+        # spring_force in plain floats, as in _force: a cloth has hundreds of these.
         a, b = self.a, self.b
         p, q = a.position, b.position
         x = p.x - q.x
         y = p.y - q.y
         z = p.z - q.z
         length = math.hypot(x, y, z)
-        if length == 0.0:
+        if not length:
             return
+        x /= length
+        y /= length
+        z /= length
         v, w = a.velocity, b.velocity
-        rate = ((v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z) / length
+        rate = (v.x - w.x) * x + (v.y - w.y) * y + (v.z - w.z) * z
         push = self.stiffness * (self.rest_length - length) - self.damping * rate
-        force = self._vector
-        force.x = x = x / length * push
-        force.y = y = y / length * push
-        force.z = z = z / length * push
-        a.add_force(force)
-        force.x = -x
-        force.y = -y
-        force.z = -z
-        b.add_force(force)
+        a.add_force_pair(b, x * push, y * push, z * push)
 
 
 def connect(

@@ -17,10 +17,12 @@ from matplotlib.figure import Figure
 # Okabe and Ito's colours: told apart by colour-blind readers, and of different greys in print.
 BLUE, ORANGE, GREEN, GREY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
 RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
+VIOLET, BROWN = "#9600F0", "#663300"  # not theirs, and told apart from theirs in the same way
 # The steps of chapter 6 by their names, the same in all pictures.
 COLORS = {
     "explicit Euler": RED,
     "semi-implicit Euler": BLUE,
+    "leapfrog": VIOLET,
     "velocity Verlet": SKY,
     "Runge-Kutta 4": GREEN,
     "backward Euler": ORANGE,

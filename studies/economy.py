@@ -79,7 +79,7 @@ def parts() -> list[tuple[str, Move, Move]]:
     from ch02_vectors.vector import Vector3
     from ch05_forces.forces import ForceRegistry, Gravity
     from ch05_forces.particle import Particle
-    from ch06_springs.integrators import explicit_euler, runge_kutta_4
+    from ch06_springs.integrators import explicit_euler, leapfrog, runge_kutta_4, velocity_verlet
     from ch07_constraints.detectors import GroundPlane, ParticlePairs
     from ch08_mass_aggregate.sleeping import SleepingWorld
     from ch08_mass_aggregate.world import ParticleWorld
@@ -142,6 +142,11 @@ def parts() -> list[tuple[str, Move, Move]]:
             "four evaluations a step, where one is exact enough",
             stepping_bare(runge_kutta_4, falling()),
             bare(),
+        ),
+        (
+            "two evaluations (Verlet), where one is as exact (leapfrog)",
+            stepping_bare(velocity_verlet, falling()),
+            stepping_bare(leapfrog, falling()),
         ),
         ("a third dimension, in plain numbers", plain(3), plain(2)),
         (

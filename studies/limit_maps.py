@@ -28,13 +28,14 @@ from studies.stability import INTEGRATORS, SOLVERS, swing
 
 SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GREY}
 # Pymunk's lie on the curves of the methods that they are, and so have marks that show on others.
-MARKS = dict(zip(SHADES, "oovsoox+", strict=True))
+MARKS = dict(zip(SHADES, "oo^vsoox+", strict=True))
 KAPPAS = [0.01 * 10.0 ** (i / 16.0) for i in range(56)]
 DOTS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.5, 2.0)  # dampings whose limits are looked for
 # With the damping at which each has a limit that is not 0: d^h, or c h / m.
 LOST = {
     "explicit Euler": 0.5,
     "semi-implicit Euler": 1.0,
+    "leapfrog": 1.0,
     "velocity Verlet": 1.0,
     "Runge-Kutta 4": 1.0,
     "pymunk's spring": 0.0,
@@ -54,7 +55,7 @@ Loss = tuple[str, float, float, float, int, int]
 
 def draw_maps(png: Path) -> None:
     """Write a panel a method: growth over stiffness and damping, theory's limit, limits found."""
-    figure, panels = pyplot.subplots(2, 4, figsize=(17, 8), layout="constrained")
+    figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []
     for axes, name in zip(panels.flat, SHADES, strict=True):
         by_particle = name in INTEGRATORS

@@ -160,14 +160,15 @@ def thrown(kappa: float) -> int:
 
 
 # Above which z = k1 h / m a speed grows in a step, and above which it turns round. Euler's steps,
-# and a force by hand in pymunk, multiply it by 1 - z. Verlet asks for its second force with v + a h
-# and so multiplies by 1 - z / 2 - z (1 - z) / 2 = 1 - z + z^2 / 2, which is 1/2 or more; Runge and
-# Kutta's series 1 - z + z^2 / 2 - z^3 / 6 + z^4 / 24 is positive as well, and is 1 again at the
-# root of z^3 - 4 z^2 + 12 z - 24. Backward Euler has 1 / (1 + z), the trapezoidal rule
+# leapfrog, and a force by hand in pymunk multiply it by 1 - z. Verlet asks for its second force
+# with v + a h and so multiplies by 1 - z / 2 - z (1 - z) / 2 = 1 - z + z^2 / 2, which is 1/2 or
+# more; Runge and Kutta's series 1 - z + z^2 / 2 - z^3 / 6 + z^4 / 24 is positive as well, and is 1
+# again at the root of z^3 - 4 z^2 + 12 z - 24. Backward Euler has 1 / (1 + z), the trapezoidal rule
 # (1 - z / 2) / (1 + z / 2), and all that damps by d^h, as pymunk's spring does, e^-z.
 DRAG_THEORY = {
     "explicit Euler": (2.0, 1.0),
     "semi-implicit Euler": (2.0, 1.0),
+    "leapfrog": (2.0, 1.0),
     "velocity Verlet": (2.0, math.inf),
     "Runge-Kutta 4": (2.785293563405282, math.inf),
     "backward Euler": (math.inf, math.inf),

@@ -22,6 +22,7 @@ from ch06_springs.integrators import (
     Integrator,
     backward_euler,
     explicit_euler,
+    leapfrog,
     runge_kutta_4,
     semi_implicit_euler,
     trapezoidal,
@@ -37,6 +38,7 @@ Solver = Callable[[float, float, float, float, float, float], tuple[float, float
 INTEGRATORS: dict[str, Integrator] = {
     "explicit Euler": explicit_euler,
     "semi-implicit Euler": semi_implicit_euler,
+    "leapfrog": leapfrog,
     "velocity Verlet": velocity_verlet,
     "Runge-Kutta 4": runge_kutta_4,
 }
@@ -260,7 +262,7 @@ def theory(name: str, kept: float) -> float:
     """
     if name == "explicit Euler":
         return 1.0 / kept - 1.0
-    if name == "semi-implicit Euler":
+    if name in ("semi-implicit Euler", "leapfrog"):  # similar matrices
         return 2.0 * (1.0 + kept) / kept
     if name == "velocity Verlet":  # the determinant is D, the trace (1 + D) (1 - kappa / 2)
         return 4.0

@@ -55,13 +55,16 @@ def semi_implicit_euler(
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
     """Drift for half of the step, kick for all of it, and drift for the other half.
 
-    p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and p' = p1 + v' h / 2. The one
-    kick damps once, so the order at d = 1 stays what it is.
+    p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and p' = p1 + v' h / 2. The
+    forces are evaluated once, in the middle of the step, and damping acts once.
 
-    Order 2 where no force depends on the velocity, and 1 where one does, since those forces are
-    asked with the old velocity. Symplectic at d = 1 in the first case. One evaluation of the
-    forces. Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2 (1 + d^h) / d^h. Source:
-    Hairer, Lubich and Wanner, Acta Numerica 12 (2003), 399.
+    The order is 2 if no force depends on the velocity. If one does, the order is 1, because that
+    force is evaluated with the old velocity. Symplectic at d = 1 in the first case.
+
+    Stable for k h^2 / m < 4. With damping d, and a damper c in the spring, the limit is
+    k h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits: after its
+    first half drift, leapfrog kicks and drifts in turn as semi-implicit Euler does. Source: Hairer,
+    Lubich and Wanner, Acta Numerica 12 (2003), 399.
     """
     raise NotImplementedError("Exercise B6.6b: Leapfrog")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import math
 from collections.abc import Sequence
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
@@ -13,12 +14,24 @@ from matplotlib.axes import Axes
 
 from studies.accuracy.measure import Point
 from studies.accuracy.results import Row, Side, front, models_of, row
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, YELLOW
+from studies.drawing import (
+    BLACK,
+    BLUE,
+    BROWN,
+    COLORS,
+    GREEN,
+    GREY,
+    ORANGE,
+    PINK,
+    RED,
+    SKY,
+    YELLOW,
+)
 
 FLOOR, CEILING = 1e-15, 10.0  # errors below and above are rounding, and no answer
-OURS = (BLUE, GREEN, ORANGE, SKY, PINK, YELLOW)
+OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, YELLOW)
 UP = (0.25, 0.0, -0.25)  # of the three tolerances in the row of a scene
-MARKERS = "os^Dvp"
+MARKERS = "os^Dvph<>"
 COLUMNS = (
     *("model", "by", "steps a frame", "error / scale", "work"),
     *("time, ms", "lower quartile, ms", "upper quartile, ms"),
@@ -28,7 +41,7 @@ COLUMNS = (
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
     """Write the chart of one scene, and a table of its points beside it."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
-    styles = _styles(points)
+    styles = styles_of(points)
     edge = front(points)
     left.plot(
         [1e3 * point.time for point in edge],
@@ -58,7 +71,8 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         axes.set(xscale="log", yscale="log", ylabel="largest error / scale of the scene")
         axes.set_ylim(max(FLOOR, min(point.error for point in points)) / 3.0, CEILING)
         axes.grid(alpha=0.3)
-    left.legend(fontsize=8.5, loc="best")
+    labels = left.get_legend_handles_labels()
+    figure.legend(*labels, loc="outside lower center", ncols=6, fontsize=8.5, borderpad=0.8)
     figure.suptitle(f"{points[0].scene}\n{said(row(points, 1e-4))}", fontsize=11)
     figure.savefig(png, dpi=100)
     pyplot.close(figure)
@@ -151,18 +165,24 @@ def _number(value: float) -> str:
     return f"{value:.3g}" if value < 1000.0 else f"{float(f'{value:.3g}'):,.0f}"
 
 
-def _styles(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
-    """Return how each model is drawn: pymunk's in black and grey, the book's in red."""
+def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
+    """Return how each model is drawn: pymunk's in black and grey, the book's in red.
+
+    A step of chapter 6 has its own colour, and the other models have those that are left.
+    """
     styles: dict[str, dict[str, Any]] = {}
-    theirs, colors = iter((BLACK, GREY)), iter(zip(OURS, MARKERS, strict=True))
-    for name, own in models_of(points).items():
+    models = models_of(points)
+    taken = {COLORS[name] for name in models if name in COLORS}
+    theirs, markers = iter((BLACK, GREY)), cycle(MARKERS)
+    colors = cycle([color for color in OURS if color not in taken])
+    for name, own in models.items():
         if own[0].by == "pymunk":
             styles[name] = {"color": next(theirs), "marker": "x", "ls": "--", "ms": 7}
         elif own[0].by == "the book":
             many = sum(style["color"] == RED for style in styles.values())
             styles[name] = {"color": RED, "marker": "+*"[many % 2], "ls": "-", "ms": 8}
         else:
-            color, marker = next(colors, (BLACK, "."))
+            color = COLORS.get(name) or next(colors)
             size = 11 if math.isclose(own[0].steps, own[-1].steps) else 5
-            styles[name] = {"color": color, "marker": marker, "ls": "-", "ms": size}
+            styles[name] = {"color": color, "marker": next(markers), "ls": "-", "ms": size}
     return styles

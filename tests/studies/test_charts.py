@@ -14,12 +14,12 @@ from scipy.integrate import solve_ivp
 from ch07_constraints.angle_pendulum import AnglePendulum
 from studies import charts, choose
 from studies.accuracy import impacts
-from studies.accuracy.chart import told, told_ratio
+from studies.accuracy.chart import styles_of, told, told_ratio
 from studies.accuracy.measure import Measured, Point, load, save
 from studies.accuracy.results import front, stalls, table, time_to
 from studies.accuracy.scene import RATE, Model, Outcome, Scene
 from studies.accuracy.scenes import scenes_with
-from studies.drawing import slope
+from studies.drawing import COLORS, slope
 
 SCENES = {scene.name: scene for scene in scenes_with("")}
 G = 9.81
@@ -117,8 +117,10 @@ def test_closed_forms_and_exact_ways_are_exact(name: str) -> None:
     [
         ("projectile with linear drag", "explicit Euler", 1),
         ("projectile with linear drag", "damping in the particle", 1),
+        ("projectile with linear drag", "leapfrog", 1),  # drag depends on the velocity
         ("projectile with linear drag", "velocity Verlet", 2),
         ("projectile with linear drag", "pymunk", 1),
+        ("orbit of eccentricity 0.5", "leapfrog", 2),
         ("orbit of eccentricity 0.5", "velocity Verlet", 2),
         ("floating block", "Runge-Kutta 4", 4),
         (SPRING.format("100", "2"), "Runge-Kutta 4", 4),
@@ -140,7 +142,7 @@ def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: in
 
 def test_work_is_what_was_worked_out() -> None:
     orbit = SCENES["orbit of eccentricity 0.5"]
-    asked = {"explicit Euler": 1, "semi-implicit Euler": 1, "velocity Verlet": 2}
+    asked = {"explicit Euler": 1, "semi-implicit Euler": 1, "leapfrog": 1, "velocity Verlet": 2}
     for name, times in (asked | {"Runge-Kutta 4": 4, "pymunk, force by hand": 1}).items():
         assert model_of(orbit, name).run(2).work == 2 * times * orbit.frames
     ball = SCENES["bouncing ball, restitution 0.8"]
@@ -230,6 +232,15 @@ def test_what_was_measured_is_kept_unless_the_code_changed(tmp_path: Path) -> No
     (tmp_path / "kept.json").write_text("{", encoding="utf-8")
     assert load(tmp_path / "kept.json", "these") is None
     assert load(tmp_path / "none.json", "these") is None
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_no_two_models_of_a_scene_are_drawn_alike(name: str) -> None:
+    models = SCENES[name].models
+    styles = styles_of([Point(name, m.name, m.by, n, 0.1, 1) for m in models for n in m.steps])
+    assert [*styles] == [m.name for m in models]
+    assert len({(style["color"], style["marker"]) for style in styles.values()}) == len(models)
+    assert all(styles[step]["color"] == COLORS[step] for step in COLORS.keys() & styles)
 
 
 def test_charts_are_drawn_and_a_run_goes_on_where_it_was(

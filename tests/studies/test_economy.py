@@ -24,7 +24,7 @@ def test_each_part_has_a_bar_and_a_row(
         assert what in told
         assert 0.0 < float(low) <= float(middle) <= float(high)
     assert {"gravity as a force generator", "a registry for it"} < {row[0] for row in rows}
-    assert len(rows) == 8
+    assert len(rows) == 9
     assert (tmp_path / "economy.png").stat().st_size > 20_000
 
 

@@ -18,6 +18,8 @@ SPRINGS = {
     ("explicit Euler", "d^h = 0.5"): 1.0,
     ("semi-implicit Euler", "d^h = 1"): 4.0,
     ("semi-implicit Euler", "d^h = 0.5"): 6.0,
+    ("leapfrog", "d^h = 1"): 4.0,
+    ("leapfrog", "d^h = 0.5"): 6.0,
     ("velocity Verlet", "d^h = 0.9"): 4.0,
     ("Runge-Kutta 4", "d^h = 1"): 8.0,
     ("pymunk's spring", "c h / m = 0"): 4.0,
@@ -32,6 +34,7 @@ SPRINGS = {
 DRAGS = {
     "explicit Euler": (2.0, 1.0),
     "semi-implicit Euler": (2.0, 1.0),
+    "leapfrog": (2.0, 1.0),
     "velocity Verlet": (2.0, math.inf),
     "Runge-Kutta 4": (2.785293563405282, math.inf),  # z^3 - 4 z^2 + 12 z = 24
     "backward Euler": (math.inf, math.inf),
@@ -42,7 +45,7 @@ DRAGS = {
 }
 
 # Where a map has 0.5 for the damping, the limit of each panel; there is none for the solvers.
-AT_HALF = (1.0, 6.0, 4.0, 8.8351743, None, None, 2.0 * (1.0 + math.exp(0.5)), 0.5)
+AT_HALF = (1.0, 6.0, 6.0, 4.0, 8.8351743, None, None, 2.0 * (1.0 + math.exp(0.5)), 0.5)
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +56,7 @@ def springs() -> dict[tuple[str, str], Bound]:
 def test_limits_of_springs_are_found_within_a_millionth_of_theory(
     springs: dict[tuple[str, str], Bound],
 ) -> None:
-    assert len(springs) == 4 * 3 + 2 * 2 + 2 + 2
+    assert len(springs) == 5 * 3 + 2 * 2 + 2 + 2
     for key, wanted in SPRINGS.items():
         # Bisection to 1e-14; explicit Euler's growth begins with the root of what it is beyond.
         found = springs[key].found, springs[key].theory
@@ -62,7 +65,9 @@ def test_limits_of_springs_are_found_within_a_millionth_of_theory(
     assert springs["penalty ground", "what lies"].found == pytest.approx(4.0, rel=2e-5)
 
 
-@pytest.mark.parametrize("name", ["semi-implicit Euler", "velocity Verlet", "Runge-Kutta 4"])
+@pytest.mark.parametrize(
+    "name", ["semi-implicit Euler", "leapfrog", "velocity Verlet", "Runge-Kutta 4"]
+)
 def test_just_inside_nothing_grows_and_just_outside_it_does(
     name: str, springs: dict[tuple[str, str], Bound]
 ) -> None:
@@ -115,6 +120,7 @@ def test_pymunk_damps_by_a_power_of_its_frame() -> None:
     ("name", "damping", "share"),
     [
         ("semi-implicit Euler", 1.0, 5.39),
+        ("leapfrog", 1.0, 3.571),
         ("velocity Verlet", 1.0, 0.505),
         ("pymunk's spring", 0.0, 4.68),
     ],
@@ -123,7 +129,8 @@ def test_a_simulation_is_lost_when_the_eigenvalue_says(
     name: str, damping: float, share: float
 ) -> None:
     # At 1.02 of 4 the eigenvalues -r and -1 / r add up to the trace, 2 - 4.08. A place from rest is
-    # A (-r)^n + B (-1 / r)^n, with A + B = 1; the first place after it, -3.08, -1.04 or 1, gives A.
+    # A (-r)^n + B (-1 / r)^n, with A + B = 1; the first place after it gives A: -3.08, -1.04 (for
+    # leapfrog and Verlet) or 1.
     # ``share`` is A times the size of the eigenvector of -r, whose place is 1.
     rate = math.log(1.04 + math.sqrt(1.04**2 - 1.0))
     predicted = math.log(1e6) / rate
@@ -151,6 +158,7 @@ def test_energies_after_many_swings_are_those_of_theory() -> None:
         assert drifts["Runge-Kutta 4"][place] == pytest.approx(kept, rel=1e-3)
         for name in (
             "semi-implicit Euler",
+            "leapfrog",
             "velocity Verlet",
             "trapezoidal rule",
             "pymunk's spring",
@@ -178,7 +186,7 @@ def test_the_command_prints_writes_and_draws(
     with (tmp_path / "limits.csv").open(encoding="utf-8") as file:
         rows = [*csv.reader(file)]
     assert rows[0] == ["method", "at", "limit of k h^2 / m", "theory", "steps to x 1e6"]
-    assert len(rows) == (1 + 20) + (1 + 18) + (1 + 6) + (1 + 6 * 2)
+    assert len(rows) == (1 + 23) + (1 + 20) + (1 + 7) + (1 + 7 * 2)
     drag = [row for row in rows if row[:2] == ["trapezoidal rule", "reversal"]]
     assert [float(cell) for cell in drag[0][2:4]] == pytest.approx([2.0, 2.0])
     maps, curves = figures
@@ -194,8 +202,8 @@ def test_the_command_prints_writes_and_draws(
         assert found[0.5] == pytest.approx(wanted, rel=1e-6)
         near = min(theory.get_xydata(), key=lambda point: abs(point[1] - 0.5))
         assert near[0] == pytest.approx(wanted, rel=0.01)  # it has 1000 points
-    # Six methods with two lines each, a line at 0; six methods and a theory.
-    assert [len(axes.lines) for axes in curves.axes] == [12, 13, 7]
+    # Seven methods with two lines each, a line at 0; seven methods and a theory.
+    assert [len(axes.lines) for axes in curves.axes] == [14, 15, 8]
 
 
 def test_a_limit_off_its_theory_is_a_failure(

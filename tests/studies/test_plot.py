@@ -201,11 +201,12 @@ def test_the_three_regimes_are_those_of_the_formula(reference: Path) -> None:
 def test_each_step_explodes_where_theory_says(reference: Path) -> None:
     rows = table(reference, "stability_map", "ch06_springs")[1:]
     limits = {(row[0], float(row[1])): float(row[2]) for row in rows if row[0].endswith("limit")}
-    assert len(limits) == 4 * 7 - 1
+    assert len(limits) == 5 * 7 - 1
     for (name, kept), limit in limits.items():
         known = {
             "explicit Euler, limit": 1.0 / kept - 1.0,
             "semi-implicit Euler, limit": 2.0 * (1.0 + kept) / kept,
+            "leapfrog, limit": 2.0 * (1.0 + kept) / kept,
             "velocity Verlet, limit": 4.0,
         }
         if name in known:
@@ -233,11 +234,17 @@ def test_the_energy_is_what_each_step_makes_of_it(reference: Path) -> None:
         assert energies[name][-1] == pytest.approx(rate**steps, rel=1e-9)
     assert energies["trapezoidal rule"][-1] == pytest.approx(1.0, rel=1e-12)
     assert energies["semi-implicit Euler"][-1] == pytest.approx(1.06, abs=0.005)  # E-17
+    # From rest leapfrog keeps kappa x^2 + (1 - kappa / 4) w^2, where w = v h, and velocity Verlet
+    # keeps kappa (1 - kappa / 4) x^2 + w^2: at x = 0 the energies are 1 / (1 - kappa / 4) and
+    # 1 - kappa / 4. A step within 0.08 rad of there is off that by 0.7 % of the difference.
+    most = 1.0 / (1.0 - kappa / 4.0)
+    assert max(energies["leapfrog"]) - 1.0 == pytest.approx(most - 1.0, rel=0.007)
+    assert min(energies["velocity Verlet"]) - 1.0 == pytest.approx(-kappa / 4.0, rel=0.007)
 
 
 def test_errors_shrink_by_the_order_of_the_step(reference: Path) -> None:
     rows = table(reference, "error_against_work", "ch06_springs")[1:]
-    orders = {"explicit Euler": 1, "semi-implicit Euler": 1, "velocity Verlet": 2}
+    orders = {"explicit Euler": 1, "semi-implicit Euler": 1, "leapfrog": 2, "velocity Verlet": 2}
     orders |= {"Runge-Kutta 4": 4, "backward Euler": 1, "trapezoidal rule": 2}
     for name, order in orders.items():
         errors = {int(row[3]): float(row[4]) for row in rows if row[:2] == ["100.0", name]}
@@ -288,7 +295,7 @@ def test_steps_that_do_nothing_or_return_nonsense_give_pictures(
     copy_tree(ROOT / "solutions", tmp_path / "engine")
     folder = tmp_path / "engine/ch06_springs"
     with (folder / "integrators.py").open("a", encoding="utf-8") as file:
-        file.write(f"\n\nexplicit_euler = velocity_verlet = lambda *_: {result}\n")
+        file.write(f"\n\nexplicit_euler = leapfrog = velocity_verlet = lambda *_: {result}\n")
         file.write(f"semi_implicit_euler = runge_kutta_4 = watched = lambda *_: {result}\n")
         file.write(f"backward_euler = trapezoidal = lambda *_: {result}\n")
     with (folder / "closed_form.py").open("a", encoding="utf-8") as file:

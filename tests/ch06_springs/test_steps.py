@@ -1,4 +1,4 @@
-"""What every step of build tasks B6.6, B6.7 and B6.8 must do: formula, forces, order."""
+"""What every step of build tasks B6.6 to B6.8 must do: formula, forces, order."""
 
 from __future__ import annotations
 

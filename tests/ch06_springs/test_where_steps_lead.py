@@ -1,4 +1,4 @@
-"""Where the steps of build tasks B6.6, B6.7 and B6.8 lead: energy, and the limits of stability."""
+"""Where the steps of build tasks B6.6 to B6.8 lead: energy, and the limits of stability."""
 
 from __future__ import annotations
 

@@ -72,7 +72,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         axes.set_ylim(max(FLOOR, min(point.error for point in points)) / 3.0, CEILING)
         axes.grid(alpha=0.3)
     labels = left.get_legend_handles_labels()
-    figure.legend(*labels, loc="outside lower center", ncols=6, fontsize=8.5, borderpad=0.8)
+    figure.legend(*labels, loc="outside lower center", ncols=5, fontsize=8.5, borderpad=0.8)
     figure.suptitle(f"{points[0].scene}\n{said(row(points, 1e-4))}", fontsize=11)
     figure.savefig(png, dpi=100)
     pyplot.close(figure)

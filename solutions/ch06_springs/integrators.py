@@ -263,7 +263,7 @@ def _starts(
     A start is the particle, inverse mass, acceleration, position, velocity, the components of these
     last two, and an empty list for what the step evaluates.
     """
-    starts = []
+    starts: list[tuple[Any, ...]] = []
     by_hand = []
     for particle in particles:
         p, v = particle.position, particle.velocity

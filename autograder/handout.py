@@ -22,8 +22,8 @@ STUDENT_TOOLS = {
         "surroundings.py verdicts.py watch.py wrapping.py written.py"
     ),
     "studies": (
-        "__init__.py __main__.py constraints.py demo.py drawing.py engine.py links.py "
-        "mass_aggregate.py plot.py ropes.py rotations.py scenes.py stability.py timing.py"
+        "__init__.py __main__.py constraints.py demo.py drag_flight.py drawing.py engine.py "
+        "links.py mass_aggregate.py plot.py ropes.py rotations.py stability.py timing.py"
     ),
     "tests": "conftest.py draw.py expect.py lever.py rigidity.py turning.py",
 }

@@ -43,7 +43,7 @@ def main(arguments: list[str]) -> int:
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These import chapters.
     from studies.accuracy import chart, measure, results
-    from studies.accuracy.scenes import scenes_with
+    from studies.accuracy.catalog import scenes_with
 
     pyplot.switch_backend("agg")
     try:

@@ -34,8 +34,8 @@ def main(arguments: list[str]) -> int:
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These import chapters.
     from studies.accuracy import measure, results
+    from studies.accuracy.catalog import scenes_with
     from studies.accuracy.scene import RATE
-    from studies.accuracy.scenes import scenes_with
 
     try:
         scenes = scenes_with(options.scene)

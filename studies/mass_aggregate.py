@@ -45,8 +45,8 @@ LATE_HEIGHT = 40.0  # of the ball that wakes them, at the start
 Measure = Callable[[], float]
 
 
-class Scene(Protocol):
-    """What the scenes of the chapter have in common."""
+class MassAggregate(Protocol):
+    """What the bridge, the platform, the blob and the wheel have in common."""
 
     @property
     def world(self) -> ParticleWorld: ...
@@ -90,11 +90,11 @@ def loaded_platform() -> TiltingPlatform:
     return platform
 
 
-def energy(scene: Scene, rate: int, seconds: float) -> Track:
-    """Return the mechanical energy of all the particles of a scene."""
-    resolve_by_heap(scene.world)
-    measures = [lambda: mechanical_energy(scene.world.particles)]
-    return tracks(scene.step, measures, round(rate * seconds), 1.0 / rate)[0]
+def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
+    """Return the mechanical energy of all the particles of an aggregate."""
+    resolve_by_heap(aggregate.world)
+    measures = [lambda: mechanical_energy(aggregate.world.particles)]
+    return tracks(aggregate.step, measures, round(rate * seconds), 1.0 / rate)[0]
 
 
 def default_bridge() -> Bridge:
@@ -156,16 +156,16 @@ def places(world: ParticleWorld) -> list[Numbers]:
 
 
 def in_frames(
-    scene: Scene, frames: Sequence[float], measure: Callable[[], float], fixed: bool
+    aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
-    """Run a scene in frames of given times: in steps of these, or in even ones of FRAME.
+    """Run an aggregate in frames of given times: in steps of these, or in even ones of FRAME.
 
     With the track come, after each frame, the number of steps so far and all places then.
     """
-    resolve_by_heap(scene.world)
-    stepper = FixedStep(scene.step, FRAME)
+    resolve_by_heap(aggregate.world)
+    stepper = FixedStep(aggregate.step, FRAME)
     times, values = [0.0], [number(measure())]
-    states = [(0, places(scene.world))]
+    states = [(0, places(aggregate.world))]
 
     def run() -> None:
         steps = 0
@@ -173,10 +173,10 @@ def in_frames(
             if fixed:
                 steps += stepper.advance(elapsed)
             else:
-                scene.step(elapsed)
+                aggregate.step(elapsed)
                 steps += 1
             values.append(number(measure()))
-            states.append((steps, places(scene.world)))
+            states.append((steps, places(aggregate.world)))
             times.append(times[-1] + elapsed)
 
     message = stopped(run)

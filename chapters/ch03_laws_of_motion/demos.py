@@ -12,8 +12,8 @@ from matplotlib.patches import Circle
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
+from studies.drag_flight import GRAVITY, DragFlight, State
 from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, RED, Numbers, is_drawable, numbers
-from studies.scenes import GRAVITY, Scene, State
 
 Point = tuple[float, float]
 
@@ -96,15 +96,15 @@ class Throw:
         """The middle of the rim, in m."""
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
-    def scene(self) -> Scene:
+    def flight(self) -> DragFlight:
         """Return the throw as plain numbers, with its exact solution."""
         vx, vy = self.speed * math.cos(self.angle), self.speed * math.sin(self.angle)
         start = State((*self.HAND, 0.0), (vx, vy, 0.0))
-        return Scene("throw", start, GRAVITY, self.damping, self.LONGEST)
+        return DragFlight("throw", start, GRAVITY, self.damping, self.LONGEST)
 
     def new_ball(self) -> Particle:
         """Return a particle that leaves the hand as it is aimed now."""
-        start = self.scene().start
+        start = self.flight().start
         return Particle(
             Vector3(*start.position),
             Vector3(*start.velocity),
@@ -116,7 +116,7 @@ class Throw:
         """Throw the ball, unless it is still in the air."""
         if self.flies:
             return
-        self.thrown, self.particle = self.scene(), self.new_ball()
+        self.thrown, self.particle = self.flight(), self.new_ball()
         self.passed = self.score
         self.step = 1.0 / self.rate
         self.due, self.steps = 0.0, 0

@@ -14,8 +14,8 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.exercises import random_frames
 from ch03_laws_of_motion.particle import Particle
+from studies.drag_flight import AT_REST, FREE_FALL, GRAVITY, PROJECTILE, DragFlight, with_particle
 from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, Picture, numbers, slope
-from studies.scenes import AT_REST, FREE_FALL, GRAVITY, PROJECTILE, Scene, with_particle
 
 KEPT = 0.5  # the damping per second of the comparison
 TUNED_AT = 60.0  # frames a second, at which the damping per frame is made to take as much
@@ -31,7 +31,7 @@ FORMS = (
 
 def damping_comparison() -> Picture:
     """What each equation takes from a fall of a second, over the frame rate (exercise 3.5)."""
-    fall = Scene("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
+    fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
     exact = 1.0 + fall.exact(fall.duration).velocity[1] / undamped
     rows = [(rate, *_losses(rate, undamped), exact) for rate in RATES]
@@ -99,19 +99,19 @@ def trajectories() -> Picture:
     """A throw with and without damping, in long frames, beside the exact paths."""
     frame = 0.1
     frames = round(PROJECTILE.duration / frame)
-    undamped = Scene("projectile", PROJECTILE.start, GRAVITY, 1.0, PROJECTILE.duration)
+    undamped = DragFlight("projectile", PROJECTILE.start, GRAVITY, 1.0, PROJECTILE.duration)
     figure, axes = pyplot.subplots(figsize=(8, 4), layout="constrained")
     rows, gaps = [], []
-    for scene, color, mark in ((undamped, BLUE, "o"), (PROJECTILE, ORANGE, "s")):
-        stepped = [state.position for state in with_particle(scene, frame, frames)]
-        exact = [scene.exact(i * frame).position for i in range(frames + 1)]
-        label = f"d = {scene.damping:g}"
+    for flight, color, mark in ((undamped, BLUE, "o"), (PROJECTILE, ORANGE, "s")):
+        stepped = [state.position for state in with_particle(flight, frame, frames)]
+        exact = [flight.exact(i * frame).position for i in range(frames + 1)]
+        label = f"d = {flight.damping:g}"
         axes.plot([x for x, _, _ in exact], [y for _, y, _ in exact], color=color, label=label)
         points = ([x for x, _, _ in stepped], [y for _, y, _ in stepped])
         axes.plot(*points, mark, color=color, ms=4, label=f"{label}, in steps of {frame} s")
         gaps.append(max(math.dist(p, q) for p, q in zip(stepped, exact, strict=True)))
         rows += [
-            (scene.damping, i * frame, *p[:2], *q[:2])
+            (flight.damping, i * frame, *p[:2], *q[:2])
             for i, (p, q) in enumerate(zip(stepped, exact, strict=True))
         ]
     axes.axhline(0.0, color=GREEN, lw=1, label="ground")

@@ -22,6 +22,7 @@ from ch04_particle_engine.demos import (
 )
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworksShow
+from studies.drag_flight import flight_of, make_particle
 from studies.drawing import (
     GREEN,
     GREY,
@@ -32,7 +33,6 @@ from studies.drawing import (
     numbers,
     slope,
 )
-from studies.scenes import make_particle, scene_of
 
 FRAME = 1.0 / 60.0
 LONGEST = 600  # frames, in which every shot lands and every firework burns out
@@ -125,11 +125,11 @@ def step_error() -> Picture:
     rows = []
     orders = []
     for name, color, mark in (("artillery", GREEN, "o"), ("fireball", ORANGE, "s")):
-        scene = scene_of(SHOT_TYPES[name], seconds)
-        exact = numbers(state_after(make_particle(scene), seconds)[0])
+        flight = flight_of(SHOT_TYPES[name], seconds)
+        exact = numbers(state_after(make_particle(flight), seconds)[0])
         errors = []
         for frames in counts:
-            particle = make_particle(scene)
+            particle = make_particle(flight)
             for _ in range(frames):
                 particle.integrate(seconds / frames)
             errors.append(math.dist(numbers(particle.position), exact))

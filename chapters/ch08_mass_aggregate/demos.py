@@ -12,7 +12,7 @@ from ch08_mass_aggregate.demos_common import (
     EARTH,
     WOOD,
     Point,
-    Scene,
+    WorldDemo,
     draw_anchors,
     draw_cables,
     draw_ground,
@@ -24,7 +24,7 @@ from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, RED
 from studies.links import over_length
 
 
-class Bridge(Scene):
+class Bridge(WorldDemo):
     """A heavy ball walks over a rope bridge, in frames of one length or in some that are late."""
 
     seconds = 12.0
@@ -100,7 +100,7 @@ class Bridge(Scene):
             self.press(key)
 
 
-class Ball(Scene):
+class Ball(WorldDemo):
     """A game: bounce from plank to plank, and do not fall (project 8.1)."""
 
     seconds = 12.0
@@ -170,7 +170,7 @@ class Ball(Scene):
         return "down"
 
 
-class Trebuchet(Scene):
+class Trebuchet(WorldDemo):
     """A trebuchet throws (project 8.2), and where the counterweight's energy goes."""
 
     seconds = 11.3

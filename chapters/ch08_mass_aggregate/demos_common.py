@@ -38,8 +38,8 @@ class WholeSteps(FixedStep):
         return steps
 
 
-class Scene:
-    """The base of the demos: lets frames pass, and stops where the engine explodes."""
+class WorldDemo:
+    """The base of the demos that step a world. It stops where the engine explodes."""
 
     LINES = 2  # of the title
     clock: FixedStep

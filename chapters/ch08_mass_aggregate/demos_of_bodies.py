@@ -15,7 +15,7 @@ from ch08_mass_aggregate.demos_common import (
     EARTH,
     WOOD,
     Point,
-    Scene,
+    WorldDemo,
     draw_ground,
     lines,
     seen,
@@ -26,7 +26,7 @@ from studies.links import ends_of
 DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up": (0.0, 1.0)}
 
 
-class Platform(Scene):
+class Platform(WorldDemo):
     """A weight on a platform that tilts on a pivot, which can be freed (mini-project 8.1)."""
 
     seconds = 12.0
@@ -122,7 +122,7 @@ class Platform(Scene):
             self.press(key)
 
 
-class Blob(Scene):
+class Blob(WorldDemo):
     """A blob of bonds that break and heal, to throw about; cables can hold it together."""
 
     seconds = 12.0
@@ -209,7 +209,7 @@ class Blob(Scene):
             self.press("c")
 
 
-class Wheel(Scene):
+class Wheel(WorldDemo):
     """A wheel of rods that is driven at its rim (mini-project 8.3)."""
 
     seconds = 10.0
@@ -297,7 +297,7 @@ class Wheel(Scene):
             self.press(key)
 
 
-class Cube(Scene):
+class Cube(WorldDemo):
     """A cube of rods falls on a corner; how many can be taken away (mini-project 8.2)?"""
 
     seconds = 10.5

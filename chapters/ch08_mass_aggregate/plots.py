@@ -42,7 +42,7 @@ from studies.drawing import (
 from studies.mass_aggregate import (
     FRAME,
     SPIKE,
-    Scene,
+    MassAggregate,
     default_bridge,
     energy,
     in_frames,
@@ -70,7 +70,7 @@ THROUGH = 1e3  # %, where a picture has what is infinitely too long
 # How each rate is drawn, and for how many seconds: 120 Hz take longest, and are stillest.
 RATES = {30: (RED, 30.0), 60: (BLUE, 30.0), 120: (GREEN, 15.0)}
 
-Way = tuple[Callable[[], Scene], int, float, str]  # a scene, its frame rate, for how long, a colour
+Way = tuple[Callable[[], MassAggregate], int, float, str]  # with Hz, seconds, color
 
 
 def energy_of_bridge() -> Picture:
@@ -327,7 +327,7 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
     return Picture(figure, ("way", "time, s", "energy, J"), rows)
 
 
-def _energy_of(make: Callable[[], Scene], rate: int, seconds: float) -> Callable[[], Track]:
+def _energy_of(make: Callable[[], MassAggregate], rate: int, seconds: float) -> Callable[[], Track]:
     return lambda: energy(make(), rate, seconds)
 
 

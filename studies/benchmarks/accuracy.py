@@ -10,9 +10,9 @@ from __future__ import annotations
 import math
 from functools import partial
 
+from studies.accuracy.catalog import scenes_with
 from studies.accuracy.measure import run, seconds_of
 from studies.accuracy.scene import Model, Scene
-from studies.accuracy.scenes import scenes_with
 from studies.timing import Measurement, Target, versus
 
 TOLERANCE = 1e-4

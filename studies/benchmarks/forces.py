@@ -6,7 +6,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry, Gravity
 from ch05_forces.particle import Particle
 from studies.benchmarks.particles import FRAME, ROUNDS, STEPS, steps
-from studies.scenes import PROJECTILE, Numbers, make_particle
+from studies.drag_flight import PROJECTILE, Numbers, make_particle
 from studies.timing import Measurement, Target, timer, versus
 
 FORCE = (1.0, 2.0, 3.0)
@@ -40,7 +40,7 @@ def lines() -> list[Measurement]:
 
 
 def make_particle_with_forces() -> Particle:
-    """Return chapter 5's particle at the start of the scene."""
+    """Return chapter 5's particle at the start of the flight."""
     start = PROJECTILE.start
     return Particle(
         Vector3(*start.position),

@@ -24,8 +24,8 @@ from ch04_particle_engine.ballistics import (
 )
 from ch04_particle_engine.grenade import FUSE, bounce, fragments
 from ch04_particle_engine.targets import TargetBlock, hit_fraction, strike_first
+from studies.drag_flight import flight_of, with_pymunk
 from studies.drawing import slope
-from studies.scenes import scene_of, with_pymunk
 
 NAN, INF = math.nan, math.inf
 FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)
@@ -55,7 +55,7 @@ def test_shots_are_pymunk_bodies_in_the_vertical_plane_but_for_the_order_of_damp
     type = SHOT_TYPES[name]
     frames = round(1.5 / h)  # before any of them is dropped or bounces
     ours = flight(name, h, frames)
-    theirs = with_pymunk(scene_of(type, 1.5), h, frames)[1:]
+    theirs = with_pymunk(flight_of(type, 1.5), h, frames)[1:]
     kept = type.damping**h
     a = type.acceleration[1]
     for n, ((place, velocity), body) in enumerate(zip(ours, theirs, strict=True), 1):
@@ -70,9 +70,8 @@ def test_shots_are_pymunk_bodies_in_the_vertical_plane_but_for_the_order_of_damp
 
 @pytest.mark.parametrize("name", SHOT_TYPES)
 def test_the_error_of_a_shot_is_of_first_order(name: str) -> None:
-    scene = scene_of(SHOT_TYPES[name], 1.0)
     counts = (200, 400, 800)
-    exact = scene.exact(1.0).position[:2]
+    exact = flight_of(SHOT_TYPES[name], 1.0).exact(1.0).position[:2]
     errors = [math.dist(flight(name, 1.0 / n, n)[-1][0], exact) for n in counts]
     # The next order, h / t of the first, bends the line by less than a hundredth.
     assert slope(counts, errors) == pytest.approx(-1.0, abs=0.01)

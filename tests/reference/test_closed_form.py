@@ -1,4 +1,4 @@
-"""The closed form against decimals of 80 digits, and against the scenes' own exact paths."""
+"""The closed form against decimals of 80 digits, and against the flights' own exact paths."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.closed_form import burst_positions, drag_factors, state_after
-from studies.scenes import SCENES, Scene, make_particle
+from studies.drag_flight import DRAG_FLIGHTS, DragFlight, make_particle
 
 
 def in_decimals(damping: float, time: float) -> tuple[float, float, float]:
@@ -53,13 +53,13 @@ def test_both_forms_meet_where_one_gives_way_to_the_other(side: float) -> None:
     expect_factors(math.exp(side), 1.0)
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
-def test_a_scene_s_exact_path_is_found(scene: Scene) -> None:
-    start = make_particle(scene)
+@pytest.mark.parametrize("flight", DRAG_FLIGHTS, ids=lambda flight: flight.name)
+def test_a_flight_s_exact_path_is_found(flight: DragFlight) -> None:
+    start = make_particle(flight)
     for i in range(11):
-        time = scene.duration * i / 10.0
+        time = flight.duration * i / 10.0
         position, velocity = state_after(start, time)
-        exact = scene.exact(time)
+        exact = flight.exact(time)
         # Two ways to write one formula: a few roundings of numbers up to 130.
         assert tuple(position) == pytest.approx(exact.position, abs=1e-12)
         assert tuple(velocity) == pytest.approx(exact.velocity, abs=1e-12)

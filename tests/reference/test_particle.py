@@ -12,35 +12,43 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import exercises
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.particle import Particle
+from studies.drag_flight import (
+    DAMPED_FALL,
+    FREE_FALL,
+    GRAVITY,
+    PROJECTILE,
+    DragFlight,
+    State,
+    with_particle,
+)
 from studies.drawing import slope
-from studies.scenes import DAMPED_FALL, FREE_FALL, GRAVITY, PROJECTILE, Scene, State, with_particle
 
 NAN, INF = math.nan, math.inf
 VECTORS = ("position", "velocity", "acceleration")
 
 
-@pytest.mark.parametrize("scene", [FREE_FALL, DAMPED_FALL, PROJECTILE], ids=lambda s: s.name)
-def test_the_error_of_the_step_is_of_first_order(scene: Scene) -> None:
+@pytest.mark.parametrize("flight", [FREE_FALL, DAMPED_FALL, PROJECTILE], ids=lambda s: s.name)
+def test_the_error_of_the_step_is_of_first_order(flight: DragFlight) -> None:
     counts = (400, 800, 1600)
     errors = []
     for frames in counts:
-        end = with_particle(scene, scene.duration / frames, frames)[-1]
-        errors.append(math.dist(end.position, scene.exact(scene.duration).position))
+        end = with_particle(flight, flight.duration / frames, frames)[-1]
+        errors.append(math.dist(end.position, flight.exact(flight.duration).position))
     # The next order, h / t of the first, bends the line by less than a hundredth.
     assert slope(counts, errors) == pytest.approx(-1.0, abs=0.01)
 
 
 def test_the_error_under_constant_acceleration_is_half_a_step() -> None:
-    fall = Scene("fall", FREE_FALL.start, (0.0, -10.0, 0.0), 1.0, 5.0)
+    fall = DragFlight("fall", FREE_FALL.start, (0.0, -10.0, 0.0), 1.0, 5.0)
     end = with_particle(fall, 1.0 / 60.0, 300)[-1]
     # The held figure has five decimals; 300 roundings stay far below.
     assert end.position[1] + 125.0 == pytest.approx(0.41667, abs=5e-6)
 
 
-def test_the_closed_form_of_the_scenes_gives_the_known_flight_of_a_shot() -> None:
+def test_the_closed_form_of_the_flights_gives_the_known_flight_of_a_shot() -> None:
     shot = State((0.0, 1.5, 0.0), (0.0, 30.0, 40.0))
     for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
-        landed = Scene("artillery", shot, (0.0, -20.0, 0.0), damping, 3.0).exact(time).position
+        landed = DragFlight("artillery", shot, (0.0, -20.0, 0.0), damping, 3.0).exact(time).position
         # The times are known to 5e-8 s, and the shot falls with 31 m/s.
         assert landed[1] == pytest.approx(0.0, abs=2e-6)
         assert landed[2] == pytest.approx(reach, abs=1e-5)

@@ -11,9 +11,17 @@ from pymunk import Vec2d
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_second
-from studies.scenes import DAMPED_FALL, FREE_FALL, MODELS, PROJECTILE, SCENES, Scene, State
-from studies.scenes import with_particle as ours
-from studies.scenes import with_pymunk as theirs
+from studies.drag_flight import (
+    DAMPED_FALL,
+    DRAG_FLIGHTS,
+    FREE_FALL,
+    MODELS,
+    PROJECTILE,
+    DragFlight,
+    State,
+)
+from studies.drag_flight import with_particle as ours
+from studies.drag_flight import with_pymunk as theirs
 
 component = st.floats(-1e6, 1e6).filter(lambda value: value == 0.0 or abs(value) > 1e-6)
 plane = st.tuples(component, component)
@@ -58,23 +66,23 @@ def test_without_damping_every_step_is_pymunk_s(frame: float) -> None:
 
 
 @pytest.mark.parametrize("frame", FRAMES)
-@pytest.mark.parametrize("scene", [DAMPED_FALL, PROJECTILE], ids=lambda scene: scene.name)
+@pytest.mark.parametrize("flight", [DAMPED_FALL, PROJECTILE], ids=lambda flight: flight.name)
 def test_with_damping_pymunk_is_ahead_by_what_equation_3_6_does_not_damp(
-    scene: Scene, frame: float
+    flight: DragFlight, frame: float
 ) -> None:
     """pymunk has v' = v d^h + a h (Eq. 3.6), the engine (v + a h) d^h, the listing's form.
 
     With D = d^h the velocities differ by D times the last difference and by a h (1 - D) more in
     each step, so by a h (1 - D^n) after n. The positions differ by the sum of h times that.
     """
-    frames = round(scene.duration / frame)
-    keep = scene.damping**frame
+    frames = round(flight.duration / frame)
+    keep = flight.damping**frame
     for n, (mine, other) in enumerate(
-        zip(ours(scene, frame, frames), theirs(scene, frame, frames), strict=True)
+        zip(ours(flight, frame, frames), theirs(flight, frame, frames), strict=True)
     ):
         gone = 1.0 - keep**n
         apart = frame * frame * (n - gone / (1.0 - keep))
-        for i, a in enumerate(scene.acceleration):
+        for i, a in enumerate(flight.acceleration):
             velocity = other.velocity[i] - mine.velocity[i]
             position = other.position[i] - mine.position[i]
             # Some thousand roundings of numbers up to 100.
@@ -82,25 +90,27 @@ def test_with_damping_pymunk_is_ahead_by_what_equation_3_6_does_not_damp(
             assert position == pytest.approx(a * apart, abs=1e-11)
 
 
-@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
-def test_the_equation_s_form_is_pymunk_s_step_for_step(scene: Scene) -> None:
+@pytest.mark.parametrize("flight", DRAG_FLIGHTS, ids=lambda flight: flight.name)
+def test_the_equation_s_form_is_pymunk_s_step_for_step(flight: DragFlight) -> None:
     frame = 1.0 / 60.0
-    x, v = Vector3(*scene.start.position), Vector3(*scene.start.velocity)
+    x, v = Vector3(*flight.start.position), Vector3(*flight.start.velocity)
     states = [State((x.x, x.y, x.z), (v.x, v.y, v.z))]
-    frames = round(scene.duration / frame)
+    frames = round(flight.duration / frame)
     for _ in range(frames):
         x.add_scaled(v, frame)
-        v = damp_per_second(v, Vector3(*scene.acceleration), scene.damping, frame)
+        v = damp_per_second(v, Vector3(*flight.acceleration), flight.damping, frame)
         states.append(State((x.x, x.y, x.z), (v.x, v.y, v.z)))
-    expect_equal(states, theirs(scene, frame, frames), 1e-11)
+    expect_equal(states, theirs(flight, frame, frames), 1e-11)
 
 
 @pytest.mark.parametrize("model", MODELS)
-@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
-def test_every_model_comes_to_the_exact_path_in_the_first_order(scene: Scene, model: str) -> None:
-    exact = scene.exact(scene.duration).position
+@pytest.mark.parametrize("flight", DRAG_FLIGHTS, ids=lambda flight: flight.name)
+def test_every_model_comes_to_the_exact_path_in_the_first_order(
+    flight: DragFlight, model: str
+) -> None:
+    exact = flight.exact(flight.duration).position
     coarse, fine = (
-        math.dist(MODELS[model](scene, scene.duration / n, n)[-1].position, exact)
+        math.dist(MODELS[model](flight, flight.duration / n, n)[-1].position, exact)
         for n in (500, 1000)
     )
     # Halve h and the error halves; the next order bends that by less than a hundredth.

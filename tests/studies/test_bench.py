@@ -16,7 +16,7 @@ import pytest
 from rich.console import Console
 
 from studies import bench, timing
-from studies.accuracy.scenes import scenes_with
+from studies.accuracy.catalog import scenes_with
 from studies.benchmarks import (
     accuracy,
     constraints,
@@ -27,7 +27,7 @@ from studies.benchmarks import (
     springs,
     vectors,
 )
-from studies.scenes import PROJECTILE, make_particle
+from studies.drag_flight import PROJECTILE, make_particle
 from studies.timing import Measurement, Target
 
 

@@ -1,8 +1,9 @@
-"""Scenes that plots, reference checks and benchmarks share: what moves, where it truly is, models.
+"""A particle under constant acceleration and drag, with its exact path: a drag flight.
 
-A scene is plain numbers in SI units and its exact solution. A model runs a scene in frames of one
-length and returns the state at the start and after every frame, as plain numbers too. All scenes
-lie in the X-Y plane, so that a two-dimensional engine can run them.
+Plots, reference checks and benchmarks share these flights. A flight is plain numbers in SI units
+with its exact solution. A model runs a flight in frames of equal length, and returns the state at
+the start and after every frame as plain numbers too. All flights lie in the X-Y plane, so that a
+two-dimensional engine can run them.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ class State:
 
 
 @dataclass(frozen=True)
-class Scene:
+class DragFlight:
     """A particle under a constant acceleration, with damping as a drag that is linear in v.
 
     Damping d per second, taken at every instant and not once a frame, is the drag dv/dt = -k v with
@@ -58,12 +59,9 @@ class Scene:
         return State((x, y, z), (vx, vy, vz))
 
 
-Model = Callable[[Scene, float, int], list[State]]
-
-
-def with_particle(scene: Scene, frame: float, frames: int) -> list[State]:
-    """Run a scene with Particle.integrate of the engine at hand."""
-    particle = make_particle(scene)
+def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
+    """Run a flight with Particle.integrate of the engine at hand."""
+    particle = make_particle(flight)
     states = [_state_of(particle)]
     for _ in range(frames):
         particle.integrate(frame)
@@ -71,9 +69,9 @@ def with_particle(scene: Scene, frame: float, frames: int) -> list[State]:
     return states
 
 
-def with_pymunk(scene: Scene, frame: float, frames: int) -> list[State]:
-    """Run a scene with pymunk, which has two dimensions; its z is 0."""
-    space, (body,) = make_space(scene)
+def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
+    """Run a flight with pymunk, which has two dimensions; its z is 0."""
+    space, (body,) = make_space(flight)
     states = [State((*body.position, 0.0), (*body.velocity, 0.0))]
     for _ in range(frames):
         space.step(frame)
@@ -81,25 +79,25 @@ def with_pymunk(scene: Scene, frame: float, frames: int) -> list[State]:
     return states
 
 
-def make_particle(scene: Scene) -> Particle:
-    """Return the particle of a scene at its start."""
+def make_particle(flight: DragFlight) -> Particle:
+    """Return the particle of a flight at its start."""
     return Particle(
-        Vector3(*scene.start.position),
-        Vector3(*scene.start.velocity),
-        Vector3(*scene.acceleration),
-        damping=scene.damping,
+        Vector3(*flight.start.position),
+        Vector3(*flight.start.velocity),
+        Vector3(*flight.acceleration),
+        damping=flight.damping,
     )
 
 
-def make_space(scene: Scene, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    """Return a space of pymunk with as many bodies at the start of a scene."""
+def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
+    """Return a space of pymunk with as many bodies at the start of a flight."""
     import pymunk  # here, since a plot of one's own engine can do without
 
     space = pymunk.Space()
-    space.gravity, space.damping = scene.acceleration[:2], scene.damping
+    space.gravity, space.damping = flight.acceleration[:2], flight.damping
     made = [pymunk.Body(mass=1.0, moment=1.0) for _ in range(bodies)]
     for body in made:
-        body.position, body.velocity = scene.start.position[:2], scene.start.velocity[:2]
+        body.position, body.velocity = flight.start.position[:2], flight.start.velocity[:2]
     space.add(*made)
     return space, made
 
@@ -121,19 +119,22 @@ def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, floa
     return x + v * gone + a * fallen, v - v * k * gone + a * gone
 
 
-def scene_of(shot: ShotType, duration: float) -> Scene:
-    """Return the flight of a shot of chapter 4 as a scene, whose x is along the range."""
+def flight_of(shot: ShotType, duration: float) -> DragFlight:
+    """Return the flight of a shot of chapter 4; its x is along the range."""
     start = State((0.0, 1.5, 0.0), (shot.velocity[2], shot.velocity[1], 0.0))
-    return Scene(shot.name, start, shot.acceleration, shot.damping, duration)
+    return DragFlight(shot.name, start, shot.acceleration, shot.damping, duration)
 
 
 AT_REST = State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 GRAVITY = (0.0, -9.81, 0.0)
 
-FREE_FALL = Scene("free fall", AT_REST, GRAVITY, damping=1.0, duration=5.0)
-DAMPED_FALL = Scene("damped fall", AT_REST, GRAVITY, damping=0.5, duration=5.0)
+FREE_FALL = DragFlight("free fall", AT_REST, GRAVITY, damping=1.0, duration=5.0)
+DAMPED_FALL = DragFlight("damped fall", AT_REST, GRAVITY, damping=0.5, duration=5.0)
 THROWN = State((0.0, 1.5, 0.0), (20.0, 20.0, 0.0))
-PROJECTILE = Scene("projectile with damping", THROWN, GRAVITY, damping=0.6, duration=3.2)
+PROJECTILE = DragFlight("projectile with damping", THROWN, GRAVITY, damping=0.6, duration=3.2)
 
-SCENES = (FREE_FALL, DAMPED_FALL, PROJECTILE)
-MODELS: dict[str, Model] = {"Particle.integrate": with_particle, "pymunk": with_pymunk}
+DRAG_FLIGHTS = (FREE_FALL, DAMPED_FALL, PROJECTILE)
+MODELS: dict[str, Callable[[DragFlight, float, int], list[State]]] = {
+    "Particle.integrate": with_particle,
+    "pymunk": with_pymunk,
+}

@@ -1,9 +1,9 @@
-"""Going further: a chain whose rods are all put right at once, by one solve of linear equations.
+"""Going further: a chain that solves for the pulls of all its rods at once.
 
-The pull of each rod changes the lengths of three: its own, and those beside it. So the equations
-for all pulls have three numbers a row, and are solved from one end to the other and back, with
-about as much work for each rod as to resolve it once. Nothing has to be passed on from link to
-link, and no rod is left too long.
+The pull of a rod changes three lengths: its own and those of the two rods next to it. So each
+equation for the pulls has at most three unknowns. They are solved from the anchor to the free end
+and back, which takes about as much work per rod as resolving it once. No pull has to be passed on
+from link to link, and no rod is left too long.
 """
 
 from __future__ import annotations
@@ -15,116 +15,140 @@ from ch02_vectors.arguments import finite_vector, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 
-Numbers = tuple[float, float, float]
+TOO_FAR = "rod {} turns too far in one frame: shorter frames would help"
+# What the way back needs of a rod: position, velocity and gain of the particle at its far end, the
+# vector along it, its pull in the last frame, and its equation: change = value + factor * next one.
+Row = tuple[Vector3, Vector3, float, float, float, float, float, float, float]
 
 
 class DirectChain:
-    """A chain of rods from an anchor through particles, in their order, that makes their steps.
+    """A chain of rods that leads from an anchor through the particles, in their order.
 
-    Each rod keeps the length in m that it has when the chain is made. The last of several
-    particles may be immovable: it holds the other end. ValueError where a rod has no length, or
-    another particle is immovable.
+    The chain makes the steps of its particles. Each rod keeps the length in m that it has when the
+    chain is made. The last of several particles may be immovable: it holds the other end.
+
+    Raises ValueError if there are no particles, if a rod has no length, or if a particle other than
+    the last is immovable.
     """
 
     def __init__(self, particles: Sequence[Particle], anchor: Vector3) -> None:
         self.particles = [*particles]
+        if not self.particles:
+            raise ValueError("particles must be one or more, got none")
         self.anchor = finite_vector("anchor", anchor)
         self.lengths: list[float] = []
-        for i, (start, end) in enumerate(pairwise(self._places())):
+        places = [self.anchor, *(particle.position for particle in self.particles)]
+        for i, (start, end) in enumerate(pairwise(places)):
             is_other_end = i and i == len(self.particles) - 1
             if not (self.particles[i].inverse_mass or is_other_end):
                 raise ValueError(f"particles[{i}] must be one that can move, got mass inf")
             self.lengths.append(positive(f"the length of rod {i}", (end - start).magnitude()))
-        # N/m: what each rod pulled with in the last frame, for each m of its length
+        # N/m: the pull of each rod in the last frame, per m of its length
         self._pulls: list[float] = []
 
     @property
     def tensions(self) -> list[float]:
-        """What each rod pulled with in the last frame, in N; negative where it pushed."""
+        """The pull of each rod in the last frame, in N. A negative one pushed."""
         return [pull * length for pull, length in zip(self._pulls, self.lengths, strict=False)]
 
     def step(self, duration: float) -> None:
         """Move the chain on by a frame of a duration in s, with the forces in the accumulators.
 
-        Velocities come first, as in semi-implicit Euler, with the impulses of the rods: each acts
-        along where its rod is at the beginning of the frame, and makes it as long at the end as it
-        should be. That is linear but for a small square, for which the last frame's pulls are a
-        good guess; so one solve is enough. The first frame accelerates for half its time only. From
-        then on velocities are those of the middle of the frame that is over, and the places are of
-        order 2 (leapfrog), as long as all frames have the same duration.
+        Velocities change before positions, as in semi-implicit Euler. The impulse of each rod acts
+        along the rod's direction at the start of the frame, and gives the rod its length at the end
+        of it. These equations are linear except for a small square. The pulls of the last frame are
+        a good guess for that square, so one solve is enough.
 
-        Raises ValueError where the duration is not positive and finite, and ArithmeticError where
-        it is so long that a rod would turn round in it; the chain is then somewhere on its way.
+        The first frame accelerates for half of its time only. From then on the velocities are those
+        in the middle of the frame before, and the positions are of order 2 (leapfrog), as long as
+        all frames have the same duration.
+
+        Raises ValueError if the duration is not positive and finite; all is then as it was. Raises
+        ArithmeticError if the frame is so long that a rod would turn around in it; the chain is
+        then somewhere on its way.
         """
         positive("duration", duration)
-        particles, count = self.particles, len(self.particles)
-        first = not self._pulls
-        pulls = self._pulls or [0.0] * count
-        time = 0.5 * duration if first else duration  # for which the frame accelerates
-        for particle in particles:
-            particle.kick(time)
-        masses = [particle.inverse_mass for particle in particles]
-        rods = self._rods()
-        velocities = self._pulled(rods, masses, [pull * time for pull in pulls])
+        time = duration if self._pulls else 0.5 * duration  # for which the frame accelerates
+        self._pulls = self._pull_and_drift(self._kick_and_eliminate(duration, time), duration)
 
-        # Row i says how the impulses of the rods i - 1, i and i + 1, for each m of their lengths,
-        # change half the square of what rod i will be. Plain floats: vectors take twice the time.
-        below, middle, above, excess = [], [], [], []
-        before = last_x = last_y = last_z = last_u = last_v = last_w = 0.0
-        following = [*rods[1:], (0.0, 0.0, 0.0)]
-        for length, after, (rod_x, rod_y, rod_z), (u, v, w), (next_x, next_y, next_z) in zip(
-            self.lengths, masses, rods, velocities, following, strict=True
-        ):
-            x = rod_x + (u - last_u) * duration
-            y = rod_y + (v - last_v) * duration
-            z = rod_z + (w - last_w) * duration
-            below.append(-before * (x * last_x + y * last_y + z * last_z))
-            middle.append((before + after) * (x * rod_x + y * rod_y + z * rod_z))
-            above.append(-after * (x * next_x + y * next_y + z * next_z))
-            excess.append((x * x + y * y + z * z - length * length) / (2.0 * duration))
-            before, last_x, last_y, last_z = after, rod_x, rod_y, rod_z
-            last_u, last_v, last_w = u, v, w
-        changes = solve_tridiagonal(below, middle, above, excess)
-        self._pulls = [pull + change / time for pull, change in zip(pulls, changes, strict=True)]
-        self._pulled(rods, masses, changes)
-        for particle in particles:
-            particle.drift(duration)
+    def _kick_and_eliminate(self, duration: float, time: float) -> list[Row]:
+        """Kick the particles for a time, and return the rods' equations with one unknown less.
 
-    def _rods(self) -> list[Numbers]:
-        """Return the vector along each rod, as numbers, from the anchor's end to the other."""
-        rods = []
-        last = self.anchor
-        for particle in self.particles:
-            place = particle.position
-            rods.append((place.x - last.x, place.y - last.y, place.z - last.z))
-            last = place
-        return rods
+        With the pulls of the last frame, the kicked velocities say where each rod will be at the
+        end of this frame. Equation i says how changes of the pulls i - 1, i and i + 1 give rod i
+        its length there. Change i - 1 is eliminated from it at once, as in solve_tridiagonal.
 
-    def _pulled(
-        self, rods: list[Numbers], masses: list[float], impulses: list[float]
-    ) -> list[Numbers]:
-        """Pull at both ends of each rod, by an impulse in N s for each m of its length.
-
-        ``masses`` are the inverse masses. Return the velocities afterwards.
+        Everything is a plain float: with vectors, or in separate passes, a step takes longer.
         """
-        velocities = []
-        next_x = next_y = next_z = 0.0  # the impulse of the rod after this one, from the last on
-        for i in range(len(rods) - 1, -1, -1):
-            x, y, z = rods[i]
-            impulse, inverse, velocity = impulses[i], masses[i], self.particles[i].velocity
-            x *= impulse
-            y *= impulse
-            z *= impulse
-            velocity.x = u = velocity.x + (next_x - x) * inverse
-            velocity.y = v = velocity.y + (next_y - y) * inverse
-            velocity.z = w = velocity.z + (next_z - z) * inverse
-            velocities.append((u, v, w))
-            next_x, next_y, next_z = x, y, z
-        velocities.reverse()
-        return velocities
+        rows: list[Row] = []
+        half = 0.5 / duration
+        particle, following = self.particles[0], [*self.particles[1:], self.particles[-1]]
+        pull, *next_pulls = self._pulls or [0.0] * len(self.particles)
+        next_pulls.append(0.0)
+        start, place = self.anchor, particle.position
+        x, y, z = place.x - start.x, place.y - start.y, place.z - start.z  # along the rod
+        force_x, force_y, force_z = x * pull, y * pull, z * pull
+        # Of the rod before it, and of the particle between the two; first the anchor, at rest.
+        last_x = last_y = last_z = last_u = last_v = last_w = last_gain = value = factor = 0.0
+        for length, other, next_pull in zip(self.lengths, following, next_pulls, strict=True):
+            particle.kick(time)
+            gain = particle.inverse_mass * time  # m/s per N
+            velocity, end = particle.velocity, other.position
+            next_x = end.x - place.x
+            next_y = end.y - place.y
+            next_z = end.z - place.z
+            next_force_x = next_x * next_pull
+            next_force_y = next_y * next_pull
+            next_force_z = next_z * next_pull
+            if gain:
+                u = velocity.x + (next_force_x - force_x) * gain
+                v = velocity.y + (next_force_y - force_y) * gain
+                w = velocity.z + (next_force_z - force_z) * gain
+            else:
+                u = v = w = 0.0  # immovable: it stays, whatever its velocity is
+            to_x = x + (u - last_u) * duration  # along the rod at the end of the frame
+            to_y = y + (v - last_v) * duration
+            to_z = z + (w - last_w) * duration
+            below = last_gain * (to_x * last_x + to_y * last_y + to_z * last_z)
+            pivot = (last_gain + gain) * (to_x * x + to_y * y + to_z * z) - below * factor
+            if not pivot > 0.0:  # NaN too
+                raise ArithmeticError(TOO_FAR.format(len(rows)))
+            excess = to_x * to_x + to_y * to_y + to_z * to_z - length * length
+            value = (excess * half + below * value) / pivot
+            factor = gain * (to_x * next_x + to_y * next_y + to_z * next_z) / pivot
+            rows.append((place, velocity, gain, x, y, z, pull, value, factor))
+            particle, place, pull = other, end, next_pull
+            last_gain = gain
+            last_u, last_v, last_w = u, v, w
+            last_x, last_y, last_z = x, y, z
+            x, y, z = next_x, next_y, next_z
+            force_x, force_y, force_z = next_force_x, next_force_y, next_force_z
+        return rows
 
-    def _places(self) -> list[Vector3]:
-        return [self.anchor, *(particle.position for particle in self.particles)]
+    def _pull_and_drift(self, rows: list[Row], duration: float) -> list[float]:
+        """Go back from the last rod: find its pull, let it pull at its far end, drift that end.
+
+        Return the pulls in N/m, in the order of the rods.
+        """
+        pulls = []
+        change = next_x = next_y = next_z = 0.0
+        for place, velocity, gain, x, y, z, pull, value, factor in reversed(rows):
+            change = value + factor * change
+            pull += change
+            pulls.append(pull)
+            x *= pull  # from here on the force of the rod
+            y *= pull
+            z *= pull
+            if gain:
+                velocity.x = u = velocity.x + (next_x - x) * gain
+                velocity.y = v = velocity.y + (next_y - y) * gain
+                velocity.z = w = velocity.z + (next_z - z) * gain
+                place.x += u * duration
+                place.y += v * duration
+                place.z += w * duration
+            next_x, next_y, next_z = x, y, z
+        pulls.reverse()
+        return pulls
 
 
 def solve_tridiagonal(
@@ -132,9 +156,11 @@ def solve_tridiagonal(
 ) -> list[float]:
     """Return x for below[i] x[i-1] + middle[i] x[i] + above[i] x[i+1] = right[i] (Thomas, 1949).
 
-    below[0] and the last of above stand outside, and are not read. Raises ArithmeticError where
-    what a row is divided by is not positive: it is for chains whose rods turn by less than a
-    quarter.
+    The first of `below` and the last of `above` are outside of the matrix and are not read. A
+    DirectChain makes the same moves while it finds its rows; here they are without the rows.
+
+    Raises ArithmeticError if a pivot is not positive. In a chain that happens once a rod turns by
+    about a right angle.
     """
     factors: list[float] = []
     solved: list[float] = []

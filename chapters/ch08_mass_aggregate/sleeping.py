@@ -1,7 +1,7 @@
-"""Going further: what lies still falls asleep, and costs next to nothing until something wakes it.
+"""Going further: particles at rest fall asleep and cost almost nothing until something wakes them.
 
-A particle that sleeps is immovable: that is what the whole engine leaves alone already. The world
-keeps its inverse mass, and gives it back.
+A sleeping particle is immovable, and the whole engine leaves immovable particles alone already. The
+world keeps the inverse mass of each, and gives it back when the particle wakes.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from ch07_constraints.contacts import Contact, ContactGenerator
 from ch08_mass_aggregate.joints import Pair
 from ch08_mass_aggregate.world import ParticleWorld
 
-LOOK_EVERY = 10  # frames: how often the generators of what sleeps are asked
-# J/kg: a little more than a frame of 1/60 s gives to what has lost its contact to rounding, and
-# falls freely: (g h)^2 / 2 = 0.0134.
+LOOK_EVERY = 10  # frames: how often the generators of sleeping particles are asked
+# J/kg: a little more than a free fall through one frame of 1/60 s, (g h)^2 / 2 = 0.0134, since a
+# contact may be lost for a frame by rounding.
 SLEEP_ENERGY = 0.015
-SAME = 0.01  # of what accelerates it: a change by less wakes nothing
+SAME = 0.01  # a change by this fraction of the acceleration, or by less, wakes nothing
 
 
 @dataclass(frozen=True)
@@ -30,21 +30,23 @@ class Sleep:
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
-    acceleration: Vector3  # m/s^2, with that of its forces: its last_acceleration
-    neighbours: tuple[Particle, ...]  # what it touched, or was joined to
+    acceleration: Vector3  # m/s^2: its last_acceleration, so with its forces
+    neighbours: tuple[Particle, ...]  # those that it touched or was joined to
 
 
 class SleepingWorld(ParticleWorld):
-    """A ParticleWorld whose particles fall asleep when they, and all that they touch, are slow.
+    """A ParticleWorld in which particles at rest fall asleep, together with all that they touch.
 
-    Slow is what had a kinetic energy of ``sleep_energy`` or less, in J for each kg of it, at the
-    end of each of ``sleep_frames`` frames in a row. What sleeps has no velocity, and a mass of
-    math.inf; ``asleep`` is a dict from it to its Sleep. Who moves the ground or an anchor, joins
-    something new to what sleeps, or makes it immovable, has to wake it first. What is no number is
-    a TypeError.
+    A particle is slow if its kinetic energy per kg of its mass is ``sleep_energy`` in J/kg or less
+    at the end of a frame. It is tired after ``sleep_frames`` slow frames in a row. A sleeping
+    particle has no velocity and a mass of math.inf. ``asleep`` is a dict from each sleeping
+    particle to its Sleep.
 
-    Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1,
-    TypeError where it is no whole number, and what ParticleWorld raises.
+    Wake a sleeping particle first if you move the ground or an anchor under it, join something new
+    to it, or make it immovable.
+
+    Raises ValueError if sleep_energy is negative or not finite, or sleep_frames is below 1. Raises
+    TypeError if sleep_frames is not a whole number, and whatever ParticleWorld raises.
     """
 
     def __init__(
@@ -68,57 +70,60 @@ class SleepingWorld(ParticleWorld):
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle, its neighbours, theirs, and so on: what fell asleep as one wakes as one.
+        """Wake a particle, its neighbours, their neighbours, and so on.
 
-        The mass of each is what it was, unless it has been given another finite one by hand. It has
-        to be slow again for all of sleep_frames. A particle that is awake stays awake, and begins
-        to count anew.
+        So particles that fell asleep together wake together. Each gets its mass back, unless it has
+        been given another finite mass by hand. It has to be slow again for all of sleep_frames. A
+        particle that is awake stays awake, and its slow frames are counted anew.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_moved(self) -> None:
-        """Wake what was moved by hand since it fell asleep.
+        """Wake the particles that were moved by hand since they fell asleep.
 
-        That is what has a velocity, another place, a mass, or a force in its accumulator.
+        Such a particle has a velocity, another position, a mass, or a force in its accumulator.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_pushed(self, duration: float) -> None:
-        """Wake what the generators of the registry push otherwise than when it fell asleep.
+        """Wake the particles that the generators push otherwise than when they fell asleep.
 
-        The acceleration of now, a + f / m with their forces, is compared with the one of then. A
-        change of more than SAME of what acts wakes: of |a| + |f / m| now, or of the acceleration of
-        then, whichever is larger. Only generators that are registered for what sleeps are asked,
-        and each particle has its own mass for that time. The accumulators of what sleeps are empty
-        before and afterwards.
+        The acceleration of now, a + f / m with the forces of the generators, is compared with the
+        one of then. A change of more than SAME of what acts wakes the particle. What acts is
+        |a| + |f / m| now, or the size of the acceleration of then, whichever is larger.
+
+        Only generators that are registered for sleeping particles are asked, and each particle has
+        its own mass for that time. The accumulators of sleeping particles are empty before and
+        afterwards.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
-        """Wake what sleeps and is in contact with a particle that can move.
+        """Wake the sleeping particles that are in contact with a particle that can move.
 
-        Return whether there was any.
+        Return whether there were any.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Count a frame, and put to sleep what has been slow for long enough, if its group has.
+        """Count a frame, and put every group to sleep in which all particles are tired.
 
-        A group is what was in contact in one of the last sleep_frames frames, or is joined by a
-        generator of the registry, directly or through others: all of it sleeps, or none. What is
-        immovable joins nothing, and neither slows down nor sleeps. What falls asleep has no
-        velocity and an inverse_mass of 0, and is in asleep.
+        Particles belong to one group if they were in contact in one of the last sleep_frames
+        frames, or if a generator of the registry joins them, directly or through others. All of a
+        group falls asleep, or none of it. Immovable particles join nothing, and neither slow down
+        nor sleep. A particle that falls asleep has no velocity and an inverse_mass of 0, and is in
+        asleep.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def run_physics(self, duration: float) -> None:
-        """Move all on that is awake by a frame of a duration in s.
+        """Move all particles that are awake on by a frame of a duration in s.
 
-        First what was moved by hand wakes, and in every LOOK_EVERY-th frame what its generators
-        push otherwise. The integrator gets the particles that are awake, and no others. Then
-        contacts wake what sleeps, and are looked for again, until they wake nothing more. When they
-        are resolved, what has been slow for long enough falls asleep.
+        Particles that were moved by hand wake first, and in every LOOK_EVERY-th frame those that
+        their generators push otherwise. The integrator gets the particles that are awake, and no
+        others. Then contacts wake sleeping particles, and are found again, until they wake no more.
+        Once they are resolved, groups that are tired fall asleep.
 
-        Raises ValueError where the duration is not positive and finite; all is then as it was.
+        Raises ValueError if the duration is not positive and finite; all is then as it was.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")

@@ -107,5 +107,7 @@ class BallGame:
         counts, and it leaves upwards at JUMP; its speed along X stays. Otherwise, where its lowest
         point is no more than TOUCH above the ground, that takes a life, and the ball starts anew,
         unless it was the last one.
+
+        Raises ValueError if the duration is not positive and finite; all is then as it was.
         """
         raise NotImplementedError("Exercise P8.1b: A ball game: the play")

@@ -103,7 +103,12 @@ class Blob:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass, with the push on every particle."""
+        """Let a frame of a duration in s pass, with the push on every particle.
+
+        Raises ValueError if the duration is not positive and finite, and TypeError if it is not a
+        number; all is then as it was. A push that is not finite is refused when it is added.
+        """
+        positive("duration", duration)
         self.world.start_frame()
         for particle in self.particles:
             particle.add_force(self.push)

@@ -95,5 +95,7 @@ class Bridge:
         is then as it was.
         """
         positive("duration", duration)
-        self.ball.velocity.x = finite("pace", self.pace)
-        self.world.step(duration)
+        pace = finite("pace", self.pace)
+        self.world.start_frame()
+        self.ball.velocity.x = pace
+        self.world.run_physics(duration)

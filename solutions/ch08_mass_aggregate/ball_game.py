@@ -6,7 +6,7 @@ counts once. To land on all of them wins; to reach the ground costs a life.
 
 from __future__ import annotations
 
-from ch02_vectors.arguments import whole
+from ch02_vectors.arguments import positive, whole
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
@@ -120,7 +120,10 @@ class BallGame:
         counts, and it leaves upwards at JUMP; its speed along X stays. Otherwise, where its lowest
         point is no more than TOUCH above the ground, that takes a life, and the ball starts anew,
         unless it was the last one.
+
+        Raises ValueError if the duration is not positive and finite; all is then as it was.
         """
+        positive("duration", duration)
         if self.rules.over:
             return
         self.world.start_frame()

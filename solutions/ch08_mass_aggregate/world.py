@@ -67,7 +67,7 @@ class ParticleWorld:
 
         Raises ValueError where the duration is not positive and finite; all is then as it was.
         """
-        positive("duration", duration)
+        positive("duration", duration)  # an integrator of a user's own may refuse nothing
         self.integrator(self.particles, self.registry.update_forces, duration)
         contacts = self.contacts()
         if contacts:
@@ -78,7 +78,7 @@ class ParticleWorld:
 
         Raises ValueError where the duration is not positive and finite; all is then as it was.
         """
-        positive("duration", duration)
+        positive("duration", duration)  # before the forces are cleared
         self.start_frame()
         self.run_physics(duration)
 

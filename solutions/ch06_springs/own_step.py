@@ -35,6 +35,6 @@ def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: 
         for particle in particles:
             particle.drift(drift * duration)
         if kick:
-            apply_forces(kick * duration)
+            apply_forces(duration)  # a part of it may be negative, which registries refuse
             for particle in particles:
                 particle.kick(kick * duration)

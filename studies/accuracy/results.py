@@ -134,7 +134,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
     order = order_of(points)
     if order is None or finest.error > FARTHEST * tolerance:
         return None
-    return finest.time * (finest.error / tolerance) ** (1.0 / order)
+    return finest.time * math.pow(finest.error / tolerance, 1.0 / order)
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:

@@ -112,7 +112,7 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
-    figure, axes = pyplot.subplots(figsize=(11, 0.45 * len(scenes) + 2.0), layout="constrained")
+    figure, axes = pyplot.subplots(figsize=(11, 0.45 * len(scenes) + 2.4), layout="constrained")
     ends = [end for found in rows for end in found.bounds if 0.0 < end < math.inf]
     low, high = min([0.1, *ends]) / 3.0, max([10.0, *ends]) * 10.0
     axes.set(xscale="log", xlim=(low, high), yticks=range(len(scenes)), yticklabels=scenes)
@@ -132,7 +132,7 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
     )
     axes.set_title("A place in every 60 Hz frame, to a tolerance: pymunk's time over ours")
     axes.grid(alpha=0.3)
-    axes.legend(loc="lower right", fontsize=9)
+    figure.legend(loc="outside lower center", ncols=4, fontsize=9)
     figure.savefig(png, dpi=100)
     pyplot.close(figure)
 

@@ -82,6 +82,8 @@ def main(arguments: list[str]) -> int:
     chart.draw_overview(rows, options.out / "overview.png")
     words = [[*map(chart.told, (row.ours, row.pymunk)), chart.told_ratio(row)] for row in rows]
     _print(rows, words, console)
+    if any(row.is_extrapolated for row in rows):
+        console.print("~: pymunk's time is extrapolated from its measured order of convergence.")
     _write(rows, words, options.out / "table.csv")
     console.print(
         f"all scenes in one chart: {shown(options.out / 'overview.png')}\n"

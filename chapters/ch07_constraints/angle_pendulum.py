@@ -1,20 +1,22 @@
-"""Going further, complete: a pendulum by its angle.
+"""Going further, complete: a pendulum by its angle, and a double pendulum by its two angles.
 
-A rod takes two of a particle's three ways to move and leaves it one, in a plane. To move all three
-and then mend two is more than the scene needs: the angle alone has all that can happen, its rod is
-never too long, and a step of the fourth order needs no contacts.
+In a plane, a rod leaves its mass one way to move: along a circle. So one angle describes a
+pendulum. A model with a particle and a rod would move two coordinates, and then correct them. By
+its angle, the rod is never too long, and Runge-Kutta 4 steps it at order 4 without any contacts.
+Two angles describe a double pendulum. A chain of any number of rods is in angle_chain.py.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from ch02_vectors.arguments import finite, positive
 from ch02_vectors.vector import Vector3
 
 
 class AnglePendulum:
-    """A mass on a massless rod that swings about the origin in the X-Y plane; the mass is no matter.
+    """A mass on a massless rod that swings about the origin in the X-Y plane, whatever its mass.
 
     length in m, angle in radians from straight down towards +X, angular_velocity in rad/s, gravity
     in m/s^2; the attributes have these names. Raises ValueError where length or gravity is not
@@ -52,3 +54,81 @@ class AnglePendulum:
         d = pull * math.sin(angle + h * speed_c)
         self.angle = angle + h * (speed + 2.0 * (speed_b + speed_c) + speed_d) / 6.0
         self.angular_velocity = speed + h * (a + 2.0 * (b + c) + d) / 6.0
+
+
+class DoublePendulum:
+    """A pendulum that hangs on a pendulum: two masses on two massless rods in the X-Y plane.
+
+    The first rod turns about the origin, the second one about the first mass. ``lengths`` are in m,
+    ``masses`` in kg, ``angles`` in radians from straight down towards +X, ``angular_velocities`` in
+    rad/s, ``gravity`` in m/s^2; the attributes have these names. AngleChain with two rods moves in
+    the same way, but a step takes twice the time.
+
+    Raises ValueError where there are not two of each, a length, a mass or gravity is not positive,
+    or a number is not finite; TypeError for anything that is not a number.
+    """
+
+    def __init__(
+        self,
+        lengths: Sequence[float],
+        masses: Sequence[float],
+        angles: Sequence[float],
+        angular_velocities: Sequence[float] = (0.0, 0.0),
+        gravity: float = 9.81,
+    ) -> None:
+        self.lengths = [positive("length", length) for length in lengths]
+        self.masses = [positive("mass", mass) for mass in masses]
+        self.angles = [finite("angle", angle) for angle in angles]
+        self.angular_velocities = [finite("angular_velocity", w) for w in angular_velocities]
+        self.gravity = positive("gravity", gravity)
+        for name in ("lengths", "masses", "angles", "angular_velocities"):
+            if len(getattr(self, name)) != 2:
+                raise ValueError(f"{name} must be two numbers, got {getattr(self, name)!r}")
+
+    @property
+    def positions(self) -> list[Vector3]:
+        """The positions of the two masses in m, as new vectors."""
+        (a, b), (inner, outer) = self.angles, self.lengths
+        x, y = inner * math.sin(a), -inner * math.cos(a)
+        return [Vector3(x, y), Vector3(x + outer * math.sin(b), y - outer * math.cos(b))]
+
+    def step(self, duration: float) -> None:
+        """Swing on by a duration in s: Runge-Kutta 4 of the equations of Lagrange.
+
+        With the angles a and b, d = a - b, and M the sum of the masses m1 and m2:
+
+            M l1 a'' + m2 l2 b'' cos d = -m2 l2 b'^2 sin d - M g sin a
+              l1 a'' cos d + l2 b''    =     l1 a'^2 sin d -   g sin b
+
+        Source: Landau and Lifshitz, Mechanics, section 5, problem 1. Raises ValueError where the
+        duration is not positive and finite.
+        """
+        h = positive("duration", duration)
+        half, sixth = 0.5 * h, h / 6.0
+        (inner, outer), gravity = self.lengths, self.gravity
+        ratio = self.masses[1] / (self.masses[0] + self.masses[1])
+
+        def gains(a: float, b: float, u: float, v: float) -> tuple[float, float]:
+            """Return the angular accelerations at two angles and angular velocities."""
+            sine, cosine = math.sin(a - b), math.cos(a - b)
+            first = -ratio * outer * v * v * sine - gravity * math.sin(a)
+            second = inner * u * u * sine - gravity * math.sin(b)
+            gain = (first - ratio * cosine * second) / (1.0 - ratio * cosine * cosine)
+            return gain / inner, (second - cosine * gain) / outer
+
+        (a, b), (u1, v1) = self.angles, self.angular_velocities
+        p1, q1 = gains(a, b, u1, v1)
+        u2, v2 = u1 + half * p1, v1 + half * q1
+        p2, q2 = gains(a + half * u1, b + half * v1, u2, v2)
+        u3, v3 = u1 + half * p2, v1 + half * q2
+        p3, q3 = gains(a + half * u2, b + half * v2, u3, v3)
+        u4, v4 = u1 + h * p3, v1 + h * q3
+        p4, q4 = gains(a + h * u3, b + h * v3, u4, v4)
+        self.angles = [
+            a + sixth * (u1 + 2.0 * (u2 + u3) + u4),
+            b + sixth * (v1 + 2.0 * (v2 + v3) + v4),
+        ]
+        self.angular_velocities = [
+            u1 + sixth * (p1 + 2.0 * (p2 + p3) + p4),
+            v1 + sixth * (q1 + 2.0 * (q2 + q3) + q4),
+        ]

@@ -13,7 +13,7 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 
 from studies.accuracy.measure import Point
-from studies.accuracy.results import Row, Side, front, models_of, row
+from studies.accuracy.results import TOLERANCES, Row, Side, front, models_of, row
 from studies.drawing import (
     BLACK,
     BLUE,
@@ -65,6 +65,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         label = name if seen else f"{name}: nowhere near"
         left.errorbar(times, errors, xerr=around, capsize=2, label=label, **styles[name])
         right.plot([point.work for point in seen], errors, **styles[name])
+    _draw_extrapolated(left, points, styles)
     left.set(xlabel="processor time of the scene, ms (bars: quartiles)")
     right.set(xlabel=counted)
     for axes in (left, right):
@@ -84,15 +85,34 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         csv.writer(file).writerows([COLUMNS, *rows])
 
 
+def _draw_extrapolated(
+    axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
+) -> None:
+    """Draw a dotted line to the tightest tolerance that pymunk's time is extrapolated to."""
+    sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
+    found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
+    if not found:
+        return
+    tolerance, side = found[-1]
+    assert side.time is not None
+    own = [point for point in points if point.model == side.model]
+    finest = max(own, key=lambda point: point.steps)
+    times, errors = [1e3 * finest.time, 1e3 * side.time], [finest.error, tolerance]
+    label = f"extrapolated, order {side.order:.2f}"
+    color = styles[finest.model]["color"]
+    axes.plot(times, errors, ":", color=color, marker="D", mfc="none", markevery=[1], label=label)
+
+
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
     """Write how many times as long pymunk takes as our best model, for each scene and tolerance.
 
-    An arrow is a bound: the other side was not there in the time that was tried. Where it never
-    gets there, a word is at the edge; where neither side gets there, nothing is drawn.
+    An open mark is a ratio with pymunk's time extrapolated from its order. One with an arrow is a
+    bound: the other side was not there in the time that was tried. Where it never gets there, a
+    word is at the edge; where neither side gets there, nothing is drawn.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
-    figure, axes = pyplot.subplots(figsize=(11, 0.45 * len(scenes) + 2.0), layout="constrained")
+    figure, axes = pyplot.subplots(figsize=(11, 0.45 * len(scenes) + 2.4), layout="constrained")
     ends = [end for found in rows for end in found.bounds if 0.0 < end < math.inf]
     low, high = min([0.1, *ends]) / 3.0, max([10.0, *ends]) * 10.0
     axes.set(xscale="log", xlim=(low, high), yticks=range(len(scenes)), yticklabels=scenes)
@@ -103,6 +123,8 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
             if found.tolerance == tolerance:
                 _draw_ratio(axes, found, scenes.index(found.scene) + up, color, mark)
         axes.plot([], [], mark, color=color, label=f"to {tolerance:g} of the scale")
+    if any(found.is_extrapolated for found in rows):
+        axes.plot([], [], "o", color=GREY, mfc="none", label="pymunk's time extrapolated")
     axes.axvline(1.0, color=BLACK, lw=1)
     axes.set_xlabel(
         "time of pymunk / time of our cheapest model that is as near to the truth\n"
@@ -110,15 +132,19 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
     )
     axes.set_title("A place in every 60 Hz frame, to a tolerance: pymunk's time over ours")
     axes.grid(alpha=0.3)
-    axes.legend(loc="lower right", fontsize=9)
+    figure.legend(loc="outside lower center", ncols=4, fontsize=9)
     figure.savefig(png, dpi=100)
     pyplot.close(figure)
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw a ratio as a mark, a bound as an open one with an arrow, and what never is as a word."""
+    """Draw a ratio as a mark, and one from an extrapolated time as an open mark.
+
+    A bound is an open mark with an arrow, and what never is, is a word.
+    """
     if found.ratio:
-        axes.plot(found.ratio, y, mark, color=color)
+        face = "none" if found.is_extrapolated else color
+        axes.plot(found.ratio, y, mark, color=color, mfc=face)
     elif found.ours.time or found.pymunk.time:
         most = found.ours.time is None
         if (found.ours if most else found.pymunk).never:
@@ -140,21 +166,29 @@ def said(found: Row) -> str:
         return f"{start}ours {mine}; pymunk {others}"
     many = theirs.time / ours.time
     end = f"{_number(many)} times as long" if many >= 1.0 else f"1/{_number(1.0 / many)} of that"
+    end += " (extrapolated)" * found.is_extrapolated
     return f"{start}{ours.model} takes {_number(1e3 * ours.time)} ms, {theirs.model} {end}"
 
 
 def told(side: Side) -> str:
-    """Return one side of a row in words: the model and its time, or that there is none."""
+    """Return one side of a row in words: the model and its time, or that there is none.
+
+    A time that is extrapolated is marked, and has the order that it is extrapolated from.
+    """
     if side.time is not None:
-        return f"{side.model}, {_number(1e3 * side.time)} ms"
+        time = f"{side.model}, {_number(1e3 * side.time)} ms"
+        return time if side.order is None else f"{time} (extrapolated, order {side.order:.2f})"
     return "never" if side.never else f"not in {_number(1e3 * side.longest)} ms"
 
 
 def told_ratio(found: Row) -> str:
-    """Return how many times as long pymunk takes in words: a number, a bound, or nothing."""
+    """Return how many times as long pymunk takes in words: a number, a bound, or nothing.
+
+    A number from a time that is extrapolated has the sign ~ before it.
+    """
     low, high = found.bounds
     if found.ratio:
-        return _number(found.ratio)
+        return "~ " * found.is_extrapolated + _number(found.ratio)
     if low > 0.0 and not found.pymunk.never:
         return f"> {_number(low)}"
     return f"< {_number(high)}" if high < math.inf and not found.ours.never else ""

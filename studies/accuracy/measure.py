@@ -19,6 +19,8 @@ from dataclasses import asdict, dataclass, field
 from importlib import metadata
 from pathlib import Path
 
+import pymunk  # noqa: F401 - else the first run of a model of pymunk's would pay for the import
+
 from autograder.manifest import ROOT
 from studies.accuracy.scene import Model, Outcome, Scene
 from studies.timing import quartiles

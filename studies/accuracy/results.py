@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from studies.accuracy.measure import EXACT, Point
 
 TOLERANCES = (1e-2, 1e-4, 1e-6)
+EIGHTFOLD = 8  # an order is measured over the last three doublings of the steps
+STEADY = 0.1  # by how much the order may differ from doubling to doubling
+FARTHEST = 1000.0  # an error is extrapolated to a thousandth of the smallest one at the most
 
 
 @dataclass(frozen=True)
@@ -17,12 +21,16 @@ class Side:
 
     Both are None where none does: then every model that might get there has been tried for
     ``longest`` s, or longer; and ``never`` says that none of them might.
+
+    Where ``order`` is not None, the model has not been run for that long. Its time is extrapolated
+    from this order of convergence.
     """
 
     model: str | None
     time: float | None
     longest: float
     never: bool
+    order: float | None = None
 
 
 @dataclass(frozen=True)
@@ -40,6 +48,11 @@ class Row:
         if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time
+
+    @property
+    def is_extrapolated(self) -> bool:
+        """Whether pymunk's time is extrapolated from its order of convergence."""
+        return self.pymunk.order is not None
 
     @property
     def bounds(self) -> tuple[float, float]:
@@ -88,8 +101,40 @@ def stalls(points: Sequence[Point]) -> bool:
     While it is off by a tenth of the scale or more, nobody can tell.
     """
     ordered = sorted(points, key=lambda point: point.steps)
-    before = [point for point in ordered if 8 * point.steps <= ordered[-1].steps]
+    before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
     return bool(before) and 0.5 * before[-1].error <= ordered[-1].error < 0.1
+
+
+def order_of(points: Sequence[Point]) -> float | None:
+    """Return a model's order of convergence, from the last eightfold of its steps.
+
+    That is the exponent p for errors in proportion to 1 / steps^p. None where the error does not
+    fall steadily: the order then differs from doubling to doubling, or nobody can tell because the
+    error is a tenth of the scale or more, or there are less than four points.
+    """
+    ordered = sorted(points, key=lambda point: point.steps)
+    last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
+    if len(last) < 4 or not all(EXACT < point.error < 0.1 for point in last):
+        return None
+    orders = [math.log(a.error / b.error) / math.log(b.steps / a.steps) for a, b in pairwise(last)]
+    mean: float = math.log(last[0].error / last[-1].error) / math.log(
+        last[-1].steps / last[0].steps
+    )
+    is_steady = mean > 0.5 and max(orders) - min(orders) <= STEADY
+    return mean if is_steady else None
+
+
+def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
+    """Return how long a model would take to a tolerance in s, by its order of convergence.
+
+    Each step is taken to last as long as those of the most steps that were tried. None where the
+    model has no steady order, or is still too far from the tolerance.
+    """
+    finest = max(points, key=lambda point: point.steps)
+    order = order_of(points)
+    if order is None or finest.error > FARTHEST * tolerance:
+        return None
+    return finest.time * math.pow(finest.error / tolerance, 1.0 / order)
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
@@ -133,8 +178,25 @@ def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
 
 def row(points: Sequence[Point], tolerance: float) -> Row:
     """Return what the points of one scene say of a tolerance."""
-    ours, theirs = (side_of(own, tolerance) for own in split(points))
-    return Row(points[0].scene, tolerance, ours, theirs)
+    ours, theirs = split(points)
+    side = side_of(theirs, tolerance)
+    if side.time is None:
+        side = extrapolated(side, theirs, tolerance)
+    return Row(points[0].scene, tolerance, side_of(ours, tolerance), side)
+
+
+def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
+    """Return a side with the least time that one of its models would take, by its order.
+
+    It is as it was where no model has a steady order.
+    """
+    models = models_of(points)
+    times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
+    found = {name: time for name, time in times.items() if time is not None}
+    if not found:
+        return side
+    name = min(found, key=lambda name: found[name])
+    return replace(side, model=name, time=found[name], order=order_of(models[name]))
 
 
 def table(points: Sequence[Point]) -> list[Row]:

@@ -1,10 +1,10 @@
-"""Scenes of one body on a spring: soft, stiff, very stiff, and one that settles at once."""
+"""Scenes of one body on a spring: along one line at four stiffnesses, and an elastic pendulum."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -24,6 +24,7 @@ from studies.accuracy.scene import (
     by_integrators,
     by_pymunk,
     in_frames,
+    solved,
     space_with,
 )
 from studies.stability import Solver
@@ -81,6 +82,50 @@ def spring(stiffness: float, damping: float) -> Scene:
     return Scene(name, FRAMES, 1.0, truth, models)
 
 
+def elastic_pendulum() -> Scene:
+    """A body of 1 kg that swings on a spring of 200 N/m and 1 m without damping, for 2 s.
+
+    It is let go beside the anchor, at 1.2 m, with 1.5 m/s upwards. It has no closed form.
+    """
+    stiffness, rest, gravity = 200.0, 1.0, 9.81
+    place, velocity = (1.2, 0.0), (0.0, 1.5)
+
+    def pull(x: float, y: float, _vx: float, _vy: float) -> tuple[float, float]:
+        length = math.hypot(x, y)
+        tension = stiffness * (length - rest)
+        return -tension * x / length, -tension * y / length
+
+    def rates(_: float, state: Sequence[float]) -> list[float]:
+        x, y, vx, vy = state
+        ax, ay = pull(x, y, vx, vy)
+        return [vx, vy, ax, ay - gravity]
+
+    def make() -> Made:
+        body = Particle(Vector3(*place), Vector3(*velocity), Vector3(0.0, -gravity))
+        return body, [AnchoredSpring(Vector3(), stiffness, rest)]
+
+    def falling() -> tuple[pymunk.Space, pymunk.Body]:
+        space, body = space_with(place, velocity, 1.0)
+        space.gravity = (0.0, -gravity)
+        return space, body
+
+    def on_spring() -> tuple[pymunk.Space, pymunk.Body]:
+        import pymunk
+
+        space, body = falling()
+        still = space.static_body
+        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), rest, stiffness, 0.0))
+        return space, body
+
+    models = [
+        *by_integrators(make, FRAMES),
+        by_pymunk("pymunk's spring", on_spring, FRAMES),
+        by_pymunk("pymunk, force by hand", falling, FRAMES, pull),
+    ]
+    truth = solved(rates, [*place, *velocity], lambda state: (state[0], state[1]), FRAMES)
+    return Scene("elastic pendulum", FRAMES, rest, truth, models)
+
+
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
     """Step a linear spring by a solver, which works one formula out a step."""
     x, v = 1.0, 0.0
@@ -98,4 +143,5 @@ SPRINGS: list[Callable[[], Scene]] = [
     *(partial(spring, k, 0.2 * math.sqrt(k)) for k in (10.0, 100.0, 1e4)),
     partial(spring, 1e6, 20.0),
     partial(spring, 1e6, 200.0),
+    elastic_pendulum,
 ]

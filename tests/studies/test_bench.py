@@ -165,9 +165,9 @@ def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds(
     steps, error = accuracy.fewest_steps(scene, pymunk, 1e-4)  # needs 64 of them
     assert steps == 32
     assert error == scene.error(pymunk.run(32)) > 1e-4
-    monkeypatch.setattr(accuracy, "MOST", 1000)
+    monkeypatch.setattr(accuracy, "MOST", 400)
     bounds = ["a lower bound" in line.what for line in accuracy.lines()]
-    assert bounds == [True] * 6
+    assert bounds == [True] * 13
     monkeypatch.setattr(accuracy, "MOST", 64 * scene.frames)
     assert "bound" not in accuracy.line(scene.name, None, "pymunk", 1).what
 

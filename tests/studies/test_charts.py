@@ -130,7 +130,7 @@ def test_closed_forms_and_exact_ways_are_exact(name: str) -> None:
         (SPRING.format("100", "2"), "pymunk, force by hand", 1),
         ("pendulum from horizontal", "by its angle, Runge-Kutta 4", 4),
         ("pendulum from horizontal", "direct chain", 2),
-        ("pendulum from horizontal", "pymunk, pin joint", 1),
+        ("pendulum from horizontal", "pymunk, pin joints", 1),
     ],
 )
 def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: int) -> None:

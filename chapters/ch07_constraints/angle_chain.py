@@ -1,0 +1,124 @@
+"""Going further, complete: a chain of rods in a plane by its angles.
+
+Each rod leaves its outer end one way to move: along a circle around its inner end. So one angle
+for each rod describes the whole chain, as one angle describes a pendulum. No step can make a rod
+too long, and Runge-Kutta 4 steps the angles at order 4.
+
+The equations of motion need the tensions of the rods. Each tension accelerates the two ends of its
+rod, so it appears in the equations of three rods: its own and the two beside it. These equations
+are solved from the anchor to the tip and back, in a time that grows with the number of rods.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from ch02_vectors.arguments import finite, positive
+from ch02_vectors.vector import Vector3
+
+
+class AngleChain:
+    """Point masses on massless rods, one below the other, that swing in the X-Y plane.
+
+    The first rod turns about the origin. Rods are listed from there to the tip: ``lengths`` in m,
+    ``masses`` in kg of what is at the outer ends, ``angles`` in radians from straight down towards
+    +X, ``angular_velocities`` in rad/s (all 0 if left out). ``gravity`` is in m/s^2. The attributes
+    have these names. One rod makes a pendulum, two make a double pendulum.
+
+    Raises ValueError where the lists are empty or differ in length, a length, a mass or gravity is
+    not positive, or a number is not finite; TypeError for anything that is not a number.
+    """
+
+    def __init__(
+        self,
+        lengths: Sequence[float],
+        masses: Sequence[float],
+        angles: Sequence[float],
+        angular_velocities: Sequence[float] | None = None,
+        gravity: float = 9.81,
+    ) -> None:
+        speeds = [0.0] * len(angles) if angular_velocities is None else angular_velocities
+        counts = {len(lengths), len(masses), len(angles), len(speeds)}
+        if len(counts) > 1 or not lengths:
+            raise ValueError(f"lists must have one number for each rod, got {sorted(counts)}")
+        self.lengths = [positive("length", length) for length in lengths]
+        self.masses = [positive("mass", mass) for mass in masses]
+        self.angles = [finite("angle", angle) for angle in angles]
+        self.angular_velocities = [finite("angular_velocity", speed) for speed in speeds]
+        self.gravity = positive("gravity", gravity)
+
+    @property
+    def positions(self) -> list[Vector3]:
+        """The positions of the masses in m, from the first to the tip, as new vectors."""
+        x = y = 0.0
+        places = []
+        for length, angle in zip(self.lengths, self.angles, strict=True):
+            x += length * math.sin(angle)
+            y -= length * math.cos(angle)
+            places.append(Vector3(x, y))
+        return places
+
+    def step(self, duration: float) -> None:
+        """Move the chain on by a duration in s: Runge-Kutta 4 of the angular accelerations.
+
+        Raises ValueError where the duration is not positive and finite.
+        """
+        h = positive("duration", duration)
+        velocities = self.angular_velocities
+        v1, a1 = self._rates(0.0, velocities, velocities)
+        v2, a2 = self._rates(0.5 * h, v1, a1)
+        v3, a3 = self._rates(0.5 * h, v2, a2)
+        v4, a4 = self._rates(h, v3, a3)
+        sixth = h / 6.0
+        for i in range(len(velocities)):
+            self.angles[i] += sixth * (v1[i] + 2.0 * (v2[i] + v3[i]) + v4[i])
+            velocities[i] += sixth * (a1[i] + 2.0 * (a2[i] + a3[i]) + a4[i])
+
+    def _rates(
+        self, ahead: float, turning: Sequence[float], gaining: Sequence[float]
+    ) -> tuple[list[float], list[float]]:
+        """Return the angular velocities and accelerations ``ahead`` s after the present state.
+
+        Until then the angles change at the rates ``turning``, and the angular velocities at the
+        rates ``gaining``.
+        """
+        # Row i: (1/m0 + 1/m1) T[i] - cos/m0 T[i-1] - cos/m1 T[i+1] = L w^2, with the tensions T in
+        # N, the masses m0 and m1 at the ends of the rod, and the cosines of the angles between
+        # rods. Elimination leaves T[i] = value + factor T[i+1] in each row. The anchor does not
+        # accelerate, so gravity enters in the first row only.
+        lengths, masses, angles, velocities = (
+            self.lengths,
+            self.masses,
+            self.angles,
+            self.angular_velocities,
+        )
+        angle, speed = angles[0] + ahead * turning[0], velocities[0] + ahead * gaining[0]
+        sine, cosine = math.sin(angle), math.cos(angle)
+        inner = pivot = 1.0 / masses[0]
+        value = (lengths[0] * speed * speed + self.gravity * cosine) / pivot
+        weight = self.gravity * sine
+        speeds, rows = [speed], []
+        for i in range(1, len(angles)):
+            length, outer = lengths[i], 1.0 / masses[i]
+            angle, speed = angles[i] + ahead * turning[i], velocities[i] + ahead * gaining[i]
+            s, c = math.sin(angle), math.cos(angle)
+            beside = inner * (s * sine + c * cosine)
+            factor = beside / pivot
+            rows.append((length, inner * (s * cosine - c * sine), factor, value))
+            pivot = inner + outer - beside * factor
+            value = (length * speed * speed + beside * value) / pivot
+            speeds.append(speed)
+            inner, sine, cosine = outer, s, c
+
+        # A rod is turned by what the rods beside it pull across it. From the tip to the anchor:
+        accelerations = []
+        tension, across = value, 0.0
+        for length, turn, factor, value in reversed(rows):
+            before = value + factor * tension
+            accelerations.append((across - turn * before) / length)
+            across = turn * tension
+            tension = before
+        accelerations.append((across - weight) / lengths[0])
+        accelerations.reverse()
+        return speeds, accelerations

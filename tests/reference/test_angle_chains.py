@@ -1,0 +1,278 @@
+"""Chains by their angles, and rods as forces: normal modes, SciPy, and a conical pendulum."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy
+import pytest
+from numpy.polynomial import laguerre
+from scipy.integrate import solve_ivp
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import Drag, ForceRegistry, Gravity
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import (
+    Integrator,
+    explicit_euler,
+    leapfrog,
+    runge_kutta_4,
+    semi_implicit_euler,
+    velocity_verlet,
+)
+from ch07_constraints.angle_chain import AngleChain
+from ch07_constraints.angle_pendulum import DoublePendulum
+from ch07_constraints.rod_tensions import RodTensions
+from studies.drawing import slope
+
+G = 9.81
+NAN, INF = math.nan, math.inf
+Chain = AngleChain | DoublePendulum
+
+# Unlike lengths and masses, wide angles, and a start in motion: nothing cancels.
+TWO = ([1.0, 0.7], [1.0, 2.5], [1.0, -0.6], [0.5, 2.0])
+FOUR = ([1.0, 0.7, 0.6, 0.9], [1.0, 2.5, 1.5, 4.0], [1.0, -0.6, 0.2, 0.8], [0.5, 2.0, -1.0, 0.0])
+TIME = 0.3  # s: the rods turn by about a radian
+
+
+def lagrange(start: tuple[list[float], ...], time: float) -> list[float]:
+    """Return the angles after a time by SciPy, from the equations of Lagrange with a mass matrix.
+
+    With M the sum of the masses from the further one of two rods to the tip, the equations are
+    sum_j M L_j (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i, without tensions.
+    """
+    lengths, masses, angles, speeds = (numpy.array(part) for part in start)
+    count = len(lengths)
+    below = masses[::-1].cumsum()[::-1]
+    hung = below[numpy.maximum.outer(range(count), range(count))]
+
+    def rates(_: float, state: numpy.ndarray) -> numpy.ndarray:
+        a, w = state[:count], state[count:]
+        apart = a[:, None] - a
+        matrix = hung * lengths * numpy.cos(apart)
+        right = -(hung * lengths * numpy.sin(apart)) @ w**2 - below * G * numpy.sin(a)
+        return numpy.concatenate([w, numpy.linalg.solve(matrix, right)])
+
+    begin = numpy.concatenate([angles, speeds])
+    found = solve_ivp(rates, (0.0, time), begin, method="DOP853", rtol=1e-12, atol=1e-13)
+    return [*found.y[:count, -1]]
+
+
+def places_of(lengths: list[float], angles: list[float]) -> list[float]:
+    x = y = 0.0
+    places = []
+    for length, angle in zip(lengths, angles, strict=True):
+        x, y = x + length * math.sin(angle), y - length * math.cos(angle)
+        places += [x, y]
+    return places
+
+
+def particles_of(start: tuple[list[float], ...]) -> list[Particle]:
+    lengths, masses, angles, speeds = start
+    x = y = u = v = 0.0
+    chain = []
+    for length, mass, angle, speed in zip(lengths, masses, angles, speeds, strict=True):
+        x, y = x + length * math.sin(angle), y - length * math.cos(angle)
+        u, v = u + length * speed * math.cos(angle), v + length * speed * math.sin(angle)
+        chain.append(Particle(Vector3(x, y), Vector3(u, v), Vector3(0.0, -G), mass=mass))
+    return chain
+
+
+def seen(particles: list[Particle]) -> list[float]:
+    return [part for p in particles for part in (p.position.x, p.position.y)]
+
+
+@pytest.mark.parametrize("count", [1, 2, 5])
+def test_small_swings_are_the_normal_modes_of_a_hanging_chain(count: int) -> None:
+    """Equal beads: w^2 l / g is a root of the Laguerre polynomial L_n, and bead k from the tip is
+    displaced by L_k of that root. For two beads the roots are 2 -+ sqrt 2.
+    """
+    length, amplitude = 0.5, 1e-5
+    for root in laguerre.lagroots([0.0] * count + [1.0]):
+        shape = [laguerre.lagval(root, [0.0] * k + [1.0]) for k in range(count, -1, -1)]
+        turns = [b - a for a, b in pairwise(shape)]
+        start = [amplitude * turn / max(map(abs, turns)) for turn in turns]
+        chains: list[Chain] = [AngleChain([length] * count, [0.3] * count, start)]
+        if count == 2:
+            chains.append(DoublePendulum([length] * 2, [0.3] * 2, start))
+        for chain in chains:
+            for _ in range(500):
+                chain.step(0.002)
+            now = math.cos(math.sqrt(G * root / length))
+            # What is not linear is a fraction of the square of the amplitude, for each of some ten
+            # radians. The step is off by (w h)^4 / 120 for each radian, and w h is 0.03 at most.
+            for angle, first in zip(chain.angles, start, strict=True):
+                assert angle == pytest.approx(now * first, abs=1e-6 * amplitude)
+
+
+@pytest.mark.parametrize(
+    ("kind", "start"), [(DoublePendulum, TWO), (AngleChain, TWO), (AngleChain, FOUR)]
+)
+def test_chains_by_angles_are_those_of_lagrange_at_the_fourth_order(
+    kind: Callable[..., Chain], start: tuple[list[float], ...]
+) -> None:
+    true = lagrange(start, TIME)
+    counts, errors = (50, 100, 200), []
+    for count in counts:
+        chain = kind(*start)
+        for _ in range(count):
+            chain.step(TIME / count)
+        errors.append(math.dist(chain.angles, true))
+    assert errors[-1] < 1e-7
+    assert slope(counts, errors) == pytest.approx(-4.0, abs=0.15)  # the fifth is a tenth of it
+
+
+def test_positions_are_those_of_the_angles() -> None:
+    for kind, start in ((DoublePendulum, TWO), (AngleChain, TWO), (AngleChain, FOUR)):
+        found = [part for p in kind(*start).positions for part in (p.x, p.y)]
+        assert found == pytest.approx(places_of(start[0], start[2]), abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("integrator", "order"),
+    [
+        (explicit_euler, 1),
+        (semi_implicit_euler, 1),
+        (leapfrog, 1),  # tensions depend on velocities
+        (velocity_verlet, 2),
+        (runge_kutta_4, 4),
+    ],
+)
+def test_tensions_let_an_integrator_step_rods_at_its_own_order(
+    integrator: Integrator, order: int
+) -> None:
+    for start in (TWO, FOUR):
+        true = places_of(start[0], lagrange(start, TIME))
+        counts, errors = (100, 200, 400), []
+        for count in counts:
+            particles = particles_of(start)
+            rods = RodTensions(particles, Vector3())
+            for _ in range(count):
+                integrator(particles, rods.update_forces, TIME / count)
+            errors.append(math.dist(seen(particles), true))
+        assert slope(counts, errors) == pytest.approx(-order, abs=0.15)
+
+
+def test_a_conical_pendulum_goes_round_in_its_circle() -> None:
+    """In three dimensions: w^2 = g / (l cos a), and the tension is m g / cos a."""
+    length, angle, mass = 2.0, 0.8, 3.0
+    radius, turn = length * math.sin(angle), math.sqrt(G / (length * math.cos(angle)))
+    place = Vector3(radius, -length * math.cos(angle), 0.0)
+    bob = Particle(place, Vector3(0.0, 0.0, radius * turn), mass=mass)
+    rods, registry = RodTensions([bob], Vector3()), ForceRegistry()
+    registry.add(bob, Gravity(Vector3(0.0, -G)))
+    registry.update_forces(0.01)
+    rods.update_forces(0.01)
+    wanted = mass * turn * turn * radius
+    assert [*bob.force_accumulator] == pytest.approx([-wanted, 0.0, 0.0], abs=1e-12 * wanted)
+    bob.clear_forces()
+
+    def apply_forces(duration: float) -> None:
+        registry.update_forces(duration)
+        rods.update_forces(duration)
+
+    for _ in range(1000):
+        runge_kutta_4([bob], apply_forces, 0.002)
+    found = [bob.position.x, bob.position.y, bob.position.z]
+    true = [radius * math.cos(2.0 * turn), place.y, radius * math.sin(2.0 * turn)]
+    # w h is 0.005: its fourth power, 8e-10, for each of the 5 rad that it goes through is too much.
+    assert found == pytest.approx(true, abs=1e-9)
+
+
+def test_tensions_carry_what_hangs_below() -> None:
+    masses = [1.0, 2.0, 0.5]
+    start = ([1.0] * 3, masses, [0.0] * 3, [0.0] * 3)
+    particles = particles_of(start)
+    RodTensions(particles, Vector3()).update_forces()
+    for particle, mass in zip(particles, masses, strict=True):
+        assert [*particle.force_accumulator] == pytest.approx([0.0, mass * G, 0.0], abs=1e-12)
+
+
+def test_forces_on_a_chain_count() -> None:
+    """Drag k1 on a small swing makes it a damped oscillator: a'' = -g a / l - k1 a' / m."""
+    length, k1, mass, amplitude = 1.0, 1.5, 2.0, 1e-5
+    (bob,) = particles_of(([length], [mass], [amplitude], [0.0]))
+    rods, registry = RodTensions([bob], Vector3()), ForceRegistry()
+    registry.add(bob, Drag(k1, 0.0))
+
+    def apply_forces(duration: float) -> None:
+        registry.update_forces(duration)
+        rods.update_forces(duration)
+
+    for _ in range(1000):
+        runge_kutta_4([bob], apply_forces, 0.001)
+    fade = 0.5 * k1 / mass
+    swing = math.sqrt(G / length - fade**2)
+    wanted = math.exp(-fade) * (math.cos(swing) + fade / swing * math.sin(swing))
+    # What is not linear is a fraction of the square of the amplitude.
+    assert bob.position.x == pytest.approx(amplitude * wanted, abs=1e-8 * amplitude)
+
+
+def test_the_correction_keeps_rods_at_their_lengths_for_a_minute() -> None:
+    wrong = {}
+    for correction in (0.0, 5.0):
+        particles = particles_of(TWO)
+        rods = RodTensions(particles, Vector3(), correction)
+        for _ in range(7200):
+            runge_kutta_4(particles, rods.update_forces, 1.0 / 120.0)
+        ends = [Vector3(), *(particle.position for particle in particles)]
+        found = [(b - a).magnitude() for a, b in pairwise(ends)]
+        wrong[correction] = max(abs(a - b) for a, b in zip(found, TWO[0], strict=True))
+    # Each step is off by some 1e-7 m: 0.1 m in a minute, or in the 0.2 s of the correction 3e-6 m.
+    assert wrong[5.0] < 3e-5
+    assert wrong[0.0] > 1e-3
+
+
+def test_a_chain_may_have_an_immovable_other_end() -> None:
+    """Two rods of sqrt 0.5 m hold 1 kg at a right angle: each pulls with m g / sqrt 2."""
+    low = Particle(Vector3(0.5, -0.5), acceleration=Vector3(0.0, -G))
+    end = Particle(Vector3(1.0, 0.0), mass=INF)
+    RodTensions([low, end], Vector3()).update_forces()
+    assert [*low.force_accumulator] == pytest.approx([0.0, G, 0.0], abs=1e-12)
+    along = math.sqrt(0.5) * G * math.sqrt(0.5)
+    assert [*end.force_accumulator] == pytest.approx([-along, -along, 0.0], abs=1e-12)
+
+
+def test_rod_tensions_refuse_what_they_cannot_solve() -> None:
+    def at(x: float, mass: float = 1.0) -> Particle:
+        return Particle(Vector3(x), mass=mass)
+
+    straight = RodTensions([at(1.0), at(2.0, INF)], Vector3())
+    with pytest.raises(ArithmeticError, match="tension of rod 1 has no unique solution"):
+        straight.update_forces()
+    for chain in ([at(0.0)], [at(1.0, INF)], [at(1.0), at(2.0, INF), at(3.0)]):
+        with pytest.raises(ValueError, match="must be"):
+            RodTensions(chain, Vector3())
+    for correction in (-1.0, NAN, INF):
+        with pytest.raises(ValueError, match="correction must be"):
+            RodTensions([at(1.0)], Vector3(), correction)
+
+
+@pytest.mark.parametrize("kind", [AngleChain, DoublePendulum])
+@pytest.mark.parametrize(
+    "bad",
+    [
+        ([1.0], [1.0, 1.0], [0.0, 0.0]),
+        ([], [], []),
+        ([1.0, 0.0], [1.0, 1.0], [0.0, 0.0]),
+        ([1.0, 1.0], [1.0, INF], [0.0, 0.0]),
+        ([1.0, 1.0], [1.0, 1.0], [0.0, NAN]),
+        ([1.0, 1.0], [1.0, 1.0], [0.0, 0.0], [0.0]),
+        ([1.0, 1.0], [1.0, 1.0], [0.0, 0.0], [0.0, INF]),
+        ([1.0, 1.0], [1.0, 1.0], [0.0, 0.0], [0.0, 0.0], 0.0),
+    ],
+)
+def test_chains_by_angles_refuse_what_is_none(
+    kind: Callable[..., Chain], bad: tuple[list[float], ...]
+) -> None:
+    with pytest.raises(ValueError, match="must"):
+        kind(*bad)
+
+
+def test_chains_by_angles_refuse_durations_that_are_none() -> None:
+    for chain in (AngleChain(*TWO), DoublePendulum(*TWO)):
+        for bad in (0.0, -1.0, NAN, INF):
+            with pytest.raises(ValueError, match="duration must be positive"):
+                chain.step(bad)

@@ -1,0 +1,120 @@
+"""The pendulums and chains of the charts: true by other equations, and of the models' orders."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy
+import pytest
+from scipy.integrate import solve_ivp
+
+from studies.accuracy.catalog import scenes_with
+from studies.accuracy.scene import RATE, Scene
+from studies.drawing import slope
+
+NAMES = ("pendulum", "rods", "rope of")
+SCENES = {scene.name: scene for part in NAMES for scene in scenes_with(part)}
+# Length of a rod, masses, angle in degrees, gravity.
+CHAINS: dict[str, tuple[float, list[float], float, float]] = {
+    "pendulum from horizontal": (1.0, [1.0], 90.0, 10.0),
+    "double pendulum": (1.0, [1.0, 1.0], 60.0, 9.81),
+    "five rods, heavy tip": (1.0, [1.0, 1.0, 1.0, 1.0, 10.0], 60.0, 9.81),
+    "rope of 30 links": (0.1, [0.1] * 30, 30.0, 10.0),
+}
+
+
+def expect_truth(scene: Scene, rates: Any, start: Any, place: Any) -> None:
+    """Compare a scene's truth with SciPy's solution of some equations, ten times on the way."""
+    times = numpy.linspace(0.1, 1.0, 10) * scene.frames / RATE
+    span = (0.0, times[-1])
+    found = solve_ivp(rates, span, start, "DOP853", times, rtol=1e-12, atol=1e-13)
+    for time, state in zip(times, found.y.T, strict=True):
+        # SciPy's own error: 1e-12 a step, of some thousand steps, and grows along the path.
+        assert scene.truth(time) == pytest.approx(place(state), abs=2e-9)
+
+
+@pytest.mark.parametrize("name", CHAINS)
+def test_the_truth_of_a_chain_is_that_of_points_held_by_tensions(name: str) -> None:
+    """Newton's equations of points in the plane, with tensions that keep the rods' lengths.
+
+    Each rod r has r.r'' = -r'.r'. With the rods' ends as rows of a matrix of 1 and -1, the tensions
+    for each m of length come from one dense solve. The scene's truth has angles, and no tensions.
+    """
+    length, masses, degrees, gravity = CHAINS[name]
+    count, inverse = len(masses), 1.0 / numpy.array(masses)
+    ends = numpy.eye(count) - numpy.eye(count, k=-1)  # rod i runs from mass i - 1 to mass i
+    shared = (ends * inverse) @ ends.T
+    free = numpy.tile([0.0, -gravity], (count, 1))
+
+    def rates(_: float, state: Any) -> Any:
+        p, v = state.reshape(2, count, 2)
+        rod, turn = ends @ p, ends @ v
+        wanted = ((ends @ free) * rod + turn**2).sum(axis=1)
+        tension = numpy.linalg.solve(shared * (rod @ rod.T), wanted)
+        pull = ends.T @ (tension[:, None] * rod)
+        return numpy.stack([v, free - inverse[:, None] * pull]).ravel()
+
+    angle = math.radians(degrees)
+    along = length * numpy.array([math.sin(angle), -math.cos(angle)])
+    places = numpy.arange(1.0, count + 1.0)[:, None] * along
+    start = numpy.stack([places, numpy.zeros((count, 2))]).ravel()
+    expect_truth(SCENES[name], rates, start, lambda state: [*state[: 2 * count]])
+
+
+def test_the_truth_of_the_elastic_pendulum_is_that_of_its_polar_equations() -> None:
+    def rates(_: float, state: Any) -> list[float]:
+        r, angle, dr, turn = state  # the angle is from straight down
+        pull = 200.0 * (r - 1.0)
+        ddr = r * turn**2 + 9.81 * math.cos(angle) - pull
+        return [dr, turn, ddr, -(9.81 * math.sin(angle) + 2.0 * dr * turn) / r]
+
+    def place(state: Any) -> list[float]:
+        r, angle, _, _ = state
+        return [r * math.sin(angle), -r * math.cos(angle)]
+
+    start = [1.2, 0.5 * math.pi, 0.0, 1.5 / 1.2]
+    expect_truth(SCENES["elastic pendulum"], rates, start, place)
+
+
+@pytest.mark.parametrize(
+    ("scene", "model", "order"),
+    [
+        ("elastic pendulum", "Runge-Kutta 4", 4),
+        ("elastic pendulum", "velocity Verlet", 2),
+        ("elastic pendulum", "leapfrog", 2),
+        ("elastic pendulum", "pymunk's spring", 1),
+        ("elastic pendulum", "pymunk, force by hand", 1),
+        ("pendulum from horizontal", "rods as forces, Runge-Kutta 4", 4),
+        ("double pendulum", "by its two angles, Runge-Kutta 4", 4),
+        ("double pendulum", "by its angles, Runge-Kutta 4", 4),
+        ("double pendulum", "rods as forces, Runge-Kutta 4", 4),
+        ("double pendulum", "direct chain", 2),
+        ("double pendulum", "pymunk, pin joints", 1),
+        ("double pendulum", "pymunk, pin joints, 1 iteration", 1),
+        ("five rods, heavy tip", "by its angles, Runge-Kutta 4", 4),
+        ("five rods, heavy tip", "rods as forces, Runge-Kutta 4", 4),
+        ("five rods, heavy tip", "direct chain", 2),
+        ("five rods, heavy tip", "pymunk, pin joints", 1),
+        ("rope of 30 links", "by its angles, Runge-Kutta 4", 4),
+        ("rope of 30 links", "direct chain", 2),
+    ],
+)
+def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: int) -> None:
+    steps = (4, 8, 16) if order == 4 else (16, 32, 64)
+    (run,) = [found.run for found in SCENES[scene].models if found.name == model]
+    errors = [SCENES[scene].error(run(count)) for count in steps]
+    # The next order is a twentieth of it at the most.
+    assert slope([1.0 / count for count in steps], errors) == pytest.approx(order, abs=0.1)
+
+
+def test_the_work_of_chains_is_rods_solved_for_in_every_evaluation() -> None:
+    frames = {"double pendulum": 120, "five rods, heavy tip": 120}
+    for name, rods in (("double pendulum", 2), ("five rods, heavy tip", 5)):
+        work = {model.name: model.run(2).work for model in SCENES[name].models}
+        once = 2 * frames[name] * rods
+        assert work["direct chain"] == once
+        assert work["by its angles, Runge-Kutta 4"] == 4 * once
+        assert work["rods as forces, Runge-Kutta 4"] == 4 * once
+        assert work["pymunk, pin joints"] == 10 * once
+        assert work["pymunk, pin joints, 1 iteration"] == once

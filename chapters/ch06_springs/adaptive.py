@@ -173,10 +173,10 @@ class _Moving:
 
     def put(self, state: Numbers) -> None:
         """Give the particles a state, with the forces by hand and no other forces."""
-        numbers = iter(state)
-        for (_, _, _, p, q), x, y, z, u, v, w in zip(self.bodies, *[numbers] * 6, strict=True):
-            p.x, p.y, p.z = x, y, z
-            q.x, q.y, q.z = u, v, w
+        first = 0
+        for _, _, _, p, v in self.bodies:
+            p.x, p.y, p.z, v.x, v.y, v.z = state[first : first + 6]
+            first += 6
         self._clear()
         for particle, force in self.by_hand:
             particle.add_force(force)
@@ -228,9 +228,9 @@ class _Moving:
 
 def _ahead(state: Numbers, rates: list[Numbers], weights: Sequence[float], step: float) -> Numbers:
     """Return state + step * sum(weight * rate): where the rates lead in a step."""
-    a, b, c, d, e, f, g = (weight * step for weight in weights)
+    a, b, c, d, e, f, g = weights
     return [
-        y + (a * r1 + b * r2 + c * r3 + d * r4 + e * r5 + f * r6 + g * r7)
+        y + step * (a * r1 + b * r2 + c * r3 + d * r4 + e * r5 + f * r6 + g * r7)
         for y, r1, r2, r3, r4, r5, r6, r7 in zip(state, *rates, strict=True)
     ]
 

@@ -1,5 +1,7 @@
 """Speed against accuracy: how long pymunk takes for what a model of ours does in a scene.
 
+Last come the evaluations that a fixed step needs for what `adaptive` does with an orbit.
+
 The place is wanted at every frame, to a tolerance of the scene's scale; in the orbit ours is a
 hundred times as near, since pymunk does not get to the tolerance at all. Each side makes the fewest
 steps a frame that reach it, of powers of two; where pymunk does not, the line is a lower bound.
@@ -8,11 +10,13 @@ steps a frame that reach it, of powers of two; where pymunk does not, the line i
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
+from collections.abc import Sequence
 from functools import partial
 
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.measure import run, seconds_of
-from studies.accuracy.scene import Model, Scene
+from studies.accuracy.scene import Model, Outcome, Scene
 from studies.timing import Measurement, Target, versus
 
 TOLERANCE = 1e-4
@@ -28,8 +32,45 @@ def lines() -> list[Measurement]:
         line("spring, k = 100 N/m", RK4, "pymunk, force by hand", 5, Target("at least", 250)),
         line("pendulum", f"by its angle, {RK4}", "pymunk, pin joint", 11, Target("at least", 250)),
         line("bouncing ball, restitution 0.8", None, "pymunk", 15, Target("at least", 2000)),
-        line("orbit", RK4, "pymunk, force by hand", 3, tolerance=1e-6),
+        line("orbit of eccentricity 0.5", RK4, "pymunk, force by hand", 3, tolerance=1e-6),
+        *lines_of_adaptive(),
     ]
+
+
+def lines_of_adaptive() -> list[Measurement]:
+    """Return what Runge-Kutta 4 needs for the orbit of a comet over what `adaptive` does.
+
+    Both have an error of at most 1e-6 of the half axis in every frame. Each has the coarsest choice
+    with which it is that near: of steps a frame, or of tolerances, four in a decade.
+    """
+    (scene,) = scenes_with("orbit of eccentricity 0.9")
+    fixed, own = model_of(scene, RK4), model_of(scene, "adaptive")
+    steps, fixed_run = coarsest(scene, fixed, range(1, 513), 1e-6)
+    finer, own_run = coarsest(scene, own, [round(10.0 ** (n / 4.0)) for n in range(4, 49)], 1e-6)
+    what = (
+        f"{scene.name}, every frame, error 1e-6: %s of {RK4}, {steps} steps a frame / "
+        f"of adaptive, tolerance {1.0 / finer:.2g}"
+    )
+    ratio = fixed_run.work / own_run.work
+    counts = f"evaluations ({fixed_run.work:,} / {own_run.work:,})"
+    time = versus(partial(seconds_of, fixed, steps), partial(seconds_of, own, finer))
+    return [
+        Measurement(what % counts, lambda: ratio, 1, Target("at least", 10)),
+        Measurement(what % "time", time, 9),
+    ]
+
+
+def coarsest(
+    scene: Scene, model: Model, choices: Sequence[int], tolerance: float
+) -> tuple[int, Outcome]:
+    """Return the first choice within a tolerance, and its run, by bisection from coarse to fine."""
+
+    def is_within(choice: int) -> bool:
+        outcome = run(model, choice)
+        return outcome is not None and scene.error(outcome) <= tolerance
+
+    choice = choices[bisect_left(choices, True, key=is_within)]
+    return choice, model.run(choice)
 
 
 def line(

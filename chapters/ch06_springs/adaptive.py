@@ -44,7 +44,7 @@ def adaptive(tolerance: float) -> AdaptiveStep:
     ``tolerance`` is the estimated error that one step may make: in m for every coordinate of a
     position, and in m/s for every component of a velocity. It is absolute: choose it by the size of
     your scene. Errors of the steps add up, and an orbit or a swing makes them larger, so the final
-    error is often ten to a hundred times the tolerance, but it shrinks in proportion to it.
+    error is often ten to a few hundred times the tolerance, but it shrinks in proportion to it.
 
     Raises ValueError where the tolerance is not positive and finite, and TypeError where it is not
     a number.

@@ -9,7 +9,7 @@ that was too long, and makes the next one longer when a step was better than it 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
@@ -66,10 +66,11 @@ class AdaptiveStep:
     Forces by hand act for the whole call, and damping multiplies the velocity once per call, as in
     the other integrators. ``apply_forces`` is given the duration of the call in every evaluation.
 
-    Order 5, also where forces depend on the velocity; not symplectic. A stiff spring is stable, as
-    its steps become short, but it needs about as many of them as the fixed integrators do. Source:
-    Dormand and Prince, Journal of Computational and Applied Mathematics 6 (1980), 19; the choice of
-    the step is that of Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.4.
+    Order 5, also where forces depend on the velocity; not symplectic. A stiff spring is stable,
+    because its steps become short, but it needs no fewer of them than a fixed integrator would.
+    Source: Dormand and Prince, Journal of Computational and Applied Mathematics 6 (1980), 19. The
+    choice of the step is that of Hairer, Nørsett and Wanner, Solving Ordinary Differential
+    Equations I, II.4.
     """
 
     def __init__(self, tolerance: float) -> None:
@@ -86,7 +87,8 @@ class AdaptiveStep:
         """Move the particles by a duration in s.
 
         A step whose forces raise ArithmeticError or ValueError counts as too long, and is repeated
-        with a tenth of its length. At the start of the call these errors come out.
+        with a tenth of its length. At the start of the call these errors come out. So do all other
+        errors at any time, and the particles are then somewhere on their way.
 
         Raises ArithmeticError where a step becomes too short to go on, as it does at a singularity,
         or where a call needs more than MOST_STEPS steps. The particles are then where the last good
@@ -111,21 +113,16 @@ class AdaptiveStep:
             parts = max(1, math.ceil(left / wanted))  # equal ones: no tiny step is left at the end
             step = left / parts
             problem = None
-            rates = [first] * 7  # those that are not known yet have the weight 0
-            end, errors = state, [math.inf]
             try:
-                for i, weights in enumerate(STAGES, 1):
-                    end = _ahead(state, rates, weights, step)
-                    rates[i] = rates_at(end)
-                errors = _ahead([0.0] * len(state), rates, ERROR, step)
+                end, last, errors = _attempt(state, first, rates_at, step)
             except (ArithmeticError, ValueError) as raised:
-                problem = raised
+                end, last, errors, problem = state, first, [math.inf], raised
             error = _largest(errors)
             # The error of order 4 grows with the fifth power of the step.
             factor = SAFETY * (self.tolerance / error) ** 0.2 if error else GROW
             factor = min(max(factor, SHRINK), GROW)
             if error <= self.tolerance:
-                state, first = end, rates[6]
+                state, first = end, last
                 left -= step
                 # A step that was cut short by the end of the call only says that it might grow.
                 wanted = step * factor if factor < GROW else max(wanted, step * GROW)
@@ -224,6 +221,21 @@ class _Moving:
     def _clear(self) -> None:
         for particle in self.particles:
             particle.clear_forces()
+
+
+def _attempt(
+    state: Numbers, first: Numbers, rates_at: Callable[[Numbers], Numbers], step: float
+) -> tuple[Numbers, Numbers, Numbers]:
+    """Return the state after a step, the rates there, and the estimated errors of the state.
+
+    ``first`` are the rates at the start of the step.
+    """
+    rates = [first] * 7  # those that are not known yet have the weight 0
+    end = state
+    for i, weights in enumerate(STAGES, 1):
+        end = _ahead(state, rates, weights, step)
+        rates[i] = rates_at(end)
+    return end, rates[6], _ahead([0.0] * len(state), rates, ERROR, step)
 
 
 def _ahead(state: Numbers, rates: list[Numbers], weights: Sequence[float], step: float) -> Numbers:

@@ -74,8 +74,10 @@ def main(arguments: list[str]) -> int:
 
 def _told(scene: Scene, point: Point) -> str:
     """Return what a point is, costs and misses by."""
+    model = next(model for model in scene.models if model.name == point.model)
     steps = "once" if point.steps == 1 else f"{point.steps} steps"
+    choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} a frame"
     return (
-        f"{point.model}, {steps} a frame: {1e3 * point.time:.3g} ms, {point.work} "
+        f"{point.model}, {choice}: {1e3 * point.time:.3g} ms, {point.work} "
         f"{scene.counted}, error {point.error:.2g}"
     )

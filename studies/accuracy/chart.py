@@ -33,7 +33,7 @@ OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, YELLOW)
 UP = (0.25, 0.0, -0.25)  # of the three tolerances in the row of a scene
 MARKERS = "os^Dvph<>"
 COLUMNS = (
-    *("model", "by", "steps a frame", "error / scale", "work"),
+    *("model", "by", "steps a frame, or 1 / tolerance", "error / scale", "work"),
     *("time, ms", "lower quartile, ms", "upper quartile, ms"),
 )
 

@@ -102,30 +102,34 @@ def quadratic_drag() -> Scene:
     return Scene("fall with quadratic drag", frames, 30.0, truth, models)
 
 
-def orbit() -> Scene:
-    """Three turns round a center, on an ellipse of eccentricity 0.5 and a half axis of 1 m."""
-    e, turns = 0.5, 3
-    frames = math.floor(2.0 * math.pi * turns * RATE)
-    speed = math.sqrt((1.0 + e) / (1.0 - e))
+def orbit(e: float, turns: int, period: float) -> Scene:
+    """Turns round a center, on an ellipse of eccentricity e with a half axis of 1 m.
+
+    The period is in s, and the orbit begins where it is nearest to the center.
+    """
+    frames = math.floor(turns * period * RATE)
+    rate = 2.0 * math.pi / period
+    mu, speed = rate * rate, rate * math.sqrt((1.0 + e) / (1.0 - e))
 
     def truth(time: float) -> Place:
-        anomaly = time  # Kepler's equation t = E - e sin E, by Newton's method
+        mean = rate * time  # Kepler's equation M = E - e sin E, by Newton's method
+        anomaly = mean + math.copysign(0.85 * e, math.sin(mean))  # Danby's start: it never fails
         for _ in range(60):
-            anomaly -= (anomaly - e * math.sin(anomaly) - time) / (1.0 - e * math.cos(anomaly))
+            anomaly -= (anomaly - e * math.sin(anomaly) - mean) / (1.0 - e * math.cos(anomaly))
         return math.cos(anomaly) - e, math.sqrt(1.0 - e * e) * math.sin(anomaly)
 
     def make() -> Made:
         start = Particle(Vector3(1.0 - e), Vector3(0.0, speed))
-        return start, [InverseSquareGravity(Vector3(), 1.0)]
+        return start, [InverseSquareGravity(Vector3(), mu)]
 
     def pull(x: float, y: float, _vx: float, _vy: float) -> tuple[float, float]:
         cube = math.hypot(x, y) ** 3
-        return -x / cube, -y / cube
+        return -mu * x / cube, -mu * y / cube
 
     begun = partial(space_with, (1.0 - e, 0.0), (0.0, speed), 1.0)
     models = by_integrators(make, frames)
     models.append(by_pymunk("pymunk, force by hand", begun, frames, pull))
-    return Scene("orbit of eccentricity 0.5", frames, 1.0, truth, models)
+    return Scene(f"orbit of eccentricity {e:g}", frames, 1.0, truth, models)
 
 
 def floating_block() -> Scene:
@@ -154,4 +158,6 @@ def floating_block() -> Scene:
     return Scene("floating block", frames, amplitude, truth, models)
 
 
-FLIGHTS: list[Callable[[], Scene]] = [projectile, quadratic_drag, orbit, floating_block]
+# One orbit like a planet's, and one like a comet's, whose one turn takes 60 frames.
+ORBITS = [partial(orbit, 0.5, 3, 2.0 * math.pi), partial(orbit, 0.9, 1, 1.0)]
+FLIGHTS: list[Callable[[], Scene]] = [projectile, quadratic_drag, *ORBITS, floating_block]

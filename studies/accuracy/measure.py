@@ -32,7 +32,10 @@ LONG, FEW = 1.0, 2  # s: what takes longer is timed in the first two rounds alon
 
 @dataclass
 class Point:
-    """A model of a scene with so many steps a frame. ``times`` are in s, of the rounds it is in."""
+    """A model of a scene, with one of its choices. ``times`` are in s, of the rounds it is in.
+
+    ``steps`` is the choice: steps a frame, or 1 / tolerance for a model that takes a tolerance.
+    """
 
     scene: str
     model: str

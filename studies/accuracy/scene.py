@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from ch05_forces.forces import ForceGenerator, ForceRegistry
 from ch05_forces.particle import Particle
+from ch06_springs.adaptive import adaptive
 from ch06_springs.integrators import Integrator, explicit_euler
 from studies.stability import INTEGRATORS
 
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 RATE = 60.0  # frames a second
 STEPS = tuple(2**n for n in range(11))  # a frame
 MANY = tuple(2**n for n in range(16))  # of pymunk
+TOLERANCES = tuple(10**n for n in range(1, 13))  # 1 / tolerance, of a model that takes one
 Place = tuple[float, ...]  # the coordinates of all that is looked at, in m
 Made = tuple[Particle, Sequence[ForceGenerator]]
 Pull = Callable[[float, float, float, float], tuple[float, float]]  # of x, y and velocity, in N
@@ -41,13 +43,16 @@ class Outcome:
 class Model:
     """A way to run a scene, in so many steps a frame. ``by`` says whose it is.
 
-    That is "ours", "the book" or "pymunk". One that is exact has no steps to choose: (1,).
+    That is "ours", "the book" or "pymunk". One that is exact has no steps to choose: (1,). One that
+    chooses its own steps is given a tolerance instead: then ``takes_tolerance`` is true, and
+    ``steps`` are numbers n for a tolerance of 1 / n, so that a larger number is finer here too.
     """
 
     name: str
     run: Callable[[int], Outcome]
     steps: Sequence[int] = STEPS
     by: str = "ours"
+    takes_tolerance: bool = False
 
 
 @dataclass(frozen=True)
@@ -114,7 +119,7 @@ def in_frames(
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
     """Return a model for each integrator of chapter 6, of one particle and its forces."""
-    return [
+    fixed = [
         Model(
             name,
             by_forces(make, integrator, frames),
@@ -122,6 +127,16 @@ def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
         )
         for name, integrator in INTEGRATORS.items()
     ]
+    return [*fixed, by_tolerance(make, frames)]
+
+
+def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
+    """Return the model that is given a tolerance, and chooses its own steps in every frame."""
+
+    def run(finer: int) -> Outcome:
+        return by_forces(make, adaptive(1.0 / finer), frames)(1)
+
+    return Model("adaptive", run, TOLERANCES, takes_tolerance=True)
 
 
 def by_forces(

@@ -4,17 +4,20 @@ The position is wanted at every frame, to a tolerance of the scene's scale. Each
 fewest steps a frame that reach it, of powers of two. Where pymunk does not reach it in MOST steps,
 its time is extrapolated from its order of convergence, and the line says so. Where its error does
 not fall steadily either, the line is a lower bound.
+Last come the evaluations that a fixed step needs for what `adaptive` does with an orbit.
 """
 
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
+from collections.abc import Sequence
 from functools import partial
 
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.measure import Point, run, seconds_of
 from studies.accuracy.results import order_of
-from studies.accuracy.scene import Model, Scene
+from studies.accuracy.scene import Model, Outcome, Scene
 from studies.timing import Measurement, Target, versus
 
 TOLERANCE = 1e-4
@@ -32,7 +35,7 @@ def lines() -> list[Measurement]:
         line("spring, k = 100 N/m", RK4, "pymunk, force by hand", 5, Target("at least", 250)),
         line("from horizontal", BY_ANGLE, "pymunk, pin joints", 11, Target("at least", 250)),
         line("bouncing ball, restitution 0.8", None, "pymunk", 15, Target("at least", 2000)),
-        line("orbit", RK4, "pymunk, force by hand", 3, tolerance=1e-6),
+        line("orbit of eccentricity 0.5", RK4, "pymunk, force by hand", 3, tolerance=1e-6),
         line("elastic pendulum", "leapfrog", "pymunk's spring", 15, Target("at least", 1.3), 1e-2),
         line("elastic pendulum", RK4, "pymunk's spring", 7, Target("at least", 30)),
         line("elastic pendulum", RK4, "pymunk's spring", 3, Target("at least", 100), 1e-6),
@@ -40,7 +43,44 @@ def lines() -> list[Measurement]:
         line("double pendulum", BY_ANGLES, "pymunk, pin joints", 7, Target("at least", 30)),
         line("double pendulum", BY_ANGLES, "pymunk, pin joints", 3, Target("at least", 100), 1e-6),
         line("double pendulum", AS_FORCES, "pymunk, pin joints", 7, Target("at least", 30)),
+        *lines_of_adaptive(),
     ]
+
+
+def lines_of_adaptive() -> list[Measurement]:
+    """Return what Runge-Kutta 4 needs for the orbit of a comet over what `adaptive` does.
+
+    Both have an error of at most 1e-6 of the half axis in every frame. Each has the coarsest choice
+    with which it is that near: of steps a frame, or of tolerances, four in a decade.
+    """
+    (scene,) = scenes_with("orbit of eccentricity 0.9")
+    fixed, own = model_of(scene, RK4), model_of(scene, "adaptive")
+    steps, fixed_run = coarsest(scene, fixed, range(1, 513), 1e-6)
+    finer, own_run = coarsest(scene, own, [round(10.0 ** (n / 4.0)) for n in range(4, 49)], 1e-6)
+    what = (
+        f"{scene.name}, every frame, error 1e-6: %s of {RK4}, {steps} steps a frame / "
+        f"of adaptive, tolerance {1.0 / finer:.2g}"
+    )
+    ratio = fixed_run.work / own_run.work
+    counts = f"evaluations ({fixed_run.work:,} / {own_run.work:,})"
+    time = versus(partial(seconds_of, fixed, steps), partial(seconds_of, own, finer))
+    return [
+        Measurement(what % counts, lambda: ratio, 1, Target("at least", 10)),
+        Measurement(what % "time", time, 9),
+    ]
+
+
+def coarsest(
+    scene: Scene, model: Model, choices: Sequence[int], tolerance: float
+) -> tuple[int, Outcome]:
+    """Return the first choice within a tolerance, and its run, by bisection from coarse to fine."""
+
+    def is_within(choice: int) -> bool:
+        outcome = run(model, choice)
+        return outcome is not None and scene.error(outcome) <= tolerance
+
+    choice = choices[bisect_left(choices, True, key=is_within)]
+    return choice, model.run(choice)
 
 
 def line(

@@ -156,6 +156,20 @@ def test_each_side_makes_the_fewest_steps_that_are_accurate_enough() -> None:
         assert scene.error(model.run(steps // 2)) > tolerance
 
 
+def test_the_coarsest_choice_is_the_first_that_is_accurate_enough() -> None:
+    (scene,) = scenes_with("projectile")
+    verlet = accuracy.model_of(scene, "velocity Verlet")
+    steps, outcome = accuracy.coarsest(scene, verlet, range(1, 65), 1e-6)
+    assert outcome == verlet.run(steps)
+    assert scene.error(outcome) <= 1e-6 < scene.error(verlet.run(steps - 1))
+
+
+def test_adaptive_needs_a_tenth_of_the_evaluations_for_a_comet() -> None:
+    evaluations, _ = accuracy.lines_of_adaptive()
+    assert evaluations.target is not None
+    assert evaluations.target.is_met(evaluations.once())  # a count, the same on every machine
+
+
 def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -166,6 +180,7 @@ def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds(
     assert steps == 32
     assert error == scene.error(pymunk.run(32)) > 1e-4
     monkeypatch.setattr(accuracy, "MOST", 400)
+    monkeypatch.setattr(accuracy, "lines_of_adaptive", lambda: [])
     bounds = ["a lower bound" in line.what for line in accuracy.lines()]
     assert bounds == [True] * 13
     monkeypatch.setattr(accuracy, "MOST", 64 * scene.frames)

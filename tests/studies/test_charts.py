@@ -54,6 +54,14 @@ ODES: dict[str, tuple[Callable[..., list[float]], list[float], Callable[..., lis
         [0.5, 0.0, 0.0, math.sqrt(3.0)],
         lambda s: [s[0], s[1]],
     ),
+    "orbit of eccentricity 0.9": (
+        lambda _, s: [
+            *(s[2], s[3]),
+            *(-((2.0 * math.pi) ** 2) * x / math.hypot(s[0], s[1]) ** 3 for x in s[:2]),
+        ],
+        [0.1, 0.0, 0.0, 2.0 * math.pi * math.sqrt(19.0)],
+        lambda s: [s[0], s[1]],
+    ),
     "floating block": (
         lambda _, s: [s[1], -G + 1000.0 * 0.001 * G / 0.5 * (0.05 - s[0]) / 0.1],
         [0.04, 0.0],
@@ -140,11 +148,22 @@ def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: in
     assert slope([1.0 / count for count in steps], errors) == pytest.approx(order, abs=0.1)
 
 
+@pytest.mark.parametrize("scene", ["orbit of eccentricity 0.9", SPRING.format("10000", "20")])
+def test_the_error_of_the_adaptive_model_falls_with_its_tolerance(scene: str) -> None:
+    model = model_of(SCENES[scene], "adaptive")
+    assert model.takes_tolerance
+    assert [1.0 / finer for finer in model.steps[:3]] == [0.1, 0.01, 0.001]
+    errors = [error_of(SCENES[scene], "adaptive", 10**n) for n in range(6, 12)]
+    # In proportion, but for the frames, which cut steps short.
+    assert slope([10.0**-n for n in range(6, 12)], errors) == pytest.approx(1.0, abs=0.2)
+
+
 def test_work_is_what_was_worked_out() -> None:
     orbit = SCENES["orbit of eccentricity 0.5"]
     asked = {"explicit Euler": 1, "semi-implicit Euler": 1, "leapfrog": 1, "velocity Verlet": 2}
     for name, times in (asked | {"Runge-Kutta 4": 4, "pymunk, force by hand": 1}).items():
         assert model_of(orbit, name).run(2).work == 2 * times * orbit.frames
+    assert model_of(orbit, "adaptive").run(1).work == 7 * orbit.frames  # a step of 1 m needs no 2nd
     ball = SCENES["bouncing ball, restitution 0.8"]
     # From 2 m, at 0.632 s and after flights of 1.012, 0.810, ... s: three impacts in 3 s.
     assert model_of(ball, "time division").run(1).work == ball.frames + 3
@@ -253,7 +272,7 @@ def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     assert (tmp_path / "spring_k_100_n_m_c_2_n_s_m.png").stat().st_size > 40_000
     with (tmp_path / "spring_k_100_n_m_c_2_n_s_m.csv").open(encoding="utf-8") as file:
         rows = [*csv.reader(file)]
-    assert rows[0][:3] == ["model", "by", "steps a frame"]
+    assert rows[0][:3] == ["model", "by", "steps a frame, or 1 / tolerance"]
     assert {row[0] for row in rows[1:]} == {
         m.name for m in SCENES[SPRING.format("100", "2")].models
     }
@@ -288,6 +307,12 @@ def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_n
     assert ", once a frame: " in lines[2]
     assert lines[2].endswith(": fails")
     assert lines[3] == "  pymunk:       does not meet it within the time that was tried"
+
+
+def test_a_model_that_takes_a_tolerance_is_told_with_it() -> None:
+    scene = SCENES["orbit of eccentricity 0.9"]
+    point = Point(scene.name, "adaptive", "ours", 10**6, 3e-5, 834, [0.005])
+    assert choose._told(scene, point).startswith("adaptive, tolerance 1e-06: 5 ms, 834 evaluations")
 
 
 def test_where_nothing_will_do_the_command_fails(

@@ -1,0 +1,252 @@
+"""Going further: an integrator that you ask for an accuracy, not for a step size.
+
+A fixed step must be short enough for the worst moment of a motion, and it is then too short for all
+the others. A comet needs short steps while it passes the sun, and long ones do for the rest of its
+orbit. `adaptive` chooses the steps by itself: it estimates the error of every step, repeats a step
+that was too long, and makes the next one longer when a step was better than it had to be.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+from ch02_vectors.arguments import positive
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import ApplyForces
+
+# The tableau of Dormand and Prince (1980). Row i leads from the start of a step to the state where
+# rate i + 1 is evaluated: the state moves on by these weights times the rates before it, times the
+# step. The last row is the solution of order 5. So its rate is the first one of the next step.
+STAGES = (
+    (1 / 5, 0, 0, 0, 0, 0, 0),
+    (3 / 40, 9 / 40, 0, 0, 0, 0, 0),
+    (44 / 45, -56 / 15, 32 / 9, 0, 0, 0, 0),
+    (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729, 0, 0, 0),
+    (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656, 0, 0),
+    (35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84, 0),
+)
+# The solution of order 5 less a second one, of order 4, from the same rates: the estimated error.
+ERROR = (71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
+
+SAFETY = 0.9  # of the step that should just meet the tolerance: the error is only an estimate
+SHRINK, GROW = 0.1, 10.0  # what one step may change the next one by
+SMALLEST = 1e-14  # of a call: shorter steps would get lost in the rounding of the time
+MOST_STEPS = 100_000  # of a call, with those that are repeated: several seconds
+
+Numbers = list[float]
+
+
+def adaptive(tolerance: float) -> AdaptiveStep:
+    """Return an integrator that chooses its own steps, so that each meets the tolerance.
+
+    ``tolerance`` is the estimated error that one step may make: in m for every coordinate of a
+    position, and in m/s for every component of a velocity. It is absolute: choose it by the size of
+    your scene. Errors of the steps add up, and an orbit or a swing makes them larger, so the final
+    error is often ten to a few hundred times the tolerance, but it shrinks in proportion to it.
+
+    Raises ValueError where the tolerance is not positive and finite, and TypeError where it is not
+    a number.
+    """
+    return AdaptiveStep(tolerance)
+
+
+class AdaptiveStep:
+    """An integrator ``(particles, apply_forces, duration)`` made by `adaptive`.
+
+    A call moves the particles by exactly ``duration``, in as many steps as it needs. Each step has
+    six evaluations of the forces, and each call has one more. ``evaluations`` counts all of them.
+    You may set it to 0.
+
+    Every call evaluates the forces anew at its start, so you may change particles and forces
+    between calls. All that it keeps is the length of a good step. That length is only a first
+    guess for the next call, so one integrator may also move several groups of particles in turn.
+
+    Forces by hand act for the whole call, and damping multiplies the velocity once per call, as in
+    the other integrators. ``apply_forces`` is given the duration of the call in every evaluation.
+
+    Order 5, also where forces depend on the velocity; not symplectic. A stiff spring is stable,
+    because its steps become short, but it needs no fewer of them than a fixed integrator would.
+    Source: Dormand and Prince, Journal of Computational and Applied Mathematics 6 (1980), 19. The
+    choice of the step is that of Hairer, Nørsett and Wanner, Solving Ordinary Differential
+    Equations I, II.4.
+    """
+
+    def __init__(self, tolerance: float) -> None:
+        self.tolerance = positive("tolerance", tolerance)
+        self.evaluations = 0
+        self._step = 0.0  # s: the step that should just meet the tolerance; 0 while it is not known
+
+    def __repr__(self) -> str:
+        return f"adaptive({self.tolerance!r})"
+
+    def __call__(
+        self, particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
+    ) -> None:
+        """Move the particles by a duration in s.
+
+        A step whose forces raise ArithmeticError or ValueError counts as too long, and is repeated
+        with a tenth of its length. At the start of the call these errors come out. So do all other
+        errors at any time, and the particles are then somewhere on their way.
+
+        Raises ArithmeticError where a step becomes too short to go on, as it does at a singularity,
+        or where a call needs more than MOST_STEPS steps. The particles are then where the last good
+        step has left them, without damping, and their accumulators are empty. Raises ValueError
+        where the duration is not positive and finite, and TypeError where it is not a number; all
+        is then as it was.
+        """
+        positive("duration", duration)
+        moving = _Moving(particles)
+
+        def rates_at(state: Numbers) -> Numbers:
+            moving.put(state)
+            self.evaluations += 1
+            apply_forces(duration)
+            return moving.rates()
+
+        state = start = moving.state()
+        first = rates_at(state)
+        left, wanted = duration, self._step or duration
+        self._step = 0.0  # an error forgets it: what led to the error is no guide for the next call
+        for _ in range(MOST_STEPS):
+            parts = max(1, math.ceil(left / wanted))  # equal ones: no tiny step is left at the end
+            step = left / parts
+            problem = None
+            try:
+                end, last, errors = _attempt(state, first, rates_at, step)
+            except (ArithmeticError, ValueError) as raised:
+                end, last, errors, problem = state, first, [math.inf], raised
+            error = _largest(errors)
+            # The error of order 4 grows with the fifth power of the step.
+            factor = SAFETY * (self.tolerance / error) ** 0.2 if error else GROW
+            factor = min(max(factor, SHRINK), GROW)
+            if error <= self.tolerance:
+                state, first = end, last
+                left -= step
+                # A step that was cut short by the end of the call only says that it might grow.
+                wanted = step * factor if factor < GROW else max(wanted, step * GROW)
+                if parts == 1:
+                    break
+            else:
+                wanted = step * factor
+                if wanted < SMALLEST * duration:
+                    moving.stop(state)
+                    why = problem or moving.worst(errors)
+                    raise ArithmeticError(
+                        f"{self} needs steps below {wanted:.1g} s at {duration - left:g} s of a "
+                        f"call of {duration:g} s: {why}"
+                    ) from problem
+        else:
+            moving.stop(state)
+            raise ArithmeticError(
+                f"{self} is only at {duration - left:g} s of a call of {duration:g} s after "
+                f"{MOST_STEPS:,} steps: a larger tolerance or shorter calls would help"
+            )
+        self._step = wanted
+        moving.finish(start, duration)
+
+
+class _Moving:
+    """The particles that can move, with their state as a list of numbers.
+
+    A state has position and velocity of one particle after the other, six numbers each. Its rates
+    have velocity and acceleration in the same order.
+    """
+
+    def __init__(self, particles: Sequence[Particle]) -> None:
+        self.particles = particles
+        self.by_hand = [(one, force) for one in particles if any(force := one.force_accumulator)]
+        self.bodies = [
+            (one, one.inverse_mass, one.acceleration, one.position, one.velocity)
+            for one in particles
+            if one.inverse_mass
+        ]
+
+    def state(self) -> Numbers:
+        """Return the state that the particles have."""
+        vectors = (vector for _, _, _, p, v in self.bodies for vector in (p, v))
+        return [number for vector in vectors for number in vector]
+
+    def put(self, state: Numbers) -> None:
+        """Give the particles a state, with the forces by hand and no other forces."""
+        first = 0
+        for _, _, _, p, v in self.bodies:
+            p.x, p.y, p.z, v.x, v.y, v.z = state[first : first + 6]
+            first += 6
+        self._clear()
+        for particle, force in self.by_hand:
+            particle.add_force(force)
+
+    def rates(self) -> Numbers:
+        """Return the rates of the state, by the forces in the accumulators."""
+        rates: Numbers = []
+        for particle, m, a, _, v in self.bodies:
+            f = particle.force_accumulator
+            rates += (v.x, v.y, v.z, a.x + f.x * m, a.y + f.y * m, a.z + f.z * m)
+        return rates
+
+    def finish(self, start: Numbers, duration: float) -> None:
+        """Let the mean force of the call kick the particles once, from their first velocities.
+
+        So the velocity is damped as by the other integrators, and last_acceleration is the mean.
+        """
+        self._clear()
+        for i, (particle, m, a, _, v) in enumerate(self.bodies):
+            before = Vector3(*start[6 * i + 3 : 6 * i + 6])
+            mean = (v - before) / duration
+            v.x, v.y, v.z = before
+            particle.add_force((mean - a) / m)
+        for particle in self.particles:
+            particle.kick(duration)
+
+    def stop(self, state: Numbers) -> None:
+        """Leave the particles in a state, with empty accumulators."""
+        self.put(state)
+        self._clear()
+
+    def worst(self, errors: Numbers) -> str:
+        """Return in words where the largest error is."""
+        at = next((i for i, error in enumerate(errors) if not math.isfinite(error)), None)
+        if at is not None:
+            return f"the force on {self._named(at)} is not finite"
+        at = max(range(len(errors)), key=lambda i: abs(errors[i]))
+        return f"the force on {self._named(at)} changes too fast for the tolerance"
+
+    def _named(self, at: int) -> str:
+        particle = self.bodies[at // 6][0]
+        number = next(i for i, other in enumerate(self.particles) if other is particle)
+        return f"particle {number} at {particle.position!r}"
+
+    def _clear(self) -> None:
+        for particle in self.particles:
+            particle.clear_forces()
+
+
+def _attempt(
+    state: Numbers, first: Numbers, rates_at: Callable[[Numbers], Numbers], step: float
+) -> tuple[Numbers, Numbers, Numbers]:
+    """Return the state after a step, the rates there, and the estimated errors of the state.
+
+    ``first`` are the rates at the start of the step.
+    """
+    rates = [first] * 7  # those that are not known yet have the weight 0
+    end = state
+    for i, weights in enumerate(STAGES, 1):
+        end = _ahead(state, rates, weights, step)
+        rates[i] = rates_at(end)
+    return end, rates[6], _ahead([0.0] * len(state), rates, ERROR, step)
+
+
+def _ahead(state: Numbers, rates: list[Numbers], weights: Sequence[float], step: float) -> Numbers:
+    """Return state + step * sum(weight * rate): where the rates lead in a step."""
+    a, b, c, d, e, f, g = weights
+    return [
+        y + step * (a * r1 + b * r2 + c * r3 + d * r4 + e * r5 + f * r6 + g * r7)
+        for y, r1, r2, r3, r4, r5, r6, r7 in zip(state, *rates, strict=True)
+    ]
+
+
+def _largest(errors: Numbers) -> float:
+    """Return the size of the largest error; infinity where one is not a number."""
+    return max(map(abs, errors), default=0.0) if math.isfinite(sum(errors)) else math.inf

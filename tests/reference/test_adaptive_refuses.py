@@ -1,0 +1,152 @@
+"""What ends a call of the integrator that chooses its own steps, and what does not.
+
+Stiff springs do not explode. A singularity, forces that fail and forces that are not numbers end
+in an error that names them, and never in an endless loop.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry, InverseSquareGravity
+from ch05_forces.particle import Particle
+from ch06_springs import adaptive as module
+from ch06_springs.adaptive import AdaptiveStep, adaptive
+from ch06_springs.integrators import ApplyForces, Integrator
+from ch06_springs.springs import AnchoredSpring
+
+FRAME = 1.0 / 60.0
+
+
+def sprung(k: float) -> tuple[Particle, ApplyForces]:
+    """Return 1 kg that is let go 1 m from the anchor of a spring whose rest length is 0."""
+    particle, registry = Particle(Vector3(1.0)), ForceRegistry()
+    registry.add(particle, AnchoredSpring(Vector3(), k, 0.0))
+    return particle, registry.update_forces
+
+
+@pytest.mark.parametrize("k", [1e4, 1e8])
+def test_a_stiff_spring_explodes_nothing(k: float) -> None:
+    particle, apply_forces = sprung(k)
+    step = adaptive(1e-4)
+    for _ in range(600 if k == 1e4 else 6):
+        step([particle], apply_forces, FRAME)
+        energy = particle.velocity.x**2 / k + particle.position.x**2
+        # It loses some by every step, and gains none but what the tolerance allows.
+        assert energy < 1.0 + 1e-3
+    assert energy > 0.5
+
+
+def test_a_fall_into_a_center_stops_with_a_clear_error() -> None:
+    """From rest at 1 m it takes pi / sqrt(8) s: a singularity that no step comes over."""
+    particle, registry = Particle(Vector3(1.0)), ForceRegistry()
+    registry.add(particle, InverseSquareGravity(Vector3(), 1.0))
+    step = adaptive(1e-6)
+    words = r"adaptive\(1e-06\) needs steps below .* s at (.*) s of a call of 2 s: .* particle 0 at"
+    with pytest.raises(ArithmeticError, match=words) as raised:
+        step([particle], registry.update_forces, 2.0)
+    reached = float(str(raised.value).split(" s at ")[1].split()[0])
+    assert reached == pytest.approx(math.pi / math.sqrt(8.0), abs=1e-4)
+    assert 0.0 < particle.position.magnitude() < 1e-3  # where the last good step has left it
+    assert tuple(particle.force_accumulator) == (0.0, 0.0, 0.0)
+    assert step.evaluations < 6 * module.MOST_STEPS
+    # It may be used again, and does not insist on what was the last step's length.
+    particle.position, particle.velocity, step.evaluations = Vector3(1.0), Vector3(0.0, 1.0), 0
+    step([particle], registry.update_forces, 0.01)
+    assert step.evaluations == 7
+    assert particle.position.x == pytest.approx(math.cos(0.01), abs=1e-6)
+    assert particle.position.y == pytest.approx(math.sin(0.01), abs=1e-6)
+
+
+def test_a_trial_that_leads_to_where_no_force_can_be_found_is_only_too_long() -> None:
+    particle = Particle(Vector3(1.0))
+    refused = []
+
+    def apply_forces(_: float) -> None:
+        x = particle.position.x
+        if abs(x) > 1.5:
+            refused.append(x)
+            raise (ValueError if len(refused) % 2 else ZeroDivisionError)("out of bounds")
+        particle.add_force(Vector3(-x))
+
+    step = adaptive(1e-10)
+    step([particle], apply_forces, 10.0)
+    assert refused
+    assert particle.position.x == pytest.approx(math.cos(10.0), abs=1e-8)
+
+
+def test_forces_that_fail_where_the_motion_has_to_go_are_named() -> None:
+    particle = Particle(velocity=Vector3(1.0))
+
+    def wall(_: float) -> None:
+        if particle.position.x > 0.5:
+            raise ValueError("there is no force beyond 0.5 m")
+
+    with pytest.raises(ArithmeticError, match=r"at 0\.5 s of a call of 1 s: there is no force"):
+        adaptive(1e-6)([particle], wall, 1.0)
+    assert particle.position.x == pytest.approx(0.5, abs=1e-13)
+    particle.position.x = 0.6
+    with pytest.raises(ValueError, match="there is no force"):  # at the start of a call: as it is
+        adaptive(1e-6)([particle], wall, 1.0)
+    assert (particle.position.x, particle.velocity.x) == (0.6, 1.0)
+
+
+class Unchecked(Particle):
+    """A particle that takes any force, as one does whose add_force looks at nothing."""
+
+    @property
+    def force_accumulator(self) -> Vector3:
+        return Vector3(math.nan if self.position.x > 0.5 else 0.0)
+
+
+def test_a_force_that_is_not_a_number_ends_in_an_error() -> None:
+    bullet = Unchecked(velocity=Vector3(1.0))
+    step = adaptive(1e-6)
+    words = r"at 0\.5 s of a call of 1 s: the force on particle 1 at .* is not finite"
+    with pytest.raises(ArithmeticError, match=words):
+        step([Particle(mass=math.inf), bullet], lambda _: None, 1.0)
+    assert step.evaluations < 1000
+    checked = Particle()
+    with pytest.raises(ValueError, match="force must have finite components"):
+        step([checked], lambda _: checked.add_force(Vector3(math.nan)), 1.0)
+
+
+def test_a_call_ends_after_the_most_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "MOST_STEPS", 50)
+    particle, apply_forces = sprung(1e4)
+    words = r"adaptive\(1e-09\) is only at .* s of a call of 10 s after 50 steps"
+    with pytest.raises(ArithmeticError, match=words):
+        adaptive(1e-9)([particle], apply_forces, 10.0)
+    assert abs(particle.position.x) <= 1.0
+
+
+@pytest.mark.parametrize("bad", [0.0, -1e-6, math.nan, math.inf])
+def test_a_tolerance_that_means_nothing_is_refused(bad: float) -> None:
+    with pytest.raises(ValueError, match="tolerance must be positive and finite, got"):
+        adaptive(bad)
+
+
+def test_bad_arguments_leave_all_as_it_was() -> None:
+    with pytest.raises(TypeError, match="tolerance must be a number, got '1e-6'"):
+        adaptive("1e-6")  # type: ignore[arg-type]
+    particle, apply_forces = sprung(1.0)
+    particle.add_force(Vector3(3.0))
+    step = adaptive(1e-6)
+    for bad in (0.0, -1.0, math.nan, math.inf):
+        with pytest.raises(ValueError, match="duration must be positive and finite, got"):
+            step([particle], apply_forces, bad)
+    with pytest.raises(TypeError, match="duration must be a number, got None"):
+        step([particle], apply_forces, None)  # type: ignore[arg-type]
+    assert particle.position == Vector3(1.0)
+    assert particle.velocity == Vector3()
+    assert tuple(particle.force_accumulator) == (3.0, 0.0, 0.0)
+    assert step.evaluations == 0
+
+
+def test_it_says_what_it_is() -> None:
+    step: Integrator = adaptive(1e-6)
+    assert isinstance(step, AdaptiveStep)
+    assert repr(step) == "adaptive(1e-06)"

@@ -29,7 +29,8 @@ from studies.drawing import (
 )
 
 FLOOR, CEILING = 1e-15, 10.0  # errors below and above are rounding, and no answer
-OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, YELLOW)
+OWN = COLORS | {"adaptive": BROWN}  # a model that has the same color in all charts
+OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, GREY, YELLOW)
 UP = (0.25, 0.0, -0.25)  # of the three tolerances in the row of a scene
 MARKERS = "os^Dvph<>"
 COLUMNS = (
@@ -206,7 +207,7 @@ def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)
-    taken = {COLORS[name] for name in models if name in COLORS}
+    taken = {OWN[name] for name in models if name in OWN}
     theirs, markers = iter((BLACK, GREY)), cycle(MARKERS)
     colors = cycle([color for color in OURS if color not in taken])
     for name, own in models.items():
@@ -216,7 +217,7 @@ def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
             many = sum(style["color"] == RED for style in styles.values())
             styles[name] = {"color": RED, "marker": "+*"[many % 2], "ls": "-", "ms": 8}
         else:
-            color = COLORS.get(name) or next(colors)
+            color = OWN.get(name) or next(colors)
             size = 11 if math.isclose(own[0].steps, own[-1].steps) else 5
             styles[name] = {"color": color, "marker": next(markers), "ls": "-", "ms": size}
     return styles

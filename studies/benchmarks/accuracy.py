@@ -4,6 +4,7 @@ The position is wanted at every frame, to a tolerance of the scene's scale. Each
 fewest steps a frame that reach it, of powers of two. Where pymunk does not reach it in MOST steps,
 its time is extrapolated from its order of convergence, and the line says so. Where its error does
 not fall steadily either, the line is a lower bound.
+
 Last come the evaluations that a fixed step needs for what `adaptive` does with an orbit.
 """
 

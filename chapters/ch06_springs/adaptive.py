@@ -14,7 +14,8 @@ from collections.abc import Callable, Sequence
 from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch06_springs.integrators import ApplyForces
+
+ApplyForces = Callable[[float], None]  # as in integrators.py, which imports this module
 
 # The tableau of Dormand and Prince (1980). Row i leads from the start of a step to the state where
 # rate i + 1 is evaluated: the state moves on by these weights times the rates before it, times the

@@ -22,6 +22,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from ch05_forces.particle import Particle
+from ch06_springs.adaptive import adaptive as adaptive  # to be found with the others
 
 ApplyForces = Callable[[float], None]
 Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]

@@ -21,7 +21,9 @@ from ch05_forces.forces import Airbrake, ForceRegistry, Gravity
 from ch05_forces.particle import Particle
 from ch05_forces.sniper import SniperRange
 from ch06_springs import integrators, springs
-from ch07_constraints.angle_pendulum import AnglePendulum
+from ch06_springs.adaptive import adaptive
+from ch07_constraints.angle_chain import AngleChain
+from ch07_constraints.angle_pendulum import AnglePendulum, DoublePendulum
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from ch07_constraints.direct_chain import DirectChain
@@ -139,8 +141,8 @@ def chain(steps: int) -> Entry:
     return found, found.step
 
 
-def pendulum() -> Entry:
-    found = AnglePendulum(1.0, 1.0)
+def by_angles(make: Callable[[], Any]) -> Entry:
+    found = make()
     return found, found.step
 
 
@@ -218,6 +220,7 @@ POSITIVE: dict[str, Callable[[], Entry]] = {
             "runge_kutta_4",
         )
     },
+    "adaptive": lambda: step(adaptive(1e-6)),
     "watched": lambda: step(integrators.watched(integrators.leapfrog, 1e3)),
     "backward_euler": lambda: (None, partial(integrators.backward_euler, 1.0, 0.0, 9.0, 0.1, 1.0)),
     "trapezoidal": lambda: (None, partial(integrators.trapezoidal, 1.0, 0.0, 9.0, 0.1, 1.0)),
@@ -228,7 +231,11 @@ POSITIVE: dict[str, Callable[[], Entry]] = {
     "time_division_step": division,
     "DirectChain, first frame": partial(chain, 0),
     "DirectChain": partial(chain, 3),
-    "AnglePendulum": pendulum,
+    "AnglePendulum": partial(by_angles, lambda: AnglePendulum(1.0, 1.0)),
+    "DoublePendulum": partial(
+        by_angles, lambda: DoublePendulum([1.0, 2.0], [1.0, 2.0], [1.0, 2.0])
+    ),
+    "AngleChain": partial(by_angles, lambda: AngleChain([1.0] * 3, [2.0] * 3, [0.5] * 3)),
     **{
         f"{kind.__name__}.{method}, {title}": partial(world, method, integrator, kind)
         for kind in (ParticleWorld, SleepingWorld)

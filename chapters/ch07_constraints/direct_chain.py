@@ -76,7 +76,7 @@ class DirectChain:
 
         With the pulls of the last frame, the kicked velocities say where each rod will be at the
         end of this frame. Equation i says how changes of the pulls i - 1, i and i + 1 give rod i
-        its length there. Change i - 1 is eliminated from it at once, as in solve_tridiagonal.
+        its length there. Change i - 1 is eliminated from it at once (Thomas, 1949).
 
         Everything is a plain float: with vectors, or in separate passes, a step takes longer.
         """
@@ -149,31 +149,3 @@ class DirectChain:
             next_x, next_y, next_z = x, y, z
         pulls.reverse()
         return pulls
-
-
-def solve_tridiagonal(
-    below: Sequence[float], middle: Sequence[float], above: Sequence[float], right: Sequence[float]
-) -> list[float]:
-    """Return x for below[i] x[i-1] + middle[i] x[i] + above[i] x[i+1] = right[i] (Thomas, 1949).
-
-    The first of `below` and the last of `above` are outside of the matrix and are not read. A
-    DirectChain makes the same moves while it finds its rows; here they are without the rows.
-
-    Raises ArithmeticError if a pivot is not positive. In a chain that happens once a rod turns by
-    about a right angle.
-    """
-    factors: list[float] = []
-    solved: list[float] = []
-    factor, value = 0.0, 0.0
-    for b, m, a, r in zip((0.0, *below[1:]), middle, above, right, strict=True):
-        pivot = m - b * factor
-        if not pivot > 0.0:  # NaN too
-            wanted = "shorter frames would help"
-            raise ArithmeticError(f"rod {len(solved)} turns too far in one frame: {wanted}")
-        value = (r - b * value) / pivot
-        factor = a / pivot
-        solved.append(value)
-        factors.append(factor)
-    for i in range(len(solved) - 2, -1, -1):
-        solved[i] = value = solved[i] - factors[i] * value
-    return solved

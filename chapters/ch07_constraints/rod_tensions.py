@@ -74,9 +74,9 @@ class RodTensions:
             place, velocity, mass = particle.position, particle.velocity, particle.inverse_mass
             force = fx, fy, fz = particle.take_forces()
             x1, y1, z1 = place.x, place.y, place.z
-            u1, v1, w1 = velocity.x, velocity.y, velocity.z
-            a1 = b1 = c1 = 0.0
-            if mass:
+            u1 = v1 = w1 = a1 = b1 = c1 = 0.0
+            if mass:  # an immovable end stays, whatever its velocity is
+                u1, v1, w1 = velocity.x, velocity.y, velocity.z
                 free = particle.acceleration
                 a1, b1, c1 = free.x + fx * mass, free.y + fy * mass, free.z + fz * mass
             x, y, z, u, v, w = x1 - x0, y1 - y0, z1 - z0, u1 - u0, v1 - v0, w1 - w0

@@ -225,10 +225,14 @@ def test_the_correction_keeps_rods_at_their_lengths_for_a_minute() -> None:
     assert wrong[0.0] > 1e-3
 
 
-def test_a_chain_may_have_an_immovable_other_end() -> None:
-    """Two rods of sqrt 0.5 m hold 1 kg at a right angle: each pulls with m g / sqrt 2."""
+@pytest.mark.parametrize("speed", [0.0, 3.0])
+def test_a_chain_may_have_an_immovable_other_end(speed: float) -> None:
+    """Two rods of sqrt 0.5 m hold 1 kg at a right angle: each pulls with m g / sqrt 2.
+
+    A velocity that was given to the immovable end moves nothing, and so changes nothing.
+    """
     low = Particle(Vector3(0.5, -0.5), acceleration=Vector3(0.0, -G))
-    end = Particle(Vector3(1.0, 0.0), mass=INF)
+    end = Particle(Vector3(1.0, 0.0), Vector3(speed, speed), mass=INF)
     RodTensions([low, end], Vector3()).update_forces()
     assert [*low.force_accumulator] == pytest.approx([0.0, G, 0.0], abs=1e-12)
     along = math.sqrt(0.5) * G * math.sqrt(0.5)

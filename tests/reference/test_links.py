@@ -15,7 +15,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactResolver
-from ch07_constraints.direct_chain import DirectChain, solve_tridiagonal
+from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import (
     AnchoredCable,
@@ -246,24 +246,6 @@ def test_ten_frames_for_one_hold_book_rods_where_iterations_alone_do_not() -> No
 
 
 # A chain by one solve
-
-
-def test_tridiagonal_equations_are_solved_as_numpy_solves_them() -> None:
-    draw = numpy.random.default_rng(72)
-    for n in (1, 2, 3, 10, 100):
-        below, above, right = (draw.uniform(-1.0, 1.0, n) for _ in range(3))
-        middle = draw.uniform(2.5, 4.0, n)  # dominant, so that no pivot is near 0
-        matrix = numpy.diag(middle) + numpy.diag(below[1:], -1) + numpy.diag(above[:-1], 1)
-        wanted = numpy.linalg.solve(matrix, right)
-        got = solve_tridiagonal(*(list(map(float, row)) for row in (below, middle, above, right)))
-        # The condition is 6.5 / 0.5 at the most, and each row has a few roundings.
-        assert got == pytest.approx(list(wanted), abs=1e-14)
-
-
-@pytest.mark.parametrize("middle", [[0.0, 1.0], [1.0, -1.0], [math.nan, 1.0], [1.0, 0.25]])
-def test_a_pivot_that_is_not_positive_is_refused(middle: list[float]) -> None:
-    with pytest.raises(ArithmeticError, match="shorter frames"):
-        solve_tridiagonal([0.0, 0.5], middle, [0.5, 0.0], [1.0, 1.0])
 
 
 def let_go(n: int, degrees: float, rate: int, time: float, length: float) -> tuple[Vector3, float]:

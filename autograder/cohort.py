@@ -26,12 +26,13 @@ from autograder.arrange import Behind
 from autograder.cluster import connect, grade_over
 from autograder.grading import Assignment, digest_of, grade_submission
 from autograder.isolation.level import choose_level
+from autograder.judge import is_stopped, stopping
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.reports.marks import Marks, apply_marks, read_marks
 from autograder.reports.results import read_result, write_class, write_student
-from autograder.reports.texts import Report, replace_file
+from autograder.reports.texts import Report, message_of, replace_file
 from autograder.run_key import run_key
-from autograder.runner import TIME_LIMIT, GraderError, is_stopped, run_checks, stopping
+from autograder.runner import GraderError, Limits, run_checks
 from autograder.scores import shown
 from autograder.submissions.find import Submission, file_name, find_submissions
 
@@ -47,7 +48,7 @@ def grade(
     hidden: Path | None = None,
     unsafe: bool = False,
     root: Path = ROOT,
-    time_limit: float = TIME_LIMIT,
+    time_limit: float = Limits.check,
     cluster: str | None = None,
 ) -> int:
     """Grade every submission in the folder; write the reports into out; return 1 for errors.
@@ -337,13 +338,6 @@ def _print_class(console: Console, reports: list[Report]) -> None:
             shown(report["score_on_given"]),
             f"{passed}/{len(checks)}",
             report["status"],
-            escape(f"{lost[0][0]['id']}: {_in_short(lost[0][1]['message'])}") if lost else "",
+            escape(f"{lost[0][0]['id']}: {message_of(lost[0][1]).in_short[:200]}") if lost else "",
         )
     console.print(table)
-
-
-def _in_short(message: str) -> str:
-    """Return the line of a message that says most on its own: the cause, or the exception."""
-    lines = message.splitlines() or [""]
-    labelled = dict(line.split(maxsplit=1) for line in reversed(lines) if " " in line.strip())
-    return labelled.get("likely" if "wanted" in labelled else "got", lines[0])[:200]

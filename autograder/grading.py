@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 from autograder.arrange import Behind
-from autograder.faults import clean
 from autograder.given import (
     below_and_not_given,
     is_at_hand,
@@ -23,11 +22,14 @@ from autograder.given import (
 )
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
+from autograder.message import Kind, Message
+from autograder.records import to_json
 from autograder.reports.texts import Report
-from autograder.runner import RUN_LIMIT, TIME_LIMIT, GraderError, Verdict, run_checks
+from autograder.runner import GraderError, Limits, presentable, run_checks
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage
+from autograder.verdict import Verdict
 
 SUBMISSION_LIMIT = 300.0  # seconds for all the chapters of a submission, which take about two each
 
@@ -53,7 +55,7 @@ class Assignment:
     given: Sequence[Chapter] = ()
     hidden: Path | None = None
     root: Path = ROOT
-    time_limit: float = TIME_LIMIT
+    time_limit: float = Limits.check
     of_nothing: dict[str, list[Verdict]] = field(default_factory=dict, compare=False)
     of_reference: dict[str, list[Result]] = field(default_factory=dict, compare=False)
 
@@ -114,7 +116,7 @@ def _all_results(
     deadline = time.monotonic() + SUBMISSION_LIMIT
 
     def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
-        limit = max(LEAST_TIME, min(RUN_LIMIT, deadline - time.monotonic()))
+        limit = max(LEAST_TIME, min(Limits.run, deadline - time.monotonic()))
         return _run(assignment, chapter, engine, staged.missing, limit)
 
     pairs = []
@@ -163,7 +165,7 @@ def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
         empty.mkdir()
         stage(empty, load_chapters(assignment.root), box, assignment.root)
         with with_given(at_hand, [box], assignment.root) as engine:
-            return _run(assignment, chapter, engine, {}, RUN_LIMIT)
+            return _run(assignment, chapter, engine, {}, Limits.run)
 
 
 def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> dict[str, Any] | None:
@@ -195,7 +197,7 @@ def _results_of_reference(assignment: Assignment, chapter: Chapter) -> list[Resu
             if is_at_hand(chapter, root):
                 engine = [root / "solutions", root / "chapters"]
                 with contextlib.suppress(GraderError, OSError):  # it is graded without it
-                    found = _run(assignment, chapter, engine, {}, RUN_LIMIT, wanted)
+                    found = _run(assignment, chapter, engine, {}, Limits.run, wanted)
             assignment.of_reference[chapter.name] = results_of(chapter, found)
         return assignment.of_reference[chapter.name]
 
@@ -209,22 +211,22 @@ def _run(
     exercises: list[str] | None = None,
 ) -> list[Verdict]:
     """Run a chapter's checks as the assignment has it; ``missing`` modules were not taken."""
+    why = {module: Message(reason, kind=Kind.BROKEN) for module, reason in missing.items()}
     return run_checks(
         chapter,
         engine,
         seed=assignment.seed,
         root=assignment.root,
         exercises=exercises,
-        time_limit=assignment.time_limit,
-        run_limit=run_limit,
-        behind=Behind(vars(assignment.level), missing=missing, hidden=assignment.hidden),
+        limits=Limits(assignment.time_limit, run_limit),
+        behind=Behind(vars(assignment.level), missing=why, hidden=assignment.hidden),
     )
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
     """Return results for checks that could not be run: our error, and not a zero."""
-    reason = clean(reason)[:500]
-    ours = [Verdict("every check", e.id, 1, "error", reason) for e in chapter.exercises]
+    why = presentable(Message(reason[:500]))
+    ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]
     return results_of(chapter, ours)
 
 
@@ -284,7 +286,7 @@ def _exercise(chapter: Chapter, result: Result, better: Result) -> dict[str, Any
             {
                 "name": check.name,
                 "status": check.status,
-                "message": check.message,
+                "message": to_json(check.message),
                 "weight": check.weight,
                 "hidden": check.hidden,
                 "robust": check.robust,

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from autograder.manifest import Chapter, Exercise
-from autograder.runner import Point, Verdict
+from autograder.verdict import Point, Verdict
 
 PHYSICS_SHARE = 0.85  # of the points of an exercise, where it has robust checks as well
 

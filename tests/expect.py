@@ -16,6 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from autograder.explain import NOT_IMPLEMENTED
+from autograder.message import ExpectationError, Message
 
 # Right answers worked out in another order differ by a few roundings, some 1e-16 of the numbers
 # involved. A thousand times that still leaves no room for a wrong formula.
@@ -81,8 +82,7 @@ def expect_close(
     if not _are_numbers(got_numbers, len(wanted_numbers)) or not all(
         abs(g - w) <= tolerance for g, w in zip(got_numbers, wanted_numbers, strict=True)
     ):
-        how_close = f"to within {tolerance:.2g}" if tolerance else "exactly"
-        _complain(call, _shown(got), f"{_shown(wanted)}, {how_close}", cause, read)
+        _complain(call, _shown(got), _shown(wanted), cause, read, tolerance)
 
 
 def expect_exactly(call: str, got: Any, wanted: Any, *, cause: str, read: str) -> None:
@@ -253,18 +253,26 @@ def _is_not_implemented(value: Any) -> bool:
     return value is NotImplemented
 
 
-def _complain(call: str, got: str, wanted: str, cause: str, read: str) -> None:
+def _complain(
+    call: str, got: str, wanted: str, cause: str, read: str, tolerance: float | None = None
+) -> None:
     __tracebackhide__ = True
+    other = ""
     if got == "None":
-        cause = (
-            "Nothing came back. Is a return missing, or does this method work in place?\n"
-            f"or        {cause}"
-        )
+        nothing = "Nothing came back. Is a return missing, or does this method work in place?"
+        cause, other = nothing, cause
     if re.search(r"\bNotImplemented\b(?!Error)", got):
-        cause = NOT_IMPLEMENTED
+        cause, other = NOT_IMPLEMENTED, ""
     if "bound method" in got:
-        cause = "A method is named but not called. Add its brackets."
-    raise AssertionError(
-        f"called    {call}\ngot       {got}\nwanted    {wanted}\nlikely    {cause}\n"
-        f"read      {read}"
+        cause, other = "A method is named but not called. Add its brackets.", ""
+    raise ExpectationError(
+        Message(
+            called=call,
+            got=got,
+            wanted=wanted,
+            tolerance=tolerance,
+            likely=cause,
+            other=other,
+            read=read,
+        )
     )

@@ -5,6 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.manifest import Chapter, Exercise
+from autograder.message import Message
+from autograder.records import to_json
+from autograder.reports.texts import message_of
 
 SHOUT = "<script>document.title = 'owned'</script><b onclick='x'>&amp;\"'"
 # Escape sequences, control characters, half a character, a turn of the reading direction.
@@ -39,16 +42,26 @@ def points_of(*chapters: Chapter) -> int:
 
 
 def check(
-    name: str, status: str, message: str = "", *, hidden: bool = False, robust: bool = False
+    name: str,
+    status: str,
+    message: Message | str = "",
+    *,
+    hidden: bool = False,
+    robust: bool = False,
 ) -> dict[str, Any]:
     return {
         "name": name,
         "status": status,
-        "message": message,
+        "message": to_json(Message(message) if isinstance(message, str) else message),
         "weight": 1.0,
         "hidden": hidden,
         "robust": robust,
     }
+
+
+def told_by(check: dict[str, Any]) -> str:
+    """Return what a check of a report tells, as people read it."""
+    return str(message_of(check))
 
 
 def report_of(student: str = "ada", **changes: Any) -> dict[str, Any]:
@@ -59,7 +72,7 @@ def report_of(student: str = "ada", **changes: Any) -> dict[str, Any]:
         [check("test_a_copy", "passed"), check("test_secret_plan", "passed", hidden=True)],
         [
             check("test_right_angle", "passed"),
-            check("test_angle", "failed", "got 1\nwanted 2"),
+            check("test_angle", "failed", Message(got="1", wanted="2")),
             check("test_far_away", "failed", "Angles turn once round.", hidden=True),
         ],
         [],
@@ -126,6 +139,6 @@ def hostile(student: str = SHOUT + NASTY) -> dict[str, Any]:
     report = report_of(student, notes=[text], seed=text, isolation=text)
     for exercise in report["exercises"]:
         for one in exercise["checks"]:
-            one |= {"name": text, "message": text}
+            one |= {"name": text, "message": {"title": text}}
     report["exercises"][2] |= {"status": "marked", "score": 1.0, "comment": text}
     return report | {"by_hand": 1.0, "waiting": 0}

@@ -15,7 +15,7 @@ import sys
 import sysconfig
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, NoReturn
@@ -26,6 +26,7 @@ from autograder.isolation.handles import Session, WorkerFailure
 from autograder.isolation.sandbox import Level, landlock_version, seccomp_works_here
 from autograder.isolation.wire import Wire
 from autograder.manifest import ROOT
+from autograder.message import Message
 
 START_LIMIT = 20.0  # seconds for a process of our own to come up, on a busy machine
 SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/dev/null")
@@ -85,10 +86,13 @@ class Template:
         self._worker: _Worker | None = None
         self._next: _Worker | None = None
 
-    def start_worker(self, on_hang: Callable[[], NoReturn]) -> Session:
+    def start_worker(
+        self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
+    ) -> Session:
         """Return a session with a worker that nobody has used. Raises TemplateError.
 
-        The next one is ordered ahead: it comes up while this one works.
+        The next one is ordered ahead: it comes up while this one works. ``broken`` says of modules
+        why they cannot be imported.
         """
         self.stop_worker()
         try:
@@ -101,7 +105,8 @@ class Template:
                 raise EOFError
         except (OSError, EOFError, ValueError) as error:
             raise TemplateError(f"a worker did not come up: {self.printed() or error!r}") from error
-        return Session(wire, time.monotonic() + self.seconds, on_hang, self.how_it_ended)
+        deadline = time.monotonic() + self.seconds
+        return Session(wire, deadline, on_hang, self.how_it_ended, broken)
 
     def warm_up(self) -> None:
         """Order what the next worker needs, if that is not done yet, and do not wait for it."""

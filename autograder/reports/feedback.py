@@ -21,6 +21,7 @@ from autograder.reports.texts import (
     Report,
     check_title,
     clean_all,
+    message_of,
     number,
     replace_file,
     tiers,
@@ -156,12 +157,13 @@ def _groups(checks: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Return lost checks, those with the same message as one: a file that cannot be read."""
     groups: dict[tuple[Any, ...], dict[str, Any]] = {}
     for check in checks:
-        key = check["status"], check["message"], check["hidden"], check["robust"]
+        message = str(message_of(check))
+        key = check["status"], message, check["hidden"], check["robust"]
         group = groups.setdefault(
             key,
             {
                 "status": check["status"],
-                "message": check["message"],
+                "message": message,
                 "hidden": check["hidden"],
                 "robust": check["robust"],
                 "titles": [],

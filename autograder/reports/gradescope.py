@@ -11,6 +11,7 @@ from autograder.reports.texts import (
     check_title,
     clean,
     clean_line,
+    message_of,
     number,
     replace_file,
     tiers,
@@ -112,5 +113,5 @@ def _output(exercise: dict[str, Any]) -> str:
     for check in lost:
         title = "a hidden check" if check["hidden"] else check_title(check["name"])
         tier = "robust, " if check["robust"] else ""
-        blocks.append(f"{tier}{check['status']}: {title}\n{clean(check['message'])}".strip())
+        blocks.append(f"{tier}{check['status']}: {title}\n{clean(str(message_of(check)))}".strip())
     return "\n\n".join(blocks)

@@ -47,7 +47,7 @@ EXERCISE = {
 CHECK = {
     "name": str,
     "status": str,
-    "message": str,
+    "message": dict,
     "weight": NUMBER,
     "hidden": bool,
     "robust": bool,

@@ -7,6 +7,8 @@ import unicodedata
 from pathlib import Path
 from typing import Any
 
+from autograder.message import Message
+from autograder.records import from_json
 from autograder.scores import shown
 
 Report = dict[str, Any]  # one student's results, as they stand in results/<student>.json
@@ -47,6 +49,11 @@ def clean_all(value: Any) -> Any:
     if isinstance(value, list):
         return [clean_all(item) for item in value]
     return value
+
+
+def message_of(check: dict[str, Any]) -> Message:
+    """Return the message of a check as it stands in a report."""
+    return from_json(Message, check["message"])
 
 
 def number(value: float | None) -> str:

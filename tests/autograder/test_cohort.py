@@ -25,6 +25,7 @@ from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from copies import copy_tree
+from graded import told_by
 from small import RIGHT, hand_in, make_root
 
 HALF = RIGHT.replace("4 * x", "3 * x")
@@ -340,7 +341,7 @@ def test_hidden_checks_count_and_tell_a_rationale_alone(
     # Exercise 90.1 has 2 points for 4 checks now, and bob passes the one of zero.
     assert scores(out) == {"ann": 6.0, "bob": 4.5, "cem": 6.0, "dee": 4.0}
     (exercise,) = (e for e in results(out)["bob"]["exercises"] if e["id"] == "90.1")
-    told = {c["name"]: c["message"] for c in exercise["checks"] if c["hidden"]}
+    told = {c["name"]: told_by(c) for c in exercise["checks"] if c["hidden"]}
     assert told == {
         "hidden check 2": "Quadruple must hold for large numbers.",
         "hidden check 3": "Quadruple must hold for large numbers.",

@@ -19,9 +19,11 @@ from autograder.grading import Assignment, grade_submission
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.runner import GraderError, Verdict, run_checks
+from autograder.runner import GraderError, run_checks
 from autograder.submissions.find import Submission
+from autograder.verdict import Verdict
 from copies import copy_tree
+from graded import told_by
 
 CHAPTER = load_chapters()[0]
 POSSIBLE = sum(exercise.points for exercise in CHAPTER.exercises if exercise.kind != "written")
@@ -49,7 +51,7 @@ def result(out: Path, student: str) -> dict[str, Any]:
 
 
 def messages(report: dict[str, Any]) -> str:
-    return "\n".join(c["message"] for e in report["exercises"] for c in e["checks"])
+    return "\n".join(told_by(c) for e in report["exercises"] for c in e["checks"])
 
 
 def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str]) -> None:
@@ -66,7 +68,7 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
         assert report["score"] == pytest.approx(earned, abs=0.01)
         for exercise in report["exercises"]:
             for check in exercise["checks"]:
-                assert (check["message"] == "") == (check["status"] == "passed")
+                assert (told_by(check) == "") == (check["status"] == "passed")
 
 
 @pytest.mark.parametrize(

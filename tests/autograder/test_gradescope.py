@@ -68,7 +68,7 @@ def test_an_exercise_is_a_test_with_its_own_points_and_what_was_lost() -> None:
     assert (copy["score"], copy["max_score"], copy["status"]) == (2.0, 2, "passed")
     assert (angles["score"], angles["max_score"], angles["status"]) == (1.0, 4, "failed")
     assert "physics 1 of 3" in angles["output"]
-    assert "failed: angle\ngot 1\nwanted 2" in angles["output"]
+    assert "failed: angle\ngot       1\nwanted    2" in angles["output"]
     assert "right angle" not in angles["output"]
     assert (mass["score"], mass["status"]) == (0.0, "failed")
     assert "earlier chapter" in mass["output"]

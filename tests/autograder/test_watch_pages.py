@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import ROOT
-from autograder.wrapping import cut, few_lines, wrapped
+from autograder.message import laid_out
+from autograder.wrapping import cut, few_lines, wrapped, wrapped_rows
 from small import RIGHT, make_students_root
 from terminal import HEIGHT, KEYS, WIDTH, Terminal, save
 
@@ -176,7 +177,8 @@ def shows(terminal: Terminal) -> None:
 
 
 def test_a_line_breaks_between_words_below_its_label() -> None:
-    lines = wrapped("likely    " + "some words " * 9 + "\nplain " + "words " * 9, 40)
+    rows = [("likely", "some words " * 9), ("", "plain " + "words " * 9)]
+    lines = wrapped_rows(rows, 40)
     assert max(map(len, lines)) <= 40
     assert [line[:10].strip() for line in lines] == [
         "likely",
@@ -187,8 +189,18 @@ def test_a_line_breaks_between_words_below_its_label() -> None:
         "words word",
     ]
     assert {word for line in lines for word in line.split()} == {"likely", "some", "words", "plain"}
-    long = "called    v = " + "x" * 50
+    long = "v = " + "x" * 50
     assert "".join(line.strip() for line in wrapped(long, 40)) == long
+
+
+def test_what_code_prints_cannot_look_like_a_label() -> None:
+    text = laid_out([("printed", "1\nlikely    a lie"), ("", "a title\ngot       a lie")])
+    assert text.splitlines() == [
+        "printed   1",
+        "          likely    a lie",
+        "a title",
+        "          got       a lie",
+    ]
 
 
 def test_a_long_diagnosis_is_cut_in_the_middle() -> None:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-import traceback
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from autograder.asked import about
 from autograder.faults import Fault, fault_of, is_inside, short, text_of
 from autograder.message import ExpectationError, Kind, Message, Place
 from autograder.missing import file_of
@@ -109,7 +109,7 @@ def explain_exception(
 ) -> Message:
     """Return what a check that ended with this exception tells the student.
 
-    A failed expectation has its own message. For other exceptions: what the check was calling, the
+    A failed expectation has its own message. For other exceptions: what the check is ``about``, the
     exception, the student's line, and the cause that Python or the check suggests. ``complete``
     are modules such as ch02_vectors/arguments.py that the student only calls. An exception
     that came from a worker brings its ``fault`` along.
@@ -129,20 +129,16 @@ def explain_exception(
             kind=Kind.UNWRITTEN,
             exercise=named[1] if named else "",
         )
-    words: dict[str, str] = {}  # a check keeps what it calls, the likely cause and where to read
-    for frame, _ in traceback.walk_tb(error.__traceback__):
-        local = frame.f_locals
-        file = Path(frame.f_code.co_filename).name
-        if (file.startswith("test_") or file == "expect.py") and "call" in local:
-            words = {name: str(local[name]) for name in ("call", "cause", "read") if name in local}
-    likely, other = _likely(fault.first_line, words.get("cause", ""), fault)
+    # What a check says before it names a call is about none.
+    cause, read = (about.cause, about.read) if about.call else ("", "")
+    likely, other = _likely(fault.first_line, cause, fault)
     return Message(
-        called=words.get("call", ""),
+        called=about.call,
         got=fault.first_line,
         where=where and _with_source(where, engine_folders),
         likely=likely,
         other=other,
-        read=words.get("read", ""),
+        read=read,
     )
 
 

@@ -22,6 +22,7 @@ from _pytest.runner import runtestprotocol
 
 from autograder.apart import run_in_a_copy
 from autograder.arrange import Config
+from autograder.asked import about
 from autograder.events import Check, Checks, Decided, Ended, Event, Started, write_event
 from autograder.explain import explain_exception
 from autograder.faults import CheckEnded, GraderFault, StudentLeft, fault_of
@@ -110,6 +111,7 @@ class Recorder:
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
         """Start the time limit of the check itself, and its worker if it has one."""
         self.tell(Started(item.name))
+        about.forget()
         self.engine.start()  # until its report is made: a student's exception may hang in its str
         try:
             return (yield)

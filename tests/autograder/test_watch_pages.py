@@ -42,34 +42,34 @@ terms = []
 TIERS_CHECKS = """
 import pytest
 from ch90_small import small
-from expect import expect_close, expect_error
+from expect import about, expect_close, expect_error
 
 
 @pytest.mark.exercise("B90.1")
 def test_double():
-    call, cause, read = "double(5)", "twice", "the docstring"
-    expect_close(call, small.double(5), 10, cause=cause, read=read)
+    about("double(5)", cause="twice", read="the docstring")
+    expect_close(small.double(5), 10)
 
 
 @pytest.mark.exercise("B90.1")
 def test_triple():
-    call, cause, read = "triple(5)", "three times", "the docstring"
-    expect_close(call, small.triple(5), 15, cause=cause, read=read)
+    about("triple(5)", cause="three times", read="the docstring")
+    expect_close(small.triple(5), 15)
 
 
 @pytest.mark.robust
 @pytest.mark.exercise("B90.1")
 def test_a_text_is_refused():
-    call, cause, read = "double('a')", "refuse it", "the docstring"
+    about("double('a')", cause="refuse it", read="the docstring")
     twice = lambda: small.double(1)
     text = lambda: small.double("a")
-    expect_error(call, text, TypeError, allowed=twice, cause=cause, read=read)
+    expect_error(text, TypeError, allowed=twice)
 
 
 @pytest.mark.exercise("90.1")
 def test_quadruple():
-    call, cause, read = "quadruple(5)", "four times", "the docstring"
-    expect_close(call, small.quadruple(5), 20, cause=cause, read=read)
+    about("quadruple(5)", cause="four times", read="the docstring")
+    expect_close(small.quadruple(5), 20)
 """
 TIERS = """
 def double(x):

@@ -12,9 +12,9 @@ import tempfile
 from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import ExitStack, closing, contextmanager
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
@@ -29,8 +29,9 @@ from autograder.isolation.level import choose_level
 from autograder.judge import is_stopped, stopping
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.reports.marks import Marks, apply_marks, read_marks
+from autograder.reports.report import RunKey, StudentReport
 from autograder.reports.results import read_result, write_class, write_student
-from autograder.reports.texts import Report, message_of, replace_file
+from autograder.reports.texts import replace_file
 from autograder.run_key import run_key
 from autograder.runner import GraderError, Limits, run_checks
 from autograder.scores import shown
@@ -97,12 +98,12 @@ def grade(
             reports = class_run.collect(submissions, arriving)
         moved = put_others_aside(out, everyone)
         places = write_class(out, chapters, reports)
-        finished = all(report["status"] == "graded" for report in reports)
+        finished = all(report.status == "graded" for report in reports)
         replace_file(state, json.dumps({"seed": seed, "finished": finished}) + "\n")
     _print_class(console, reports)
     for report in reports:
-        for note in report["notes"]:
-            console.print(f"{report['student']}: {note}", markup=False)
+        for note in report.notes:
+            console.print(f"{report.student}: {note}", markup=False)
     if moved:
         console.print(f"{moved} reports of other students are in {out / 'earlier'} now.")
     if class_run.reused:
@@ -112,7 +113,7 @@ def grade(
     console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
-    return int(any(report["status"] != "graded" for report in reports))
+    return int(any(report.status != "graded" for report in reports))
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
@@ -174,7 +175,7 @@ class _ClassRun:
         assignment: Assignment,
         out: Path,
         marks: Marks,
-        key: dict[str, Any],
+        key: RunKey,
         console: Console,
     ) -> None:
         self.assignment = assignment
@@ -184,7 +185,9 @@ class _ClassRun:
         self.console = console
         self.reused: list[str] = []
 
-    def collect(self, submissions: list[Submission], arriving: Generator[Report]) -> list[Report]:
+    def collect(
+        self, submissions: list[Submission], arriving: Generator[StudentReport]
+    ) -> list[StudentReport]:
         """Show the reports that arrive, and return them in the order of the submissions."""
         columns = (
             TextColumn("{task.description}"),
@@ -192,7 +195,7 @@ class _ClassRun:
             MofNCompleteColumn(),
             TimeRemainingColumn(),
         )
-        reports: dict[str, Report] = {}
+        reports: dict[str, StudentReport] = {}
         with (
             closing(arriving),
             Progress(*columns, console=self.console, transient=True) as progress,
@@ -200,10 +203,10 @@ class _ClassRun:
             task = progress.add_task("grading", total=len(submissions))
             try:
                 for report in arriving:
-                    reports[report["student"]] = report
-                    progress.update(task, advance=1, description=f"graded {report['student']}")
+                    reports[report.student] = report
+                    progress.update(task, advance=1, description=f"graded {report.student}")
                     if not self.console.is_terminal:
-                        line = f"{len(reports)}/{len(submissions)} {report['student']}"
+                        line = f"{len(reports)}/{len(submissions)} {report.student}"
                         self.console.print(line, markup=False)
             except BaseException:  # Ctrl-C above all: what has landed stays, the rest is dropped
                 progress.stop()
@@ -212,7 +215,7 @@ class _ClassRun:
                 raise
         return [reports[submission.student] for submission in submissions]
 
-    def here(self, submissions: list[Submission], jobs: int) -> Generator[Report]:
+    def here(self, submissions: list[Submission], jobs: int) -> Generator[StudentReport]:
         """Grade the submissions, so many at a time, and yield the reports that have landed."""
         with ThreadPoolExecutor(jobs) as pool:
             try:
@@ -227,8 +230,8 @@ class _ClassRun:
     def elsewhere(
         self,
         submissions: list[Submission],
-        grade_over: Callable[[list[Submission]], Iterator[Report]],
-    ) -> Generator[Report]:
+        grade_over: Callable[[list[Submission]], Iterator[StudentReport]],
+    ) -> Generator[StudentReport]:
         """Have the submissions graded by others, and yield the reports that have landed."""
         left = []
         for submission in submissions:
@@ -237,24 +240,24 @@ class _ClassRun:
             else:
                 left.append(submission)
         for report in grade_over(left):
-            yield self.land(report | {"run": self.key})
+            yield self.land(replace(report, run=self.key))
 
-    def one(self, submission: Submission) -> Report:
+    def one(self, submission: Submission) -> StudentReport:
         """Return the report of one submission, an earlier one where it still holds."""
         report = self.earlier(submission)
         if report is None:
-            report = grade_submission(self.assignment, submission) | {"run": self.key}
+            report = replace(grade_submission(self.assignment, submission), run=self.key)
             if is_stopped():
                 raise GraderError("the run was stopped")  # in the middle of this submission
         return self.land(report)
 
-    def land(self, report: Report) -> Report:
+    def land(self, report: StudentReport) -> StudentReport:
         """Write a report and all that is made of it, with the marks of a person; return it."""
         report = apply_marks(report, self.marks)
         write_student(self.out, report)
         return report
 
-    def earlier(self, submission: Submission) -> Report | None:
+    def earlier(self, submission: Submission) -> StudentReport | None:
         """Return the report of an earlier run, where it still holds."""
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
@@ -263,11 +266,11 @@ class _ClassRun:
         self.reused.append(submission.student)
         return report
 
-    def still_holds(self, report: Report, submission: Submission) -> bool:
+    def still_holds(self, report: StudentReport, submission: Submission) -> bool:
         """Say whether grading again would give this report."""
-        if report["status"] != "graded" or report.get("run") != self.key:
+        if report.status != "graded" or report.run != self.key:
             return False
-        return bool(report.get("submission") == digest_of(self.assignment, submission))
+        return report.submission == digest_of(self.assignment, submission)
 
 
 def _seed(state: Path, seed: str | None) -> str:
@@ -320,24 +323,24 @@ def _cores() -> int:
     return os.cpu_count() or 1
 
 
-def _print_class(console: Console, reports: list[Report]) -> None:
+def _print_class(console: Console, reports: list[StudentReport]) -> None:
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right")
     table.add_column("status")
     table.add_column("first trouble")
     for report in reports:
-        checks = [(e, check) for e in report["exercises"] for check in e["checks"]]
-        passed = sum(check["status"] == "passed" for _, check in checks)
+        checks = [(e, check) for e in report.exercises for check in e.checks]
+        passed = sum(check.status == "passed" for _, check in checks)
         order = ("error", "failed", "inherited", "blocked")
-        lost = [pair for pair in checks if pair[1]["status"] in order]
-        lost.sort(key=lambda pair: (order.index(pair[1]["status"]), pair[1]["robust"]))
+        lost = [pair for pair in checks if pair[1].status in order]
+        lost.sort(key=lambda pair: (order.index(pair[1].status), pair[1].robust))
         table.add_row(
-            escape(report["student"]),
-            f"{shown(report['score'])}/{report['points']}",
-            shown(report["score_on_given"]),
+            escape(report.student),
+            f"{shown(report.score)}/{report.points}",
+            shown(report.score_on_given),
             f"{passed}/{len(checks)}",
-            report["status"],
-            escape(f"{lost[0][0]['id']}: {message_of(lost[0][1]).in_short[:200]}") if lost else "",
+            report.status,
+            escape(f"{lost[0][0].id}: {lost[0][1].message.in_short[:200]}") if lost else "",
         )
     console.print(table)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from typing import Literal
 
 from autograder.message import NOTHING, Message
 from autograder.records import from_json, to_json
@@ -59,7 +60,7 @@ class Decided:
     """A check has ended: passed, failed, or error where that is the grader's fault."""
 
     name: str
-    status: str
+    status: Literal["passed", "failed", "error"]
     message: Message = NOTHING
     on_chart: tuple[float, float] | None = None
 

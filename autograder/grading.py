@@ -7,10 +7,9 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from autograder.arrange import Behind
 from autograder.given import (
@@ -23,8 +22,7 @@ from autograder.given import (
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
 from autograder.message import Kind, Message
-from autograder.records import to_json
-from autograder.reports.texts import Report
+from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport
 from autograder.runner import GraderError, Limits, presentable, run_checks
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
@@ -62,7 +60,7 @@ class Assignment:
 
 def grade_submission(
     assignment: Assignment, submission: Submission, fill: Callable[..., Staged] | None = None
-) -> Report:
+) -> StudentReport:
     """Grade one submission and return its report. Whatever goes wrong is told in the report.
 
     ``fill`` takes the place of stage where the submission is on another machine.
@@ -77,16 +75,16 @@ def grade_submission(
             with with_given(assignment.given, [box], assignment.root) as engine:
                 pairs = _all_results(assignment, engine, staged, box)
         report = _report(assignment, submission.student, pairs, notes)
-        report["submission"] = staged.digest
+        report = replace(report, submission=staged.digest)
     except Exception as error:  # ours, whatever it is: the class goes on
         report = report_of_failure(assignment, submission.student, repr(error))
-    return report | {"seconds": round(time.monotonic() - start, 3)}
+    return replace(report, seconds=round(time.monotonic() - start, 3))
 
 
-def report_of_failure(assignment: Assignment, student: str, reason: str) -> Report:
+def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
     """Return the report on a submission that the grader failed on."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
-    return _report(assignment, student, pairs, []) | {"submission": "", "seconds": 0.0}
+    return replace(_report(assignment, student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, chapters: list[Chapter], box: Path) -> list[str]:
@@ -168,7 +166,7 @@ def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
             return _run(assignment, chapter, engine, {}, Limits.run)
 
 
-def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> dict[str, Any] | None:
+def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> Chart | None:
     """Return where a work lies on its exercise's chart, and the reference; None where it does not.
 
     What an earlier chapter spoils is not on it: of the run on the reference's nothing is told.
@@ -179,12 +177,7 @@ def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> dict[str
         other.exercise.id: other.on_chart for other in _results_of_reference(assignment, chapter)
     }
     exercise = result.exercise
-    best = reference.get(exercise.id)
-    return {
-        "axes": exercise.chart,
-        "own": list(result.on_chart),
-        "reference": best and list(best),
-    }
+    return Chart(exercise.chart, result.on_chart, reference.get(exercise.id))
 
 
 def _results_of_reference(assignment: Assignment, chapter: Chapter) -> list[Result]:
@@ -235,29 +228,29 @@ def _report(
     student: str,
     pairs: list[tuple[list[Result], list[Result]]],
     notes: list[str],
-) -> Report:
+) -> StudentReport:
     own = [result for results, _ in pairs for result in results]
     given = [result for _, results in pairs for result in results]
     score, points = total(own)
     failed = any(result.status == "error" for result in [*own, *given])
-    return {
-        "student": student,
-        "status": "error, retry" if failed else "graded",
-        "seed": assignment.seed,
-        "isolation": str(assignment.level),
-        "score": score,
-        "score_on_given": total(given)[0],
-        "points": points,
-        "by_hand": None,
-        "waiting": sum(result.exercise.points for result in own if result.status == "waiting"),
-        "earlier": _own_earlier_chapters(assignment),
-        "notes": notes,
-        "exercises": [
-            _exercise(chapter, result, better) | {"chart": _chart(assignment, chapter, result)}
+    return StudentReport(
+        student=student,
+        status="error, retry" if failed else "graded",
+        seed=assignment.seed,
+        isolation=str(assignment.level),
+        score=score,
+        score_on_given=total(given)[0],
+        points=points,
+        by_hand=None,
+        waiting=sum(result.exercise.points for result in own if result.status == "waiting"),
+        earlier=_own_earlier_chapters(assignment),
+        notes=notes,
+        exercises=[
+            _exercise(chapter, result, better, _chart(assignment, chapter, result))
             for chapter, (results, betters) in zip(assignment.chapters, pairs, strict=True)
             for result, better in zip(results, betters, strict=True)
         ],
-    }
+    )
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
@@ -270,27 +263,30 @@ def _own_earlier_chapters(assignment: Assignment) -> list[int]:
     return sorted(set(below))
 
 
-def _exercise(chapter: Chapter, result: Result, better: Result) -> dict[str, Any]:
+def _exercise(
+    chapter: Chapter, result: Result, better: Result, chart: Chart | None
+) -> ExerciseReport:
     exercise = result.exercise
-    return {
-        "chapter": chapter.number,
-        "id": exercise.id,
-        "title": exercise.title,
-        "kind": exercise.kind,
-        "points": exercise.points,
-        "score": result.score,
-        "score_on_given": better.score,
-        "status": result.status,
-        "comment": "",
-        "checks": [
-            {
-                "name": check.name,
-                "status": check.status,
-                "message": to_json(check.message),
-                "weight": check.weight,
-                "hidden": check.hidden,
-                "robust": check.robust,
-            }
+    return ExerciseReport(
+        chapter=chapter.number,
+        id=exercise.id,
+        title=exercise.title,
+        kind=exercise.kind,
+        points=exercise.points,
+        score=result.score,
+        score_on_given=better.score,
+        status=result.status,
+        comment="",
+        checks=[
+            CheckReport(
+                check.name,
+                check.status,
+                check.message,
+                check.weight,
+                check.hidden,
+                check.robust,
+            )
             for check in result.checks
         ],
-    }
+        chart=chart,
+    )

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from autograder.manifest import Chapter
 from autograder.message import NOTHING, Message
 
+Status = Literal["passed", "failed", "blocked", "inherited", "error"]
 Point = tuple[float, float]  # on the chart of an open exercise: cost, in counted work, and error
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What became of one check. Status: passed, failed, blocked, inherited or error.
+    """What became of one check.
 
     ``robust`` says that the check is about bad arguments, overflow or NaN, and not the physics.
     """
@@ -20,7 +22,7 @@ class Verdict:
     name: str
     exercise: str
     weight: float
-    status: str
+    status: Status
     message: Message = NOTHING
     hidden: bool = False
     on_chart: Point | None = None

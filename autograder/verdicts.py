@@ -15,7 +15,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import pytest
 from _pytest.runner import runtestprotocol
@@ -28,7 +28,7 @@ from autograder.explain import explain_exception
 from autograder.faults import CheckEnded, GraderFault, StudentLeft, fault_of
 from autograder.gone import explain_gone
 from autograder.in_process import InProcess, Tell
-from autograder.message import Message
+from autograder.message import NOTHING, Message
 from autograder.records import from_json
 from autograder.wrapping import few_lines
 
@@ -129,7 +129,8 @@ class Recorder:
         # as long as all the rest.
         setattr(item, "repr_failure", str)  # noqa: B010
         report = yield
-        status, message = "passed", Message()
+        status: Literal["passed", "failed", "error"] = "passed"
+        message = NOTHING
         if call.excinfo is not None:
             error = call.excinfo.value
             ours = report.when != "call" or isinstance(error, GraderFault)

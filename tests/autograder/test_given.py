@@ -210,9 +210,9 @@ def test_a_fault_of_the_second_run_is_no_score_on_given_chapters(
     monkeypatch.setattr("autograder.grading.run_on_given", fails)
     hana = Submission("hana", ROOT / "sample_class/hana")
     report = grade_submission(Assignment([CH03], "1", Level()), hana)
-    assert report["status"] == "error, retry"
-    assert report["score"] > 0
-    assert report["score_on_given"] is None
+    assert report.status == "error, retry"
+    assert (report.score or 0.0) > 0
+    assert report.score_on_given is None
 
 
 def test_a_check_that_fails_both_times_is_told_as_it_fails_on_the_reference() -> None:

@@ -19,6 +19,7 @@ from autograder.grading import Assignment, grade_submission
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.records import to_json
 from autograder.runner import GraderError, run_checks
 from autograder.submissions.find import Submission
 from autograder.verdict import Verdict
@@ -137,7 +138,8 @@ def grade_one(
 ) -> dict[str, Any]:
     """Return the report of one submission, graded without a wall."""
     assignment = Assignment(chapters, "1", Level(), given, root=root)
-    return grade_submission(assignment, Submission(path.name, path))
+    report: dict[str, Any] = to_json(grade_submission(assignment, Submission(path.name, path)))
+    return report
 
 
 def states(report: dict[str, Any], key: str = "status") -> set[Any]:

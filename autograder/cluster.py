@@ -18,7 +18,8 @@ from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
-from autograder.grading import Assignment, grade_submission, report_of_failure
+from autograder.assignment import Assignment, OnceForAll
+from autograder.grading import grade_submission, report_of_failure
 from autograder.isolation.level import choose_level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
@@ -147,8 +148,8 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
     with tempfile.TemporaryDirectory(prefix="hidden-") as folder:
         _write_tree(work.hidden, Path(folder))
         hidden = Path(folder) if work.hidden else None
-        assignment = replace(_shared(work), hidden=hidden)
-        return grade_submission(assignment, Submission(student, Path()), fill)
+        assignment = replace(_at_home(work), hidden=hidden)
+        return grade_submission(assignment, Submission(student, Path()), _shared(work), fill)
 
 
 def check_worker(work: Work) -> None:
@@ -175,14 +176,12 @@ def _level(*, unsafe: bool) -> Level:
     return choose_level(Path(), unsafe=unsafe)
 
 
-_assignments: dict[str, Assignment] = {}
+_once: dict[str, OnceForAll] = {}
 
 
-def _shared(work: Work) -> Assignment:
-    """Return one assignment for all submissions: what it works out for the class is kept in it."""
-    assignment = _at_home(work)
-    name = repr((str(assignment.root), work.key))
-    return _assignments.setdefault(name, assignment)
+def _shared(work: Work) -> OnceForAll:
+    """Return what is worked out once here for all submissions of a run."""
+    return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:

@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
-import contextlib
 import tempfile
-import threading
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from autograder.arrange import Behind
-from autograder.given import (
-    below_and_not_given,
-    is_at_hand,
-    mark_inherited,
-    run_on_given,
-    with_given,
-)
-from autograder.isolation.sandbox import Level
-from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
-from autograder.message import Kind, Message
+from autograder.assignment import Assignment, OnceForAll
+from autograder.given import below_and_not_given, mark_inherited, run_on_given, with_given
+from autograder.manifest import Chapter, load_chapters
+from autograder.message import Message
 from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport
-from autograder.runner import GraderError, Limits, presentable, run_checks
+from autograder.runner import GraderError, Limits, presentable
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage
@@ -34,37 +25,18 @@ SUBMISSION_LIMIT = 300.0  # seconds for all the chapters of a submission, which 
 LEAST_TIME = 10.0  # seconds for a chapter, even then: its checks must be able to begin
 
 
-_ONE_AT_A_TIME = threading.Lock()  # what the threads of a class share is worked out by one
-
-
-@dataclass(frozen=True)
-class Assignment:
-    """What a class is graded on, the same for each submission.
-
-    The ``given`` chapters are the reference's, whatever is handed in; ``hidden`` is a folder of
-    further checks; ``level`` names the walls. ``of_nothing`` keeps, by a chapter's name, the
-    verdicts on those who handed in nothing of it, and ``of_reference`` the results of the reference
-    in open exercises: they are worked out once for the class.
-    """
-
-    chapters: list[Chapter]
-    seed: str
-    level: Level
-    given: Sequence[Chapter] = ()
-    hidden: Path | None = None
-    root: Path = ROOT
-    time_limit: float = Limits.check
-    of_nothing: dict[str, list[Verdict]] = field(default_factory=dict, compare=False)
-    of_reference: dict[str, list[Result]] = field(default_factory=dict, compare=False)
-
-
 def grade_submission(
-    assignment: Assignment, submission: Submission, fill: Callable[..., Staged] | None = None
+    assignment: Assignment,
+    submission: Submission,
+    once: OnceForAll | None = None,
+    fill: Callable[..., Staged] | None = None,
 ) -> StudentReport:
     """Grade one submission and return its report. Whatever goes wrong is told in the report.
 
-    ``fill`` takes the place of stage where the submission is on another machine.
+    ``once`` has what is the same for the whole class. ``fill`` takes the place of stage where the
+    submission is on another machine.
     """
+    once = once or OnceForAll()
     start = time.monotonic()
     try:
         with tempfile.TemporaryDirectory(prefix="submission-") as folder:
@@ -73,8 +45,8 @@ def grade_submission(
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
             notes = _notes(staged, chapters, box)
             with with_given(assignment.given, [box], assignment.root) as engine:
-                pairs = _all_results(assignment, engine, staged, box)
-        report = _report(assignment, submission.student, pairs, notes)
+                pairs = _all_results(assignment, once, engine, staged, box)
+        report = _report(assignment, once, submission.student, pairs, notes)
         report = replace(report, submission=staged.digest)
     except Exception as error:  # ours, whatever it is: the class goes on
         report = report_of_failure(assignment, submission.student, repr(error))
@@ -84,7 +56,7 @@ def grade_submission(
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
     """Return the report on a submission that the grader failed on."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
-    return replace(_report(assignment, student, pairs, []), seconds=0.0)
+    return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, chapters: list[Chapter], box: Path) -> list[str]:
@@ -104,7 +76,7 @@ def digest_of(assignment: Assignment, submission: Submission) -> str:
 
 
 def _all_results(
-    assignment: Assignment, engine: list[Path], staged: Staged, box: Path
+    assignment: Assignment, once: OnceForAll, engine: list[Path], staged: Staged, box: Path
 ) -> list[tuple[list[Result], list[Result]]]:
     """Return the results of each chapter, on the student's own and on the reference's earlier ones.
 
@@ -115,14 +87,14 @@ def _all_results(
 
     def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
         limit = max(LEAST_TIME, min(Limits.run, deadline - time.monotonic()))
-        return _run(assignment, chapter, engine, staged.missing, limit)
+        return assignment.run(chapter, engine, missing=staged.missing, run_limit=limit)
 
     pairs = []
     for chapter in assignment.chapters:
         results = partial(results_of, chapter)
         try:
             if _is_empty(chapter, staged, box):
-                pairs.append((results(_verdicts_of_nothing(assignment, chapter)),) * 2)
+                pairs.append((results(once.of_nothing(assignment, chapter)),) * 2)
                 continue
             verdicts = run(chapter, engine)
         except GraderError as error:
@@ -146,27 +118,9 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
     return not (refused or taken)
 
 
-def _verdicts_of_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-    """Return the verdicts on nothing but the reference's earlier chapters."""
-    with _ONE_AT_A_TIME:
-        if chapter.name not in assignment.of_nothing:
-            assignment.of_nothing[chapter.name] = _run_on_nothing(assignment, chapter)
-        return assignment.of_nothing[chapter.name]
-
-
-def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-    below = chapters_below(chapter, assignment.root)
-    at_hand = [other for other in below if is_at_hand(other, assignment.root)]
-    with tempfile.TemporaryDirectory(prefix="nothing-") as folder:
-        box, empty = Path(folder) / "box", Path(folder) / "empty"
-        box.mkdir()
-        empty.mkdir()
-        stage(empty, load_chapters(assignment.root), box, assignment.root)
-        with with_given(at_hand, [box], assignment.root) as engine:
-            return _run(assignment, chapter, engine, {}, Limits.run)
-
-
-def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> Chart | None:
+def _chart(
+    assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
+) -> Chart | None:
     """Return where a work lies on its exercise's chart, and the reference; None where it does not.
 
     What an earlier chapter spoils is not on it: of the run on the reference's nothing is told.
@@ -174,46 +128,10 @@ def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> Chart | 
     if result.on_chart is None:
         return None
     reference = {
-        other.exercise.id: other.on_chart for other in _results_of_reference(assignment, chapter)
+        other.exercise.id: other.on_chart for other in once.of_reference(assignment, chapter)
     }
     exercise = result.exercise
     return Chart(exercise.chart, result.on_chart, reference.get(exercise.id))
-
-
-def _results_of_reference(assignment: Assignment, chapter: Chapter) -> list[Result]:
-    """Return the reference's results in the open exercises; none where it is not at hand."""
-    root = assignment.root
-    with _ONE_AT_A_TIME:
-        if chapter.name not in assignment.of_reference:
-            wanted = [exercise.id for exercise in chapter.exercises if exercise.chart]
-            found: list[Verdict] = []
-            if is_at_hand(chapter, root):
-                engine = [root / "solutions", root / "chapters"]
-                with contextlib.suppress(GraderError, OSError):  # it is graded without it
-                    found = _run(assignment, chapter, engine, {}, Limits.run, wanted)
-            assignment.of_reference[chapter.name] = results_of(chapter, found)
-        return assignment.of_reference[chapter.name]
-
-
-def _run(
-    assignment: Assignment,
-    chapter: Chapter,
-    engine: list[Path],
-    missing: dict[str, str],
-    run_limit: float,
-    exercises: list[str] | None = None,
-) -> list[Verdict]:
-    """Run a chapter's checks as the assignment has it; ``missing`` modules were not taken."""
-    why = {module: Message(reason, kind=Kind.BROKEN) for module, reason in missing.items()}
-    return run_checks(
-        chapter,
-        engine,
-        seed=assignment.seed,
-        root=assignment.root,
-        exercises=exercises,
-        limits=Limits(assignment.time_limit, run_limit),
-        behind=Behind(vars(assignment.level), missing=why, hidden=assignment.hidden),
-    )
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
@@ -225,6 +143,7 @@ def _errors(chapter: Chapter, reason: str) -> list[Result]:
 
 def _report(
     assignment: Assignment,
+    once: OnceForAll,
     student: str,
     pairs: list[tuple[list[Result], list[Result]]],
     notes: list[str],
@@ -246,7 +165,7 @@ def _report(
         earlier=_own_earlier_chapters(assignment),
         notes=notes,
         exercises=[
-            _exercise(chapter, result, better, _chart(assignment, chapter, result))
+            _exercise(chapter, result, better, _chart(assignment, once, chapter, result))
             for chapter, (results, betters) in zip(assignment.chapters, pairs, strict=True)
             for result, better in zip(results, betters, strict=True)
         ],

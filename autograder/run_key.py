@@ -7,7 +7,7 @@ import platform
 from collections.abc import Iterable
 from pathlib import Path
 
-from autograder.grading import Assignment
+from autograder.assignment import Assignment
 from autograder.manifest import load_chapters
 from autograder.reports.report import RunKey
 

@@ -13,10 +13,11 @@ import traceback
 from dataclasses import replace
 from pathlib import Path
 
-from autograder.grading import Assignment, grade_submission
+from autograder.assignment import Assignment
+from autograder.grading import grade_submission
 from autograder.isolation.level import choose_level
+from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level, drop_privileges
-from autograder.isolation.template import best_level
 from autograder.manifest import ROOT, load_chapters
 from autograder.reports.gradescope import gradescope_results, ungraded_results
 from autograder.reports.report import StudentReport

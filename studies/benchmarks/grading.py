@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from autograder.arrange import Behind
-from autograder.isolation.template import best_level
+from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.runner import Limits, run_checks
 from autograder.submissions.find import find_submissions

@@ -26,7 +26,8 @@ import pytest
 
 from autograder import cluster as over_cluster
 from autograder import cohort
-from autograder.grading import Assignment
+from autograder.assignment import Assignment
+from autograder.cohort import ClassOptions
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
@@ -93,7 +94,8 @@ def submissions(tmp_path: Path) -> Path:
 
 def grade(submissions: Path, out: Path, root: Path, **options: Any) -> int:
     chapters = load_chapters(root)
-    return cohort.grade(submissions, out, chapters, "1", root=root, unsafe=True, **options)
+    how = ClassOptions(seed="1", root=root, unsafe=True, **options)
+    return cohort.grade(submissions, out, chapters, how)
 
 
 def results(out: Path) -> dict[str, dict[str, Any]]:

@@ -21,6 +21,8 @@ from typing import Any
 import pytest
 
 from autograder import cohort, grading
+from autograder.class_folder import only_run
+from autograder.cohort import ClassOptions
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
@@ -84,7 +86,8 @@ def submissions(tmp_path: Path) -> Path:
 
 def grade(submissions: Path, out: Path, root: Path, seed: str | None = "1", **options: Any) -> int:
     chapters = load_chapters(root)
-    return cohort.grade(submissions, out, chapters, seed, root=root, unsafe=True, **options)
+    how = ClassOptions(seed=seed, root=root, unsafe=True, **options)
+    return cohort.grade(submissions, out, chapters, how)
 
 
 def results(out: Path) -> dict[str, dict[str, Any]]:
@@ -187,7 +190,8 @@ def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Pa
         "import sys; from pathlib import Path; from autograder import cohort;"
         "from autograder.manifest import load_chapters;"
         "folder, out, root = map(Path, sys.argv[1:]);"
-        "sys.exit(cohort.grade(folder, out, load_chapters(root), root=root, jobs=2, unsafe=True))"
+        "options = cohort.ClassOptions(root=root, jobs=2, unsafe=True); "
+        "sys.exit(cohort.grade(folder, out, load_chapters(root), options))"
     )
     command = [sys.executable, "-c", program, str(submissions), str(out), str(root)]
     temporary = tmp_path / "tmp"
@@ -315,7 +319,7 @@ def test_reports_do_not_go_where_submissions_are(
 def test_two_runs_do_not_share_a_folder(submissions: Path, root: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     with (
-        cohort._only_run(out),
+        only_run(out),
         pytest.raises(ValueError, match="another run is grading into"),
     ):
         grade(submissions, out, root)

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from autograder.assignment import Assignment
 from autograder.check import check as check_chapters
 from autograder.given import (
     mark_inherited,
@@ -20,7 +21,7 @@ from autograder.given import (
     told_on_given,
     with_given,
 )
-from autograder.grading import Assignment, grade_submission
+from autograder.grading import grade_submission
 from autograder.handout import make_handout
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, select_chapters

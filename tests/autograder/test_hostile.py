@@ -72,7 +72,8 @@ from autograder.manifest import load_chapters
 folder, out, root = map(Path, sys.argv[1:4])
 chapters = load_chapters(root)
 limit = float(sys.argv[5])
-sys.exit(cohort.grade(folder, out, chapters, sys.argv[4], jobs=2, root=root, time_limit=limit))
+options = cohort.ClassOptions(seed=sys.argv[4], jobs=2, root=root, time_limit=limit)
+sys.exit(cohort.grade(folder, out, chapters, options))
 """
 # Two names that are cleaned alike, with different work; and what is no submission.
 ALIKE = {"alike\tname": RIGHT, "alike\x07name": WRONG, "alike_name": RIGHT}

@@ -23,15 +23,9 @@ from hypothesis import strategies as st
 
 from autograder.faults import CheckEnded
 from autograder.isolation.handles import Session, StudentLeft, WorkerFailure
+from autograder.isolation.probe import HELD_BY_LANDLOCK, HELD_BY_SECCOMP, best_level, holds
 from autograder.isolation.sandbox import Level, landlock_version, seccomp_filter
-from autograder.isolation.template import (
-    HELD_BY_LANDLOCK,
-    HELD_BY_SECCOMP,
-    Template,
-    TemplateError,
-    best_level,
-    holds,
-)
+from autograder.isolation.template import Template, TemplateError
 from autograder.isolation.wire import (
     LONGEST_LINE,
     BrokenProtocolError,

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from autograder.cohort import grade
+from autograder.cohort import ClassOptions, grade
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.gradescope import gradescope_results
@@ -93,9 +93,8 @@ def test_a_class_is_on_the_chart_with_the_reference_and_hidden_checks_put_nobody
     (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
     out = tmp_path / "out"
     chapter = load_chapter(root / "chapters/ch90_small")
-    grade(
-        tmp_path / "class", out, [chapter], "1", unsafe=True, root=root, hidden=tmp_path / "hidden"
-    )
+    options = ClassOptions(seed="1", unsafe=True, root=root, hidden=tmp_path / "hidden")
+    grade(tmp_path / "class", out, [chapter], options)
 
     def charts(student: str) -> list[Any]:
         text = (out / "results" / f"{student}.json").read_text(encoding="utf-8")

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from autograder.answers import questions_of
-from autograder.grading import Assignment, grade_submission
+from autograder.assignment import Assignment
+from autograder.grading import grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
 from autograder.runner import run_checks

@@ -5,9 +5,9 @@ from __future__ import annotations
 import shutil
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from autograder.manifest import Chapter, chapters_below, load_chapters
+from autograder.message import Message
 from autograder.students_code import graded_files
 
 
@@ -22,30 +22,79 @@ class Behind:
 
     level: dict[str, bool]
     fresh: bool = False
-    missing: dict[str, str] = field(default_factory=dict)
+    missing: dict[str, Message] = field(default_factory=dict)
     hidden: Path | None = None
     tells: bool = False
 
 
+@dataclass(frozen=True)
+class Workers:
+    """How the process of the checks starts its workers. ``probes`` is the folder of the probes."""
+
+    level: dict[str, bool]
+    fresh: bool
+    tells: bool
+    probes: str
+
+
+@dataclass(frozen=True)
+class Arranged:
+    """Where everything is that a process of checks works with. Paths are texts, as JSON has it.
+
+    ``known`` are the exercises of the chapter, and ``edits`` the bodies that they have students
+    write. ``modules`` are imported before the checks, ``complete`` are the files that students only
+    call, and ``graded`` lists the files of each chapter's folder that a grader has.
+    """
+
+    root: str
+    engine: list[str]
+    tests: list[str]
+    known: list[str]
+    chapter: str
+    edits: dict[str, list[str]]
+    modules: list[str]
+    complete: list[str]
+    graded: dict[str, list[str]]
+    worker: Workers | None
+
+
+@dataclass(frozen=True)
+class Config:
+    """What the process of the checks is told: where everything is, and what is left to do.
+
+    ``apart`` has each exercise checked in a copy of the process. ``broken`` says of modules why
+    they cannot be imported, and ``done`` names the checks that have a verdict.
+    """
+
+    arranged: Arranged
+    exercises: list[str]
+    seed: str
+    time_limit: float
+    apart: bool
+    stack_file: str
+    broken: dict[str, Message]
+    done: list[str]
+
+
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
-) -> dict[str, Any]:
+) -> Arranged:
     """Put what is needed into a folder of our own, and return where everything is."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
-    return {
-        "root": str(root_of_checks(folder, root, behind)),
-        "engine": [str(path) for path in engine],
+    return Arranged(
+        root=str(root_of_checks(folder, root, behind)),
+        engine=[str(path) for path in engine],
         # Below root, since pytest takes no path with brackets.
-        "tests": [f"tests/{chapter.name}", *hidden],
-        "known": [exercise.id for exercise in chapter.exercises],
-        "chapter": chapter.name,
-        "edits": {exercise.id: exercise.edit for exercise in chapter.exercises},
-        "modules": _modules(chapter, chapters, engine, root),
-        "complete": [f"{c.name}/{file}" for c in chapters for file in c.complete],
-        "graded": graded_files(load_chapters(root)),
-        "worker": _worker(folder, chapter, root, behind),
-    }
+        tests=[f"tests/{chapter.name}", *hidden],
+        known=[exercise.id for exercise in chapter.exercises],
+        chapter=chapter.name,
+        edits={exercise.id: exercise.edit for exercise in chapter.exercises},
+        modules=_modules(chapter, chapters, engine, root),
+        complete=[f"{c.name}/{file}" for c in chapters for file in c.complete],
+        graded=graded_files(load_chapters(root)),
+        worker=_workers(folder, chapter, root, behind),
+    )
 
 
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
@@ -77,10 +126,8 @@ def _put_hidden_checks(
     return [f"tests/hidden/{chapter.name}"]
 
 
-def _worker(
-    folder: Path, chapter: Chapter, root: Path, behind: Behind | None
-) -> dict[str, Any] | None:
-    """Return what the workers are told, whose probes are put into the folder."""
+def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) -> Workers | None:
+    """Return how the workers are started, whose probes are put into the folder."""
     if behind is None:
         return None
     probes = folder / "probes" / chapter.name
@@ -88,12 +135,7 @@ def _worker(
     for tests in (root / "tests", behind.hidden):
         for file in (tests / chapter.name).glob("*probes.py") if tests else ():
             shutil.copyfile(file, probes / file.name)
-    return {
-        "level": behind.level,
-        "fresh": behind.fresh,
-        "tells": behind.tells,
-        "probes": str(probes.parent),
-    }
+    return Workers(behind.level, behind.fresh, behind.tells, str(probes.parent))
 
 
 def _modules(

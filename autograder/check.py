@@ -16,9 +16,10 @@ from autograder.given import (
     with_given,
 )
 from autograder.manifest import Chapter, Exercise
-from autograder.runner import GraderError, Verdict, run_checks, with_needs
+from autograder.runner import GraderError, run_checks
 from autograder.scores import result_of, results_of
 from autograder.screen import ProgressBar, Report, print_report
+from autograder.verdict import Verdict, with_needs
 from autograder.written import print_written
 
 

@@ -6,7 +6,6 @@ machine of the instructor would, behind the same walls, or refuses to.
 
 from __future__ import annotations
 
-import json
 import pickle
 import tempfile
 from collections.abc import Callable, Iterator
@@ -19,11 +18,12 @@ from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
-from autograder.grading import Assignment, grade_submission, report_of_failure
+from autograder.assignment import Assignment, OnceForAll
+from autograder.grading import grade_submission, report_of_failure
 from autograder.isolation.level import choose_level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
-from autograder.reports.texts import Report
+from autograder.reports.report import RunKey, StudentReport
 from autograder.run_key import grader_digest, run_key
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage
@@ -49,7 +49,7 @@ class Work:
     """
 
     assignment: Assignment
-    key: dict[str, Any]
+    key: RunKey
     hidden: Tree
     home: Path = ROOT
 
@@ -100,7 +100,7 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
 
 def grade_over(
     client: Client, assignment: Assignment, submissions: list[Submission]
-) -> Iterator[Report]:
+) -> Iterator[StudentReport]:
     """Yield the reports on the submissions, each as it is made.
 
     Raises ValueError where a worker that has come later would not grade as this machine does, and
@@ -121,7 +121,7 @@ def grade_over(
     for future in as_completed(list(whose), loop=client.loop):
         submission = whose[future]  # and the future is kept: its __del__ would swallow a Ctrl-C
         try:
-            report: Report = future.result()
+            report: StudentReport = future.result()
         except KilledWorker as error:
             died = error.allowed_failures + 1
             reason = f"every worker that graded it died, {died} in all"
@@ -133,7 +133,7 @@ def grade_over(
         yield report
 
 
-def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> Report:
+def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
     """Grade a submission at a worker. Raises ValueError where this machine must not do it."""
     from distributed import get_worker
 
@@ -148,8 +148,8 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> Report:
     with tempfile.TemporaryDirectory(prefix="hidden-") as folder:
         _write_tree(work.hidden, Path(folder))
         hidden = Path(folder) if work.hidden else None
-        assignment = replace(_shared(work), hidden=hidden)
-        return grade_submission(assignment, Submission(student, Path()), fill)
+        assignment = replace(_at_home(work), hidden=hidden)
+        return grade_submission(assignment, Submission(student, Path()), _shared(work), fill)
 
 
 def check_worker(work: Work) -> None:
@@ -157,15 +157,16 @@ def check_worker(work: Work) -> None:
     wanted = work.assignment.level
     level = _level(unsafe=not wanted.is_wall)
     own = run_key(replace(_at_home(work), level=level))
-    if own["grader"] != _GRADER:
+    if own.grader != _GRADER:
         raise ValueError("the autograder has changed since the worker was started: start it again")
     names = {
-        "python": f"Python {own['python']} and not {work.key['python']}",
+        "python": f"Python {own.python} and not {work.key.python}",
         "grader": "another version of autograder/",
         "checks": "another version of tests/, solutions/ or chapters/",
         "level": f"other walls: {level}",
     }
-    differences = [words for name, words in names.items() if own[name] != work.key[name]]
+    ours, theirs = vars(own), vars(work.key)
+    differences = [words for name, words in names.items() if ours[name] != theirs[name]]
     if differences:
         raise ValueError(f"it has {'; '.join(differences)}")
 
@@ -175,14 +176,12 @@ def _level(*, unsafe: bool) -> Level:
     return choose_level(Path(), unsafe=unsafe)
 
 
-_assignments: dict[str, Assignment] = {}
+_once: dict[str, OnceForAll] = {}
 
 
-def _shared(work: Work) -> Assignment:
-    """Return one assignment for all submissions: what it works out for the class is kept in it."""
-    assignment = _at_home(work)
-    name = json.dumps([str(assignment.root), work.key])
-    return _assignments.setdefault(name, assignment)
+def _shared(work: Work) -> OnceForAll:
+    """Return what is worked out once here for all submissions of a run."""
+    return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:

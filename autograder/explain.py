@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
-import traceback
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
-from autograder.faults import Fault, Frame, clean, fault_of, is_inside, short, text_of
+from autograder.asked import about
+from autograder.faults import Fault, fault_of, is_inside, short, text_of
+from autograder.message import ExpectationError, Kind, Message, Place
+from autograder.missing import file_of
 from autograder.nearest import explain_unknown
 
 NOT_IMPLEMENTED = (
@@ -97,15 +100,16 @@ PERHAPS = (
 ESCAPED = re.compile(
     r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"
 )  # as stacks have it
+EXERCISE = re.compile(r"Exercise ([A-Z]?\d+\.\w+)")  # as stubs raise NotImplementedError
 STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})')
 
 
 def explain_exception(
     error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
-) -> str:
+) -> Message:
     """Return what a check that ended with this exception tells the student.
 
-    A failed expectation has its own words. For other exceptions: what the check was calling, the
+    A failed expectation has its own message. For other exceptions: what the check is ``about``, the
     exception, the student's line, and the cause that Python or the check suggests. ``complete``
     are modules such as ch02_vectors/arguments.py that the student only calls. An exception
     that came from a worker brings its ``fault`` along.
@@ -113,67 +117,71 @@ def explain_exception(
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
     written = [frame for frame in fault.frames if not _is_given(frame, complete)]
     own = written or fault.frames
-    where = str(own[-1]) if own else ""
     if isinstance(error, AssertionError) and not own:
-        return text_of(error)
+        return error.message if isinstance(error, ExpectationError) else Message(text_of(error))
+    where = own[-1] if own else None
     if isinstance(error, NotImplementedError):
-        message = fault.text or "a body raises NotImplementedError"
-        return f"not written yet: {message}" + (f"\nwhere     {where}" if where else "")
-    words: dict[str, str] = {}  # a check keeps what it calls, the likely cause and where to read
-    for frame, _ in traceback.walk_tb(error.__traceback__):
-        local = frame.f_locals
-        file = Path(frame.f_code.co_filename).name
-        if (file.startswith("test_") or file == "expect.py") and "call" in local:
-            words = {name: str(local[name]) for name in ("call", "cause", "read") if name in local}
-    lines = [f"called    {words['call']}"] if "call" in words else []
-    lines.append(f"got       {fault.first_line}")
-    if where:
-        lines.append(f"where     {where}: {_source(own[-1], engine_folders)}")
-    lines += _likely(fault.first_line, words.get("cause", ""), fault)
-    if "read" in words:
-        lines.append(f"read      {words['read']}")
-    return "\n".join(lines)
+        says = fault.text.partition("\n")[0] or "a body raises NotImplementedError"
+        named = EXERCISE.match(says)
+        return Message(
+            f"{Kind.UNWRITTEN.value}: {says}",
+            where=where,
+            kind=Kind.UNWRITTEN,
+            exercise=named[1] if named else "",
+        )
+    # What a check says before it names a call is about none.
+    cause, read = (about.cause, about.read) if about.call else ("", "")
+    likely, other = _likely(fault.first_line, cause, fault)
+    return Message(
+        called=about.call,
+        got=fault.first_line,
+        where=where and _with_source(where, engine_folders),
+        likely=likely,
+        other=other,
+        read=read,
+    )
 
 
 def explain_import(
     fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
-) -> str:
+) -> Message:
     """Return why a student's module cannot be imported; ``complete`` are not the student's."""
-    file = module.replace(".", "/") + ".py"
+    file = file_of(module)
     if fault.missing_module == module:
-        return f"{file} is missing: not handed in, renamed, or in another folder"
-    text, where = fault.first_line, ""
+        title = f"{file} is missing: not handed in, renamed, or in another folder"
+        return Message(title, kind=Kind.BROKEN)
+    text, where = fault.first_line, None
     if fault.syntax:
         text = fault.text
         source, line, words = fault.syntax
-        where = f"{source or file}, line {line}: {words}"
-        message = f"{file} cannot be read: {text}"
+        where = Place(source or file, line, source=words)
+        title = f"{file} cannot be read: {text}"
     else:
-        message = f"{file} cannot be imported: {text}"
+        title = f"{file} cannot be imported: {text}"
         written = [frame for frame in fault.frames if frame.file not in complete]
         if own := written or fault.frames:
-            where = f"{own[-1]}: {_source(own[-1], engine_folders)}"
-    if where:
-        message += f"\nwhere     {where}"
-    return "\n".join([message, *_likely(text, "", fault)])
+            where = _with_source(own[-1], engine_folders)
+    likely, _ = _likely(text, "", fault)
+    return Message(title, where=where, likely=likely, kind=Kind.BROKEN)
 
 
-def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> str:
+def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
     """Return where a process was when its time was up, from the stack that it left behind.
 
     Code that hangs may have written the stack itself: whatever it says, there is a sentence.
     """
-    message = f"did not end within {time_limit:g} seconds: an endless loop?"
+    hung = Message(
+        f"{Kind.HUNG.value} within {time_limit:g} seconds: an endless loop?", kind=Kind.HUNG
+    )
     folders = [folder.resolve() for folder in engine_folders]
     for file, line, name in STACK_LINE.findall(stack):
         for path in (file, _unescaped(file)):  # a folder of Windows such as \xfaces looks escaped
             try:
                 if is_inside(path, folders):
-                    frame = Frame(short(path), int(line), _unescaped(name))
-                    return clean(f"{message}\nwhere     {frame}")
+                    return replace(hung, where=Place(short(path), int(line), _unescaped(name)))
             except (ValueError, OSError):
                 continue  # no file of any system has such a name
-    return message
+    return hung
 
 
 def _unescaped(text: str) -> str:
@@ -181,14 +189,13 @@ def _unescaped(text: str) -> str:
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
-def _likely(text: str, cause: str, fault: Fault) -> list[str]:
-    """Return the line with what an exception most likely comes from, and the check's own cause."""
+def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
+    """Return what an exception most likely comes from, and what else it may: the check's cause."""
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
-        return [f"likely    {slip}"]
-    perhaps = next((slip for sign, slip in PERHAPS if sign in text), None)
-    causes = [words for words in (perhaps, cause) if words]
-    return [f"{label:10}{words}" for label, words in zip(("likely", "or"), causes, strict=False)]
+        return slip, ""
+    perhaps = next((slip for sign, slip in PERHAPS if sign in text), "")
+    return (perhaps, cause) if perhaps else (cause, "")
 
 
 def slip_of(text: str) -> str:
@@ -196,20 +203,20 @@ def slip_of(text: str) -> str:
     return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
-def _is_given(frame: Frame, complete: Sequence[str]) -> bool:
+def _is_given(place: Place, complete: Sequence[str]) -> bool:
     """Say whether code was there before the student came: only its callers can be wrong.
 
     No exercise asks for a constructor, so one that refuses something is given.
     """
-    return frame.function in ("__init__", "__setattr__") or frame.file in complete
+    return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
-def _source(frame: Frame, engine_folders: list[Path]) -> str:
-    """Return the text of a line, from the first folder that has its file."""
+def _with_source(place: Place, engine_folders: list[Path]) -> Place:
+    """Return a place with the text of its line, from the first folder that has its file."""
     for folder in engine_folders:
-        file = folder / frame.file
+        file = folder / place.file
         if file.is_file():
             lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
-            line = lines[frame.line - 1].strip() if 0 < frame.line <= len(lines) else ""
-            return clean(line[:200])
-    return ""
+            line = lines[place.line - 1].strip() if 0 < place.line <= len(lines) else ""
+            return replace(place, source=line[:200])
+    return place

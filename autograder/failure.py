@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,15 +11,14 @@ from autograder.calls import calls
 from autograder.commands import check_command, command
 from autograder.definitions import own_name
 from autograder.manifest import Chapter, chapters_below, numbers_of
+from autograder.message import Kind, Row
 from autograder.places import next_place
-from autograder.runner import Verdict
 from autograder.scores import Result
-from autograder.wrapping import PRINTED, few_lines, print_wrapped, without_printed
+from autograder.verdict import Verdict
+from autograder.wrapping import few_lines, print_rows, print_wrapped
 
 if TYPE_CHECKING:
     from rich.console import Console
-
-UNWRITTEN = "not written yet"
 
 
 @dataclass(frozen=True)
@@ -28,7 +26,7 @@ class Failure:
     """A failed check: its diagnosis, what the student's code printed, and what to do next."""
 
     heading: str
-    diagnosis: str
+    diagnosis: list[Row]
     printed: str
     steps: list[str]
 
@@ -51,26 +49,28 @@ def failure_of(
         return None
     failed = min(
         candidates,
-        key=lambda check: (check.robust, not _is_about(check, edited), UNWRITTEN in check.message),
+        key=lambda check: (
+            check.robust,
+            not _is_about(check, edited),
+            check.message.kind is Kind.UNWRITTEN,
+        ),
     )
     message = failed.message
     inherited = failed.status == "inherited"
     if inherited:  # the cause that a check of this chapter suggests is another
-        message = re.sub(r"(?m)^(likely|or|read) .*\n?", "", message).strip()
-    diagnosis, printed = without_printed(message)
-    lines = [f"check     {failed.name}", diagnosis]
+        message = replace(message, likely="", other="", read="")
+    rows = [("check", failed.name), *message.rows(printed=False)]
     if failed.robust and exercise.robust:
-        lines.insert(0, f"robust    {exercise.robust}")
+        rows.insert(0, ("robust", exercise.robust))
     title = title or ("Make this robust" if failed.robust else "Fix this first")
     heading = f"{'Inherited, for example' if inherited else title}: {exercise.id} {exercise.title}"
     if inherited:
         steps = [f"Next: {check_command(engine, CH=numbers_of(chapters_below(chapter)))}"]
     else:
-        unwritten = re.search(rf"{UNWRITTEN}: Exercise (B?\d+\.\w+)", failed.message)
-        nudge = command("hint", EX=unwritten[1] if unwritten else exercise.id)
+        nudge = command("hint", EX=message.exercise or exercise.id)
         place = next_place(engine, chapter, exercise, failed)
         steps = [f"Next: open {place}", f"A nudge: {nudge}"]
-    return Failure(heading, "\n".join(lines), printed, steps)
+    return Failure(heading, rows, message.printed, steps)
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
@@ -80,31 +80,26 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
         words = f"No check was found for exercise {result.exercise.id}."
         console.print(words, style="magenta")
         return
-    message = "\n".join(filter(None, [failure.diagnosis, failure.printed]))
-    for words, style in [
-        (failure.heading, "bold"),
-        (message, ""),
-        ("", ""),
-        (failure.steps[0], "bold"),
-        *((step, "") for step in failure.steps[1:]),
-    ]:
-        print_wrapped(console, words, style)
+    print_wrapped(console, failure.heading, "bold")
+    print_rows(console, [*failure.diagnosis, *_printed(failure.printed)])
+    print_wrapped(console, "", "")
+    for number, step in enumerate(failure.steps):
+        print_wrapped(console, step, "" if number else "bold")
 
 
-def few_printed(printed: str, lines: int, characters: int) -> str:
-    """Return what the student's code printed, with its label, cut to a few lines."""
-    if not printed:
-        return ""
-    few = few_lines(printed.removeprefix(PRINTED), lines, characters)
-    return PRINTED + few.replace("\n", "\n" + " " * len(PRINTED))
+def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
+    """Return a row with what the student's code printed, cut to a few lines; none for nothing."""
+    return _printed(few_lines(printed, lines, characters)) if printed else []
+
+
+def _printed(printed: str) -> list[Row]:
+    return [("printed", printed)] if printed else []
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
     """Say whether a check calls one of these functions, or fails in one that is not written."""
-    called = re.search(r"(?m)^called +(.*)", check.message)
-    where = re.search(r"(?m)^where +.*, in (\w+)", check.message)
+    called, where = check.message.called, check.message.where
     return any(
-        (called and calls(called[1], name))
-        or (where and where[1] == own_name(name).removesuffix(".setter"))
+        calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))
         for name in edited
     )

@@ -10,13 +10,21 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
+from autograder.message import Message, Place
 from autograder.nearest import Unknown, unknown_of
 
 MOST_FRAMES = 50
 
 
 class CheckEnded(BaseException):
-    """Ends a check with these words. It is no Exception, so nothing that expects one takes it."""
+    """Ends a check with a message. It is no Exception, so nothing that expects one takes it."""
+
+    def __init__(self, message: Message) -> None:
+        super().__init__(message)
+        self.message = message
+
+    def __str__(self) -> str:
+        return str(self.message)
 
 
 class GraderFault(BaseException):
@@ -30,18 +38,6 @@ class StudentLeft(BaseException):
 
 
 @dataclass(frozen=True)
-class Frame:
-    """A line of the student's code: folder and file, such as ch02_vectors/vector.py."""
-
-    file: str
-    line: int
-    function: str
-
-    def __str__(self) -> str:
-        return f"{self.file}, line {self.line}, in {self.function}"
-
-
-@dataclass(frozen=True)
 class Fault:
     """An exception: the name of its type, what it says, and its frames in the engine's folders.
 
@@ -51,7 +47,7 @@ class Fault:
 
     type: str
     text: str
-    frames: list[Frame] = field(default_factory=list)
+    frames: list[Place] = field(default_factory=list)
     syntax: tuple[str, int, str] | None = None
     missing_module: str = ""
     unknown: Unknown | None = None
@@ -74,7 +70,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
     if isinstance(error, ImportError) and type(error.path) is str:
         text = text.replace(f" ({error.path})", "")  # where it lies on the grader's machine
     frames = [
-        Frame(short(frame.f_code.co_filename), line, frame.f_code.co_name)
+        Place(short(frame.f_code.co_filename), line, frame.f_code.co_name)
         for frame, line in traceback.walk_tb(error.__traceback__)
         if is_inside(frame.f_code.co_filename, folders)
     ]

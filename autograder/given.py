@@ -11,7 +11,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter, chapters_below
-from autograder.runner import Verdict
+from autograder.message import Kind
+from autograder.verdict import Verdict
 
 LOST = ("failed", "blocked")
 Run = Callable[[Chapter, list[Path]], list[Verdict]]  # the checks of a chapter, on an engine
@@ -120,11 +121,16 @@ def below_and_not_given(
 
 def _is_unwritten(verdict: Verdict) -> bool:
     """Say whether a check fails for want of a body of its own chapter."""
-    number = re.sub(r"^[A-Z]|\..*", "", verdict.exercise)  # 4 of B4.2
-    return re.search(rf"not written yet: Exercise [A-Z]?{number}\.", verdict.message) is not None
+    message = verdict.message
+    return message.kind is Kind.UNWRITTEN and _number(message.exercise) == _number(verdict.exercise)
+
+
+def _number(exercise: str) -> str:
+    """Return the chapter's number in the id of an exercise: 4 of B4.2."""
+    return re.sub(r"^[A-Z]|\..*", "", exercise)
 
 
 def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
     """Say whether a check did not end in this chapter's own code."""
-    own = f"where     {chapter.name}/"
-    return any("did not end" in verdict.message and own in verdict.message for verdict in lost)
+    hung = [verdict.message for verdict in lost if verdict.message.kind is Kind.HUNG]
+    return any(one.where and one.where.file.startswith(f"{chapter.name}/") for one in hung)

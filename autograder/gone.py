@@ -8,10 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 from autograder.calls import calls
 from autograder.commands import command
 from autograder.definitions import own_name
+from autograder.message import Message
+from autograder.missing import does_not_define
 from autograder.nearest import nearest
 
 Defined = Callable[
@@ -20,8 +23,8 @@ Defined = Callable[
 
 
 def explain_gone(
-    message: str, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
-) -> str:
+    message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
+) -> Message:
     """Return the message of a failed check, with the cause where a body of the chapter is gone.
 
     ``edits`` are the bodies that each exercise has students write, such as vector.Vector3.dot.
@@ -30,36 +33,32 @@ def explain_gone(
         module, _, path = name.partition(".")
         there = defined(module)
         if there is not None and path not in there:
-            likely = f"likely    {_words(module, path, owner, there, edits)}"
-            read = re.findall(r"(?m)^read +.*$", message)
-            kept = re.split(r"(?m)^(?:likely|or|read) +", message)[0].rstrip("\n")
-            return "\n".join([kept, likely, *read[-1:]])
+            likely = _words(module, path, owner, there, edits)
+            return replace(message, likely=likely, other="")
     return message
 
 
 def _candidates(
-    message: str, exercise: str, edits: Mapping[str, Sequence[str]]
+    message: Message, exercise: str, edits: Mapping[str, Sequence[str]]
 ) -> list[tuple[str, str]]:
     """Return the bodies that the message may be about: those that it names, then those it calls."""
     every = [(owner, name) for owner, names in edits.items() for name in names]
-    called = re.search(r"(?m)^called +(.*)", message)
-    own = [
-        (exercise, name) for name in edits.get(exercise, ()) if called and calls(called[1], name)
-    ]
-    return [pair for pair in every if _names(message, pair[1])] + own
+    own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
+    says = f"{message.title}\n{message.got}"  # Python's own words are in one of them
+    return [pair for pair in every if _names(says, pair[1])] + own
 
 
-def _names(message: str, name: str) -> bool:
+def _names(says: str, name: str) -> bool:
     """Say whether an error's text says that this name, or the class that it is in, is missing."""
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
-    signs = [f"name '{short}' is not defined", f"/{module}.py does not define {outer}"]
+    signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]
     signs += [f"cannot import name '{outer}'"]
     if len(path) > 1:
         signs.append(f"'{outer}' object has no attribute '{short}'")
         signs.append(f"type object '{outer}' has no attribute '{short}'")
         signs.append(f"property '{short}' of '{outer}' object has no setter")
-    return any(re.search(rf"{re.escape(sign)}(?!\w)", message) for sign in signs)
+    return any(re.search(rf"{re.escape(sign)}(?!\w)", says) for sign in signs)
 
 
 def _words(

@@ -2,69 +2,41 @@
 
 from __future__ import annotations
 
-import contextlib
 import tempfile
-import threading
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
 
-from autograder.arrange import Behind
-from autograder.faults import clean
-from autograder.given import (
-    below_and_not_given,
-    is_at_hand,
-    mark_inherited,
-    run_on_given,
-    with_given,
-)
-from autograder.isolation.sandbox import Level
-from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
-from autograder.reports.texts import Report
-from autograder.runner import RUN_LIMIT, TIME_LIMIT, GraderError, Verdict, run_checks
+from autograder.assignment import Assignment, OnceForAll
+from autograder.given import below_and_not_given, mark_inherited, run_on_given, with_given
+from autograder.manifest import Chapter, load_chapters
+from autograder.message import Message
+from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport
+from autograder.runner import GraderError, Limits, presentable
 from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage
+from autograder.verdict import Verdict
 
 SUBMISSION_LIMIT = 300.0  # seconds for all the chapters of a submission, which take about two each
 
 LEAST_TIME = 10.0  # seconds for a chapter, even then: its checks must be able to begin
 
 
-_ONE_AT_A_TIME = threading.Lock()  # what the threads of a class share is worked out by one
-
-
-@dataclass(frozen=True)
-class Assignment:
-    """What a class is graded on, the same for each submission.
-
-    The ``given`` chapters are the reference's, whatever is handed in; ``hidden`` is a folder of
-    further checks; ``level`` names the walls. ``of_nothing`` keeps, by a chapter's name, the
-    verdicts on those who handed in nothing of it, and ``of_reference`` the results of the reference
-    in open exercises: they are worked out once for the class.
-    """
-
-    chapters: list[Chapter]
-    seed: str
-    level: Level
-    given: Sequence[Chapter] = ()
-    hidden: Path | None = None
-    root: Path = ROOT
-    time_limit: float = TIME_LIMIT
-    of_nothing: dict[str, list[Verdict]] = field(default_factory=dict, compare=False)
-    of_reference: dict[str, list[Result]] = field(default_factory=dict, compare=False)
-
-
 def grade_submission(
-    assignment: Assignment, submission: Submission, fill: Callable[..., Staged] | None = None
-) -> Report:
+    assignment: Assignment,
+    submission: Submission,
+    once: OnceForAll | None = None,
+    fill: Callable[..., Staged] | None = None,
+) -> StudentReport:
     """Grade one submission and return its report. Whatever goes wrong is told in the report.
 
-    ``fill`` takes the place of stage where the submission is on another machine.
+    ``once`` has what is the same for the whole class. ``fill`` takes the place of stage where the
+    submission is on another machine.
     """
+    once = once or OnceForAll()
     start = time.monotonic()
     try:
         with tempfile.TemporaryDirectory(prefix="submission-") as folder:
@@ -73,18 +45,18 @@ def grade_submission(
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
             notes = _notes(staged, chapters, box)
             with with_given(assignment.given, [box], assignment.root) as engine:
-                pairs = _all_results(assignment, engine, staged, box)
-        report = _report(assignment, submission.student, pairs, notes)
-        report["submission"] = staged.digest
+                pairs = _all_results(assignment, once, engine, staged, box)
+        report = _report(assignment, once, submission.student, pairs, notes)
+        report = replace(report, submission=staged.digest)
     except Exception as error:  # ours, whatever it is: the class goes on
         report = report_of_failure(assignment, submission.student, repr(error))
-    return report | {"seconds": round(time.monotonic() - start, 3)}
+    return replace(report, seconds=round(time.monotonic() - start, 3))
 
 
-def report_of_failure(assignment: Assignment, student: str, reason: str) -> Report:
+def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
     """Return the report on a submission that the grader failed on."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
-    return _report(assignment, student, pairs, []) | {"submission": "", "seconds": 0.0}
+    return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, chapters: list[Chapter], box: Path) -> list[str]:
@@ -104,7 +76,7 @@ def digest_of(assignment: Assignment, submission: Submission) -> str:
 
 
 def _all_results(
-    assignment: Assignment, engine: list[Path], staged: Staged, box: Path
+    assignment: Assignment, once: OnceForAll, engine: list[Path], staged: Staged, box: Path
 ) -> list[tuple[list[Result], list[Result]]]:
     """Return the results of each chapter, on the student's own and on the reference's earlier ones.
 
@@ -114,15 +86,15 @@ def _all_results(
     deadline = time.monotonic() + SUBMISSION_LIMIT
 
     def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
-        limit = max(LEAST_TIME, min(RUN_LIMIT, deadline - time.monotonic()))
-        return _run(assignment, chapter, engine, staged.missing, limit)
+        limit = max(LEAST_TIME, min(Limits.run, deadline - time.monotonic()))
+        return assignment.run(chapter, engine, missing=staged.missing, run_limit=limit)
 
     pairs = []
     for chapter in assignment.chapters:
         results = partial(results_of, chapter)
         try:
             if _is_empty(chapter, staged, box):
-                pairs.append((results(_verdicts_of_nothing(assignment, chapter)),) * 2)
+                pairs.append((results(once.of_nothing(assignment, chapter)),) * 2)
                 continue
             verdicts = run(chapter, engine)
         except GraderError as error:
@@ -146,27 +118,9 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
     return not (refused or taken)
 
 
-def _verdicts_of_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-    """Return the verdicts on nothing but the reference's earlier chapters."""
-    with _ONE_AT_A_TIME:
-        if chapter.name not in assignment.of_nothing:
-            assignment.of_nothing[chapter.name] = _run_on_nothing(assignment, chapter)
-        return assignment.of_nothing[chapter.name]
-
-
-def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-    below = chapters_below(chapter, assignment.root)
-    at_hand = [other for other in below if is_at_hand(other, assignment.root)]
-    with tempfile.TemporaryDirectory(prefix="nothing-") as folder:
-        box, empty = Path(folder) / "box", Path(folder) / "empty"
-        box.mkdir()
-        empty.mkdir()
-        stage(empty, load_chapters(assignment.root), box, assignment.root)
-        with with_given(at_hand, [box], assignment.root) as engine:
-            return _run(assignment, chapter, engine, {}, RUN_LIMIT)
-
-
-def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> dict[str, Any] | None:
+def _chart(
+    assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
+) -> Chart | None:
     """Return where a work lies on its exercise's chart, and the reference; None where it does not.
 
     What an earlier chapter spoils is not on it: of the run on the reference's nothing is told.
@@ -174,88 +128,48 @@ def _chart(assignment: Assignment, chapter: Chapter, result: Result) -> dict[str
     if result.on_chart is None:
         return None
     reference = {
-        other.exercise.id: other.on_chart for other in _results_of_reference(assignment, chapter)
+        other.exercise.id: other.on_chart for other in once.of_reference(assignment, chapter)
     }
     exercise = result.exercise
-    best = reference.get(exercise.id)
-    return {
-        "axes": exercise.chart,
-        "own": list(result.on_chart),
-        "reference": best and list(best),
-    }
-
-
-def _results_of_reference(assignment: Assignment, chapter: Chapter) -> list[Result]:
-    """Return the reference's results in the open exercises; none where it is not at hand."""
-    root = assignment.root
-    with _ONE_AT_A_TIME:
-        if chapter.name not in assignment.of_reference:
-            wanted = [exercise.id for exercise in chapter.exercises if exercise.chart]
-            found: list[Verdict] = []
-            if is_at_hand(chapter, root):
-                engine = [root / "solutions", root / "chapters"]
-                with contextlib.suppress(GraderError, OSError):  # it is graded without it
-                    found = _run(assignment, chapter, engine, {}, RUN_LIMIT, wanted)
-            assignment.of_reference[chapter.name] = results_of(chapter, found)
-        return assignment.of_reference[chapter.name]
-
-
-def _run(
-    assignment: Assignment,
-    chapter: Chapter,
-    engine: list[Path],
-    missing: dict[str, str],
-    run_limit: float,
-    exercises: list[str] | None = None,
-) -> list[Verdict]:
-    """Run a chapter's checks as the assignment has it; ``missing`` modules were not taken."""
-    return run_checks(
-        chapter,
-        engine,
-        seed=assignment.seed,
-        root=assignment.root,
-        exercises=exercises,
-        time_limit=assignment.time_limit,
-        run_limit=run_limit,
-        behind=Behind(vars(assignment.level), missing=missing, hidden=assignment.hidden),
-    )
+    return Chart(exercise.chart, result.on_chart, reference.get(exercise.id))
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
     """Return results for checks that could not be run: our error, and not a zero."""
-    reason = clean(reason)[:500]
-    ours = [Verdict("every check", e.id, 1, "error", reason) for e in chapter.exercises]
+    why = presentable(Message(reason[:500]))
+    ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]
     return results_of(chapter, ours)
 
 
 def _report(
     assignment: Assignment,
+    once: OnceForAll,
     student: str,
     pairs: list[tuple[list[Result], list[Result]]],
     notes: list[str],
-) -> Report:
+) -> StudentReport:
     own = [result for results, _ in pairs for result in results]
     given = [result for _, results in pairs for result in results]
     score, points = total(own)
     failed = any(result.status == "error" for result in [*own, *given])
-    return {
-        "student": student,
-        "status": "error, retry" if failed else "graded",
-        "seed": assignment.seed,
-        "isolation": str(assignment.level),
-        "score": score,
-        "score_on_given": total(given)[0],
-        "points": points,
-        "by_hand": None,
-        "waiting": sum(result.exercise.points for result in own if result.status == "waiting"),
-        "earlier": _own_earlier_chapters(assignment),
-        "notes": notes,
-        "exercises": [
-            _exercise(chapter, result, better) | {"chart": _chart(assignment, chapter, result)}
+    return StudentReport(
+        student=student,
+        status="error, retry" if failed else "graded",
+        seed=assignment.seed,
+        isolation=str(assignment.level),
+        score=score,
+        score_on_given=total(given)[0],
+        points=points,
+        by_hand=None,
+        waiting=sum(result.exercise.points for result in own if result.status == "waiting"),
+        earlier=_own_earlier_chapters(assignment),
+        notes=notes,
+        exercises=[
+            _exercise(chapter, result, better, _chart(assignment, once, chapter, result))
             for chapter, (results, betters) in zip(assignment.chapters, pairs, strict=True)
             for result, better in zip(results, betters, strict=True)
         ],
-    }
+    )
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
@@ -268,27 +182,30 @@ def _own_earlier_chapters(assignment: Assignment) -> list[int]:
     return sorted(set(below))
 
 
-def _exercise(chapter: Chapter, result: Result, better: Result) -> dict[str, Any]:
+def _exercise(
+    chapter: Chapter, result: Result, better: Result, chart: Chart | None
+) -> ExerciseReport:
     exercise = result.exercise
-    return {
-        "chapter": chapter.number,
-        "id": exercise.id,
-        "title": exercise.title,
-        "kind": exercise.kind,
-        "points": exercise.points,
-        "score": result.score,
-        "score_on_given": better.score,
-        "status": result.status,
-        "comment": "",
-        "checks": [
-            {
-                "name": check.name,
-                "status": check.status,
-                "message": check.message,
-                "weight": check.weight,
-                "hidden": check.hidden,
-                "robust": check.robust,
-            }
+    return ExerciseReport(
+        chapter=chapter.number,
+        id=exercise.id,
+        title=exercise.title,
+        kind=exercise.kind,
+        points=exercise.points,
+        score=result.score,
+        score_on_given=better.score,
+        status=result.status,
+        comment="",
+        checks=[
+            CheckReport(
+                check.name,
+                check.status,
+                check.message,
+                check.weight,
+                check.hidden,
+                check.robust,
+            )
             for check in result.checks
         ],
-    }
+        chart=chart,
+    )

@@ -17,14 +17,16 @@ from autograder.allowed_acts import limit_acts
 from autograder.allowed_imports import limit_imports
 from autograder.apart import CAN_COPY
 from autograder.definitions import read_definitions
+from autograder.events import Event, Imported, Importing
 from autograder.explain import explain_import
 from autograder.faults import fault_of
+from autograder.message import Message
 from autograder.missing import MissingNameError, answer_for_missing, broken_module
 from autograder.printed import CappedText
 from autograder.students_code import StudentsCode
 from autograder.surroundings import Depth, leave_home
 
-Tell = Callable[..., None]  # tells the runner of an event
+Tell = Callable[[Event], None]  # tells the runner of it
 CALLS = 13  # nested calls of pytest and the check, from the start of a check to the student's code
 
 
@@ -51,7 +53,7 @@ class InProcess:
         self.streams = sys.stdin, sys.stdout, sys.stderr
         self.depth = Depth()
 
-    def open(self, modules: list[str], broken: dict[str, str], tell: Tell) -> None:
+    def open(self, modules: list[str], broken: Mapping[str, Message], tell: Tell) -> None:
         """Import the student's modules before any check does, so that a bad one stops no other."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
@@ -61,11 +63,11 @@ class InProcess:
             sys.modules[module] = broken_module(module, message)
         for module in modules:
             if module not in sys.modules:
-                tell(event="import", module=module)
+                tell(Importing(module))
                 self.start()
                 self._import(module)
                 self.stop()
-                tell(event="imported")
+                tell(Imported())
         # Only the checks get an answer for a missing name: in another module of the student's it
         # is an ImportError here as well as behind the walls.
         for imported in filter(None, map(sys.modules.get, modules)):
@@ -81,7 +83,7 @@ class InProcess:
         try:
             importlib.import_module(module)
         except MissingNameError as error:  # it uses another module that is broken
-            sys.modules[module] = broken_module(module, str(error))
+            sys.modules[module] = broken_module(module, error.message)
         except BaseException as error:  # SystemExit among them
             message = explain_import(
                 fault_of(error, self.engine), module, self.engine, self.complete

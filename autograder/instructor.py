@@ -52,22 +52,20 @@ def run_grade(arguments: argparse.Namespace) -> int:
         raise ValueError("grade takes Linux or macOS; on Windows run it under WSL")
     import signal
 
-    from autograder.cohort import grade
+    from autograder.cohort import ClassOptions, grade
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # it ends as Ctrl-C does
 
     given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
-    return grade(
-        arguments.folder,
-        arguments.out,
-        chapters,
-        arguments.seed,
-        given,
-        jobs=arguments.jobs,
+    options = ClassOptions(
+        given=given,
+        seed=arguments.seed,
         hidden=arguments.checks,
         unsafe=arguments.unsafe_no_sandbox,
+        jobs=arguments.jobs,
         cluster=arguments.cluster,
     )
+    return grade(arguments.folder, arguments.out, chapters, options)
 
 
 def run_handout(arguments: argparse.Namespace) -> int:

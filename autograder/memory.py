@@ -10,7 +10,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from autograder.manifest import Chapter
-from autograder.runner import Verdict, run_checks, with_needs
+from autograder.runner import run_checks
+from autograder.verdict import Verdict, with_needs
 
 
 class Memory:

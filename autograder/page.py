@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from rich.console import Console
 
 from autograder.failure import Failure, few_printed
-from autograder.wrapping import MOST_PRINTED, MOST_PRINTED_LINES, cut, wrapped
+from autograder.message import Row, laid_out
+from autograder.wrapping import MOST_PRINTED, MOST_PRINTED_LINES, cut, wrapped, wrapped_rows
 
 KEYS = "h next hint   l list   a check all   r reset   p plot   q quit"
 Line = tuple[str, str]  # words and their style
@@ -45,8 +46,8 @@ class Page:
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
         """Return the lines for a terminal of this size, the diagnosis cut in the middle."""
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
-        printed = _wrapped(self._printed(), width)
-        diagnosis = [words for words, _ in _wrapped(self._diagnosis(only=True), width)]
+        printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
+        diagnosis = wrapped_rows(self.failure.diagnosis if self.failure else [], width)
         room = height - 1 - len(top) - len(below) - len(keys)
         # The diagnosis matters more than what the code printed, which keeps a line at least.
         few = max(2, room - len(diagnosis))
@@ -57,15 +58,14 @@ class Page:
         middle = [(words, "") for words in cut(diagnosis, room, note[:width])]
         return [*top, *middle, *printed, *below, *keys]
 
-    def _diagnosis(self, *, only: bool = False) -> list[Line]:
+    def _diagnosis(self) -> list[Line]:
         if self.failure is None:
             return []
-        return [(self.failure.diagnosis, ""), *([] if only else self._printed())]
+        return [(laid_out([*self.failure.diagnosis, *self._printed()]), "")]
 
-    def _printed(self) -> list[Line]:
-        failure = self.failure
-        printed = few_printed(failure.printed, MOST_PRINTED_LINES, MOST_PRINTED) if failure else ""
-        return [(printed, "")] if printed else []
+    def _printed(self) -> list[Row]:
+        printed = self.failure.printed if self.failure else ""
+        return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
 
     def _below(self) -> list[Line]:
         """Return what comes after the failure: what to do next, the progress and the note."""

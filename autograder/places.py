@@ -9,7 +9,9 @@ from pathlib import Path
 from autograder.calls import calls, names_class
 from autograder.definitions import functions
 from autograder.manifest import Chapter, Exercise, load_chapters
-from autograder.runner import Verdict
+from autograder.verdict import Verdict
+
+FOLDER = re.compile(r"ch\d\d_\w+")  # of a chapter
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
@@ -20,21 +22,20 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
     leads to its file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
-    told = re.search(r"(?m)^where +(ch\d\d_\w+)/(\w+\.py), line (\d+)", failed.message)
-    if told and (told[1], told[2]) in complete:
-        told = None
-    called = re.search(r"(?m)^called +(.*)", failed.message)
-    data = [name for name in exercise.files if called and name in called[1]]
-    if data and not (told and told[2] in chapter.edited_files):
+    called, where = failed.message.called, failed.message.where
+    folder, _, file = where.file.partition("/") if where else ("", "", "")
+    if not FOLDER.fullmatch(folder) or (folder, file) in complete:
+        where = None
+    data = [name for name in exercise.files if name in called]
+    if data and not (where and file in chapter.edited_files):
         return str(_file(engine, chapter.name, data[0]))
-    if told:
-        body = _body_at(engine, told[1], told[2], int(told[3]))
+    if where:
+        body = _body_at(engine, folder, file, where.line)
         others = {name for other in chapter.exercises for name in other.edit} - {*exercise.edit}
-        if not called or (told[1] == chapter.name and body not in others):
-            return f"{_file(engine, told[1], told[2])}:{told[3]}"
-    expression = called[1] if called else ""
-    bodies = [name for name in exercise.edit if calls(expression, name)]
-    named = [name for name in bodies if names_class(expression, name)]
+        if not called or (folder == chapter.name and body not in others):
+            return f"{_file(engine, folder, file)}:{where.line}"
+    bodies = [name for name in exercise.edit if calls(called, name)]
+    named = [name for name in bodies if names_class(called, name)]
     return find_definition(engine, chapter, (named or bodies or exercise.edit)[0])
 
 

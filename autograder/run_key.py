@@ -6,13 +6,13 @@ import hashlib
 import platform
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
-from autograder.grading import Assignment
+from autograder.assignment import Assignment
 from autograder.manifest import load_chapters
+from autograder.reports.report import RunKey
 
 
-def run_key(assignment: Assignment) -> dict[str, Any]:
+def run_key(assignment: Assignment) -> RunKey:
     """Return what must be the same for a report to hold, next to the submission itself."""
     root = assignment.root
     names = [chapter.name for chapter in load_chapters(root)]
@@ -23,16 +23,16 @@ def run_key(assignment: Assignment) -> dict[str, Any]:
         checks += [*(root / "chapters" / name).glob("*.py")]  # the complete ones are graded with
     if assignment.hidden:
         checks += assignment.hidden.rglob("*.py")
-    return {
-        "seed": assignment.seed,
-        "chapters": [chapter.number for chapter in assignment.chapters],
-        "given": [chapter.number for chapter in assignment.given],
-        "checks": _digest(checks),
-        "grader": grader_digest(),
-        "python": platform.python_version(),
-        "level": vars(assignment.level),
-        "time_limit": assignment.time_limit,
-    }
+    return RunKey(
+        seed=assignment.seed,
+        chapters=[chapter.number for chapter in assignment.chapters],
+        given=[chapter.number for chapter in assignment.given],
+        checks=_digest(checks),
+        grader=grader_digest(),
+        python=platform.python_version(),
+        level=vars(assignment.level),
+        time_limit=assignment.time_limit,
+    )
 
 
 def grader_digest() -> str:

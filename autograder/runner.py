@@ -6,58 +6,62 @@ Nothing here needs POSIX, where the code is not behind walls.
 
 from __future__ import annotations
 
-import contextlib
 import json
-import os
-import queue
 import re
-import signal
-import subprocess
-import sys
 import tempfile
-import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from contextlib import closing
+from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any
 
+from autograder import events
 from autograder.apart import how_it_ended
-from autograder.arrange import Behind, arrange, root_of_checks
+from autograder.arrange import Behind, Config, arrange, root_of_checks
+from autograder.events import Event, read_event
 from autograder.explain import explain_hang
 from autograder.faults import clean
+from autograder.judge import Judge, SilentError, is_stopped
 from autograder.manifest import ROOT, Chapter
+from autograder.message import Kind, Message
+from autograder.missing import while_imported
+from autograder.records import to_json
+from autograder.verdict import Verdict, mark_blocked, needs_of, with_needs
 
-TIME_LIMIT = 3.0  # seconds for one check, which takes a few milliseconds
-HURRIED = 0.25  # of that for the checks that are left, once one function has not ended twice
-RUN_LIMIT = 90.0  # seconds for all the checks of a chapter
+HURRIED = 0.25  # of the time for the checks that are left, once one function has not ended twice
 LONGEST_MESSAGE = 8000  # characters: what a student returns may be large, and is shown
+LONGEST_PART = 800  # characters of each part of a message that is longer than that
 ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # of an object: another one in every run
-GRACE = 10.0  # seconds of silence beyond a check's limit, then the process is ended from outside
-
-
-Point = tuple[float, float]  # on the chart of an open exercise: cost, in counted work, and error
 
 
 @dataclass(frozen=True)
-class Verdict:
-    """What became of one check. Status: passed, failed, blocked, inherited or error.
+class Limits:
+    """Seconds for one check, which takes a few milliseconds, and for all those of a chapter."""
 
-    ``robust`` says that the check is about bad arguments, overflow or NaN, and not the physics.
-    """
-
-    name: str
-    exercise: str
-    weight: float
-    status: str
-    message: str
-    hidden: bool = False
-    on_chart: Point | None = None
-    robust: bool = False
+    check: float = 3.0
+    run: float = 90.0
 
 
 class GraderError(Exception):
     """The checks could not be run, and that is no fault of the code that they check."""
+
+
+@dataclass(frozen=True)
+class Order:
+    """What is to be run: the checks of these exercises of a chapter, on an engine.
+
+    ``engine`` is folders of chapters, the first on top. Its code runs ``behind`` walls, or beside
+    the checks where they are None; there ``apart`` has each exercise in a copy of the process.
+    """
+
+    chapter: Chapter
+    engine: list[Path]
+    exercises: list[str]
+    seed: str
+    limits: Limits = Limits()
+    behind: Behind | None = None
+    root: Path = ROOT
+    apart: bool = True
 
 
 def run_checks(
@@ -65,24 +69,20 @@ def run_checks(
     engine: list[Path],
     *,
     seed: str,
-    root: Path = ROOT,
     exercises: list[str] | None = None,
     on_verdict: Callable[[int, int], None] | None = None,
-    time_limit: float = TIME_LIMIT,
-    run_limit: float = RUN_LIMIT,
+    limits: Limits | None = None,
     behind: Behind | None = None,
+    root: Path = ROOT,
 ) -> list[Verdict]:
     """Run the checks of a chapter on an engine and return a verdict for each.
 
-    ``engine`` is folders of chapters, the first on top; ``exercises`` limits the run to some and
-    what they need; ``on_verdict`` hears how many verdicts there are, of how many checks; the
-    engine's code runs ``behind`` walls, or beside the checks where they are None.
-    Raises GraderError where the checks themselves cannot be run.
+    ``exercises`` limits the run to some and what they need; ``on_verdict`` hears how many verdicts
+    there are, of how many checks; the rest is as in Order. Raises GraderError where the checks
+    themselves cannot be run.
     """
     wanted = with_needs(chapter, exercises)
-    hear = on_verdict or (lambda *_: None)
-    run = _Run(chapter, engine, wanted, seed, root, time_limit, run_limit, hear, behind)
-    run.broken |= behind.missing if behind else {}
+    run = Run(Order(chapter, engine, wanted, seed, limits or Limits(), behind, root), on_verdict)
     while not run.finished:
         if is_stopped():
             raise GraderError("the run was stopped")
@@ -92,61 +92,30 @@ def run_checks(
             run.give_up()
         elif not run.finished and run.progress == before:
             raise GraderError(run.reason())
-    return _mark_blocked(chapter, run.ordered_verdicts())
+    return run.outcome()
 
 
-_processes: set[subprocess.Popen[str]] = set()
-_stopping = threading.Event()
-
-
-@contextlib.contextmanager
-def stopping() -> Iterator[None]:
-    """End the runs in all threads, each of which raises GraderError; let none begin in here."""
-    _stopping.set()
-    for process in list(_processes):
-        _kill(process)
-    try:
-        yield
-    finally:
-        _stopping.clear()
-
-
-def is_stopped() -> bool:
-    """Say whether runs are being ended."""
-    return _stopping.is_set()
-
-
-@dataclass
-class _Run:
+class Run:
     """The state of a run over the processes that it may take."""
 
-    chapter: Chapter
-    engine: list[Path]
-    wanted: list[str]
-    seed: str
-    root: Path
-    time_limit: float
-    run_limit: float
-    on_verdict: Callable[[int, int], None]
-    behind: Behind | None
-    apart: bool = True  # each exercise in a copy of the process, where no worker is there for it
-    checks: dict[str, dict[str, Any]] = field(default_factory=dict)
-    verdicts: dict[str, Verdict] = field(default_factory=dict)
-    broken: dict[str, str] = field(default_factory=dict)  # modules whose import hung or left
-    deadline: float = 0.0
-    finished: bool = False
-    silent: bool = False
-    hung: set[str] = field(default_factory=set)  # exercises of which a check did not end
-    loops: list[str] = field(default_factory=list)  # the functions in which they did not
-    stderr: str = ""
-
-    def __post_init__(self) -> None:
-        self.deadline = time.monotonic() + self.run_limit
+    def __init__(self, order: Order, on_verdict: Callable[[int, int], None] | None = None) -> None:
+        self.order = order
+        self.on_verdict = on_verdict or (lambda *_: None)
+        self.checks: dict[str, events.Check] = {}
+        self.verdicts: dict[str, Verdict] = {}
+        self.broken = dict(order.behind.missing) if order.behind else {}
+        self.deadline = time.monotonic() + order.limits.run
+        self.current: events.Importing | events.Started | None = None  # what the process is doing
+        self.finished = False
+        self.hung: set[str] = set()  # exercises of which a check did not end
+        self.loops: list[str] = []  # the functions in which they did not
+        self.stderr = ""
 
     def reason(self) -> str:
         """Return why there are no verdicts."""
         if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
-            return f"{missing[1]} is not here: put your own folder beside {self.chapter.name}"
+            own = self.order.chapter.name
+            return f"{missing[1]} is not here: put your own folder beside {own}"
         words = self.stderr or "it said nothing"
         if "INTERNALERROR>" in words:  # pytest's frames say nothing to anybody else
             words = words.rpartition("INTERNALERROR>")[2].strip()
@@ -154,164 +123,119 @@ class _Run:
 
     @property
     def limit(self) -> float:
+        """Seconds for the next check."""
         hurried = len(set(self.loops)) < len(self.loops)
-        return self.time_limit * (HURRIED if hurried else 1.0)
+        return self.order.limits.check * (HURRIED if hurried else 1.0)
 
     @property
     def progress(self) -> tuple[int, int]:
+        """What one process after the other adds to."""
         return len(self.verdicts), len(self.broken)
 
-    def ordered_verdicts(self) -> list[Verdict]:
-        return [self.verdicts[name] for name in self.checks]
+    def outcome(self) -> list[Verdict]:
+        """Return the verdicts in the order of the checks."""
+        verdicts = [self.verdicts[name] for name in self.checks]
+        return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
         """Start a process for the checks that have no verdict yet, and follow it to its end."""
-        self.silent = False
+        order, silent, self.current = self.order, False, None
         # Windows holds on to the files of a process for a moment after its end.
-        with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as folder:
-            stack_file = Path(folder) / "stack.txt"
+        with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
+            folder = Path(name)
+            stack_file = folder / "stack.txt"
             stack_file.touch()
-            config = Path(folder) / "config.json"  # it may be longer than a command line
-            config.write_text(self._config(Path(folder)), encoding="utf-8")
-            command = [sys.executable, "-m", "autograder.verdicts", str(config)]
-            with (Path(folder) / "stderr.txt").open("w+b") as stderr:
-                process = subprocess.Popen(
-                    command,
-                    cwd=root_of_checks(Path(folder), self.root, self.behind),
-                    env=_environment(),
-                    # A judge that outlives us would judge for nobody: it sees the pipe end.
-                    stdin=subprocess.PIPE if self.behind else subprocess.DEVNULL,
-                    stdout=subprocess.PIPE,
-                    stderr=stderr,
-                    encoding="utf-8",
-                    start_new_session=True,
-                )
-                _processes.add(process)
-                if is_stopped():  # it has been started behind the back of who ends them all
-                    _kill(process)
-                try:
-                    current = self._follow(process)
-                finally:
-                    _processes.discard(process)
-                    _kill(process)
-                    process.wait()  # a stray child may hold on to its output, which stays open
-                    if process.stdin:
-                        process.stdin.close()
-                stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - 2000))
-                self.stderr = stderr.read().decode("utf-8", errors="replace").strip()
-            if self.finished or current is None or time.monotonic() > self.deadline:
+            config = folder / "config.json"  # it may be longer than a command line
+            config.write_text(json.dumps(to_json(self.config(folder))), encoding="utf-8")
+            place = root_of_checks(folder, order.root, order.behind)
+            judge = Judge(config, place, holds_input=order.behind is not None)
+            try:
+                with closing(judge.lines(self.limit, self.deadline)) as lines:
+                    for line in lines:
+                        self.take(_event(line))
+            except SilentError:
+                silent = True
+            self.stderr = judge.stderr
+            if self.finished or self.current is None or time.monotonic() > self.deadline:
                 return
             stack = stack_file.read_text(encoding="utf-8", errors="replace")
-        hung = bool(stack) or self.silent
-        if hung:
-            why = explain_hang(stack, self.limit, self.engine)
+        if stack or silent:
+            why = explain_hang(stack, self.limit, order.engine)
         else:
-            why = how_it_ended(process.returncode)
-        kind, name = current
-        if kind == "import":
-            self.broken[name] = f"{name.replace('.', '/')}.py, while it is imported: {why}"
-        else:
-            self._decide(name, "failed", why)
-            if hung:
-                self._note_hang(self.checks[name]["exercise"])
-                self.loops.append(why.rpartition("in ")[2])
-            self.finished = len(self.verdicts) == len(self.checks)
+            why = Message(how_it_ended(judge.code), kind=Kind.LEFT)
+        self._break_off(self.current, why)
 
-    def _config(self, folder: Path) -> str:
-        """Return what the process of the checks is told, in the form that it reads."""
-        arranged = arrange(folder, self.chapter, self.engine, self.root, self.behind)
-        return json.dumps(
-            arranged
-            | {
-                "exercises": self.wanted,
-                "seed": self.seed,
-                "time_limit": self.limit,
-                "apart": self.apart,
-                "stack_file": str(folder / "stack.txt"),
-                "broken": self.broken,
-                "done": list(self.verdicts),
-            }
+    def config(self, folder: Path) -> Config:
+        """Return what the process of the checks is told."""
+        order = self.order
+        return Config(
+            arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
+            exercises=order.exercises,
+            seed=order.seed,
+            time_limit=self.limit,
+            apart=order.apart,
+            stack_file=str(folder / "stack.txt"),
+            broken=self.broken,
+            done=list(self.verdicts),
         )
 
-    def _follow(self, process: subprocess.Popen[str]) -> tuple[str, str] | None:
-        """Take the process's events until it ends; return what it was doing, if it broke off."""
-        assert process.stdout is not None
-        lines: queue.Queue[str] = queue.Queue()
-        threading.Thread(target=_pass_on, args=(process.stdout, lines), daemon=True).start()
-        current: tuple[str, str] | None = None
-        while True:
-            left = self.deadline - time.monotonic()
-            try:
-                line = lines.get(timeout=max(0.0, min(left, self.limit + GRACE)))
-            except queue.Empty:
-                self.silent = True
-                return current
-            if not line:
-                return current
-            try:
-                current = self._take(json.loads(line), current)
-            except (ValueError, KeyError, TypeError) as error:
-                raise GraderError(f"the process of the checks sent {line[:200]!r}") from error
-
-    def _take(
-        self, event: dict[str, Any], current: tuple[str, str] | None
-    ) -> tuple[str, str] | None:
-        """Take one event; return what the process is doing after it."""
-        match event["event"]:
-            case "import":
-                return "import", event["module"]
-            case "imported":
-                return None
-            case "broken":
-                self.broken[event["module"]] = event["message"]
-            case "start":
-                return "check", event["name"]
-            case "checks":
-                self.checks = {check["name"]: check for check in event["checks"]}
+    def take(self, event: Event) -> None:
+        """Take one event of the process. Raises GraderError for a check that there is not."""
+        doing, self.current = self.current, None
+        match event:
+            case events.Importing() | events.Started():
+                self.current = event
+            case events.Broken():
+                self.broken[event.module] = event.message
+            case events.Checks():
+                self.checks = {check.name: check for check in event.checks}
                 self.on_verdict(len(self.verdicts), len(self.checks))
-            case "verdict":
-                self._decide(event["name"], event["status"], event["message"], event["on_chart"])
-            case "end":
-                self.finished = current is None
-                return current
-        return None
+            case events.Decided():
+                self._decide(event)
+            case events.Ended():
+                self.finished, self.current = doing is None, doing
 
-    def _decide(
-        self, name: str, status: str, message: str, point: Sequence[float] | None = None
-    ) -> None:
-        check = self.checks[name]
-        hidden = check["rationale"] is not None
-        if hidden and self.behind is not None and not self.behind.tells:
+    def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
+        """Take note of what the process was doing when it broke off."""
+        if isinstance(doing, events.Importing):
+            self.broken[doing.module] = while_imported(doing.module, why)
+            return
+        self._decide(events.Decided(doing.name, "failed", why))
+        if why.kind is Kind.HUNG:
+            self._note_hang(self.checks[doing.name].exercise)
+            self.loops.append(why.where.function if why.where else "")
+        self.finished = len(self.verdicts) == len(self.checks)
+
+    def _decide(self, decided: events.Decided) -> None:
+        check = self.checks.get(decided.name)
+        if check is None:
+            raise GraderError(f"the process of the checks sent a verdict on {decided.name[:200]!r}")
+        message, status, behind = decided.message, decided.status, self.order.behind
+        if check.rationale is not None and behind is not None and not behind.tells:
             # Any other word could tell what is checked, and how.
-            words = {"failed": check["rationale"], "error": "the grader failed on this check"}
-            message = words.get(status, "")
-        if self.behind:
-            message = clean(message)
-        message = ADDRESS.sub("", message)
-        if len(message) > LONGEST_MESSAGE:
-            message = f"{message[: LONGEST_MESSAGE - 50]}\n... {len(message)} characters in all"
-        place = (point[0], point[1]) if point else None
-        self.verdicts[name] = Verdict(
-            name,
-            check["exercise"],
-            check["weight"],
+            words = {"failed": check.rationale, "error": "the grader failed on this check"}
+            message = Message(words.get(status, ""))
+        self.verdicts[check.name] = Verdict(
+            check.name,
+            check.exercise,
+            check.weight,
             status,
-            message,
-            hidden,
-            place,
-            check["robust"],
+            presentable(message),
+            check.rationale is not None,
+            decided.on_chart,
+            check.robust,
         )
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def give_up(self) -> None:
         """Decide the checks that are left when the time for all of them is used up."""
+        seconds = f"{self.order.limits.run:g} seconds"
         if not self.checks:
-            raise GraderError(f"no check began within {self.run_limit:g} seconds:\n{self.stderr}")
+            raise GraderError(f"no check began within {seconds}:\n{self.stderr}")
         for name in self.checks:
             if name not in self.verdicts:
-                self._decide(
-                    name, "failed", f"not run: the {self.run_limit:g} seconds were used up"
-                )
+                why = Message(f"not run: the {seconds} were used up")
+                self._decide(events.Decided(name, "failed", why))
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
@@ -319,69 +243,31 @@ class _Run:
 
         Its other checks would most likely wait for the same loop, each for the whole time limit.
         """
-        if self.hung & _needs_of(self.chapter, exercise):
+        if self.hung & needs_of(self.order.chapter, exercise):
+            why = Message("not run: another check of it did not end")
             for name, check in self.checks.items():
-                if name not in self.verdicts and check["exercise"] == exercise:
-                    self._decide(name, "failed", "not run: another check of it did not end")
+                if name not in self.verdicts and check.exercise == exercise:
+                    self._decide(events.Decided(name, "failed", why))
         self.hung.add(exercise)
 
 
-def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
-    with contextlib.suppress(ValueError):  # the stream is closed under our hands at the end
-        for line in stream:
-            lines.put(line)
-    lines.put("")
+def presentable(message: Message) -> Message:
+    """Return a message that may be shown: no control characters, no addresses, not too long.
 
-
-def _kill(process: subprocess.Popen[str]) -> None:
-    """Kill a process and, where the system has process groups, all that it has started."""
-    with contextlib.suppress(ProcessLookupError, PermissionError):
-        if sys.platform == "win32":
-            process.kill()
-        else:
-            os.killpg(process.pid, signal.SIGKILL)
-
-
-def _environment() -> dict[str, str]:
-    """Return the environment of a checking process: ours, with no plugins loaded of themselves."""
-    path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
-    return os.environ | {
-        "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
-        "PYTHONPATH": path,
-        "PYTHONUTF8": "1",
-        "PYTEST_ADDOPTS": "",
-    }
-
-
-def _needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Return the exercises that one builds on, directly or through others."""
-    needs = set(chapter.exercise(exercise).needs)
-    return needs.union(*(_needs_of(chapter, need) for need in needs))
-
-
-def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
-    """Return these exercises (all by default) and what they need, in the manifest's order."""
-    everything = [exercise.id for exercise in chapter.exercises]
-    if exercises is None:
-        return everything
-    wanted = set(exercises).union(*(_needs_of(chapter, exercise) for exercise in exercises))
-    return [exercise for exercise in everything if exercise in wanted]
-
-
-def _mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Turn failures of exercises that build on a failing one from failed into blocked.
-
-    Only the physics of an exercise counts: its robust checks block nothing. A check that passes
-    all the same keeps its verdict: what works earns its points.
+    Whatever a student's code has said comes by here, and nowhere else.
     """
-    failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
-    marked = []
-    for verdict in verdicts:
-        needs = [need for need in chapter.exercise(verdict.exercise).needs if need in failing]
-        if needs and verdict.status == "failed":
-            titles = ", ".join(f"{need} ({chapter.exercise(need).title})" for need in needs)
-            verb = "pass" if len(needs) > 1 else "passes"
-            message = f"blocked until {titles} {verb}\n{verdict.message}"
-            verdict = replace(verdict, status="blocked", message=message)
-        marked.append(verdict)
-    return marked
+    message = message.changed(lambda text: ADDRESS.sub("", clean(text)))
+    return message if len(str(message)) <= LONGEST_MESSAGE else message.changed(_cut)
+
+
+def _cut(text: str) -> str:
+    if len(text) <= LONGEST_PART:
+        return text
+    return f"{text[: LONGEST_PART - 50]} ... {len(text)} characters in all"
+
+
+def _event(line: str) -> Event:
+    try:
+        return read_event(line)
+    except ValueError as error:
+        raise GraderError(f"the process of the checks sent {line[:200]!r}") from error

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from autograder.manifest import Chapter, Exercise
-from autograder.runner import Point, Verdict
+from autograder.verdict import Point, Status, Verdict
 
+ExerciseStatus = Status | Literal["waiting", "marked"]  # marked is what a person has done
 PHYSICS_SHARE = 0.85  # of the points of an exercise, where it has robust checks as well
 
 
@@ -15,12 +17,12 @@ PHYSICS_SHARE = 0.85  # of the points of an exercise, where it has robust checks
 class Result:
     """An exercise with the verdicts of its checks.
 
-    Status: passed, failed, blocked, inherited, error, or waiting for a person (written answers).
-    The score is None while nobody can tell it: waiting, or error.
+    A written answer waits for a person. The score is None while nobody can tell it: waiting, or
+    error.
     """
 
     exercise: Exercise
-    status: str
+    status: ExerciseStatus
     score: float | None
     checks: list[Verdict]
 
@@ -73,7 +75,7 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
     earned = sum(share * _passing(tier) for share, tier in tiers)
     score = exercise.points * earned / sum(share for share, _ in tiers)
     open_physics = {check.status for check in checks if not check.robust} - {"passed"}
-    order = ("failed", "blocked", "inherited", "passed")
+    order: tuple[Status, ...] = ("failed", "blocked", "inherited", "passed")
     status = next(status for status in order if status in (open_physics or statuses))
     return Result(exercise, status, round(score, 2), checks)
 

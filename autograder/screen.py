@@ -5,7 +5,6 @@ rich is loaded when it is needed: by then the checks run in their own process, s
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,12 +12,13 @@ from typing import TYPE_CHECKING
 
 from autograder.answers import questions_of
 from autograder.commands import check_command
-from autograder.failure import UNWRITTEN, print_failure
+from autograder.failure import print_failure
 from autograder.finish import print_finish
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
+from autograder.message import Kind, Message
 from autograder.originals import changed_files
-from autograder.runner import Verdict
 from autograder.scores import Result, place_on_chart, shown, total
+from autograder.verdict import Verdict
 from autograder.wrapping import print_wrapped
 from autograder.written import all_pass
 
@@ -238,10 +238,14 @@ def _state(result: Result, written: set[str]) -> str:
     if result.works and result.status == "failed":
         return WORKS
     lost = [check for check in result.checks if check.status != "passed"]
-    own = rf"{UNWRITTEN}: Exercise {re.escape(result.exercise.id)}(?!\w)"
-    if not lost or any(not re.search(own, check.message) for check in lost):
+    if not lost or any(not _waits_for(result.exercise, check.message) for check in lost):
         return result.status
-    return UNWRITTEN if len(lost) == len(result.checks) else "half written"
+    return Kind.UNWRITTEN.value if len(lost) == len(result.checks) else "half written"
+
+
+def _waits_for(exercise: Exercise, message: Message) -> bool:
+    """Say whether a check fails since a body of this exercise is not written yet."""
+    return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 
 def _answered(chapter: Chapter, engine: list[Path]) -> set[str]:

@@ -11,20 +11,26 @@ import json
 import os
 import sys
 from collections.abc import Generator
+from dataclasses import replace
 from functools import partial
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import pytest
 from _pytest.runner import runtestprotocol
 
 from autograder.apart import run_in_a_copy
+from autograder.arrange import Config
+from autograder.asked import about
+from autograder.events import Check, Checks, Decided, Ended, Event, Started, write_event
 from autograder.explain import explain_exception
-from autograder.faults import CheckEnded, GraderFault, StudentLeft, clean, fault_of
+from autograder.faults import CheckEnded, GraderFault, StudentLeft, fault_of
 from autograder.gone import explain_gone
 from autograder.in_process import InProcess, Tell
-from autograder.wrapping import PRINTED, few_lines
+from autograder.message import NOTHING, Message
+from autograder.records import from_json
+from autograder.wrapping import few_lines
 
 if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker
@@ -41,7 +47,7 @@ MOST_KEPT = (40, 2000)  # lines, and characters, of what the student's code prin
 class Recorder:
     """A pytest plugin that picks the checks to run, limits their time and reports verdicts."""
 
-    def __init__(self, config: dict[str, Any], tell: Tell) -> None:
+    def __init__(self, config: Config, tell: Tell) -> None:
         self.config = config
         self.tell = tell
         self.engine = _engine(config)
@@ -49,7 +55,7 @@ class Recorder:
 
     def pytest_sessionstart(self) -> None:
         """Make the student's modules ready for the checks to import."""
-        self.engine.open(self.config["modules"], self.config["broken"], self.tell)
+        self.engine.open(self.config.arranged.modules, self.config.broken, self.tell)
 
     def pytest_collection_finish(self) -> None:
         """Tell what cannot be imported, where that was not needed to collect the checks."""
@@ -64,29 +70,30 @@ class Recorder:
         self, config: pytest.Config, items: list[pytest.Item]
     ) -> None:
         """Sort the checks by the manifest's order, tell the runner, and leave out what is done."""
-        order = {exercise: place for place, exercise in enumerate(self.config["exercises"])}
+        order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
-            if _marker(item).args[0] not in self.config["known"]:
+            if _marker(item).args[0] not in self.config.arranged.known:
                 raise pytest.UsageError(f"{item.nodeid} is of an exercise that there is not")
         items[:] = [item for item in items if _marker(item).args[0] in order]
         items.sort(key=lambda item: (order[_marker(item).args[0]], _is_robust(item)))
         hidden = [item for item in items if "/hidden/" in item.path.as_posix()]
         for number, item in enumerate(hidden, 1):
             item.user_properties.append(("rationale", _rationale(item)))
-            if not self.config["worker"]["tells"]:  # its own name may say what it looks for
+            worker = self.config.arranged.worker
+            if worker and not worker.tells:  # its own name may say what it looks for
                 item.name = f"hidden check {number}"
         checks = [
-            {
-                "name": item.name,
-                "exercise": _marker(item).args[0],
-                "weight": _marker(item).kwargs.get("weight", 1),
-                "robust": _is_robust(item),
-                "rationale": dict(item.user_properties).get("rationale"),
-            }
+            Check(
+                item.name,
+                _marker(item).args[0],
+                _marker(item).kwargs.get("weight", 1),
+                _is_robust(item),
+                _told(item).get("rationale"),
+            )
             for item in items
         ]
-        self.tell(event="checks", checks=checks)
-        left_out = [item for item in items if item.name in self.config["done"]]
+        self.tell(Checks(checks))
+        left_out = [item for item in items if item.name in self.config.done]
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if item not in left_out]
 
@@ -103,7 +110,8 @@ class Recorder:
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
         """Start the time limit of the check itself, and its worker if it has one."""
-        self.tell(event="start", name=item.name)
+        self.tell(Started(item.name))
+        about.forget()
         self.engine.start()  # until its report is made: a student's exception may hang in its str
         try:
             return (yield)
@@ -121,37 +129,45 @@ class Recorder:
         # as long as all the rest.
         setattr(item, "repr_failure", str)  # noqa: B010
         report = yield
-        status, message = "passed", ""
+        status: Literal["passed", "failed", "error"] = "passed"
+        message = NOTHING
         if call.excinfo is not None:
             error = call.excinfo.value
             ours = report.when != "call" or isinstance(error, GraderFault)
             status = "error" if ours else "failed"
-            if isinstance(error, (pytest.fail.Exception, CheckEnded, GraderFault)):
-                message = str(error)
+            arranged = self.config.arranged
+            if isinstance(error, CheckEnded):
+                message = error.message
+            elif isinstance(error, (pytest.fail.Exception, GraderFault)):
+                message = Message(str(error))
             else:
-                message = explain_exception(error, self.engine.engine, self.config["complete"])
+                message = explain_exception(error, self.engine.engine, arranged.complete)
             if not ours:
-                edits = self.config["edits"]
+                edits = arranged.edits
                 message = explain_gone(message, _marker(item).args[0], edits, self._defined)
         if report.when == "call":
             printed = self.engine.stop()
             if printed and message:
-                message += f"\n{PRINTED}{few_lines(clean(printed), *MOST_KEPT)}"
+                message = replace(message, printed=few_lines(printed, *MOST_KEPT))
         if report.when == "call" or status == "error":
-            for folder in self.engine.engine:  # where the engine lies is another place in grading
-                message = message.replace(f"{folder}{os.sep}", "")
-            told = dict(item.user_properties)
+            told = _told(item)
             # Where a hidden check puts a work could tell what it asks.
             point = None if "rationale" in told else told.get("on_chart")
-            self.tell(
-                event="verdict", name=item.name, status=status, message=message, on_chart=point
-            )
+            message = message.changed(self._without_folders)
+            self.tell(Decided(item.name, status, message, point))
         return report
+
+    def _without_folders(self, text: str) -> str:
+        """Return a text without the engine's folders: in grading it lies elsewhere."""
+        for folder in self.engine.engine:
+            text = text.replace(f"{folder}{os.sep}", "")
+        return text
 
     def _defined(self, module: str) -> set[str] | None:
         """Return what a module of the chapter defines, None where nobody can tell."""
         if module not in self.definitions:
-            places = [Path(folder) / self.config["chapter"] for folder in self.config["engine"]]
+            arranged = self.config.arranged
+            places = [Path(folder) / arranged.chapter for folder in arranged.engine]
             files = [file for place in places if (file := place / f"{module}.py").is_file()]
             self.definitions[module] = self.engine.definitions(files[0]) if files else None
         return self.definitions[module]
@@ -159,7 +175,7 @@ class Recorder:
     def pytest_sessionfinish(self, exitstatus: int) -> None:
         code = pytest.ExitCode
         if exitstatus in (code.OK, code.TESTS_FAILED, code.NO_TESTS_COLLECTED):
-            self.tell(event="end")
+            self.tell(Ended())
 
 
 def _run_all(checks: list[pytest.Item]) -> None:
@@ -167,14 +183,20 @@ def _run_all(checks: list[pytest.Item]) -> None:
         runtestprotocol(check, log=False)
 
 
-def _engine(config: dict[str, Any]) -> InProcess | InWorker:
+def _engine(config: Config) -> InProcess | InWorker:
     """Return what holds the student's code: this process, or workers."""
-    where = config["engine"], config["time_limit"], config["stack_file"], config["complete"]
-    if config["worker"] is None:
-        return InProcess(*where, config["graded"], apart=config["apart"])
+    arranged = config.arranged
+    where = arranged.engine, config.time_limit, config.stack_file, arranged.complete
+    if arranged.worker is None:
+        return InProcess(*where, arranged.graded, apart=config.apart)
     from autograder.isolation.in_worker import InWorker  # hand-outs lack it
 
-    return InWorker(*where, config["worker"])
+    return InWorker(*where, arranged.worker)
+
+
+def _told(item: pytest.Item) -> dict[str, Any]:
+    """Return what is known of a check beside its verdict: its rationale, its point on a chart."""
+    return dict(item.user_properties)
 
 
 def _rationale(item: pytest.Item) -> str:
@@ -197,16 +219,17 @@ def _is_robust(item: pytest.Item) -> bool:
 
 def main() -> int:
     """Run the checks that the configuration names, in the file on the command line."""
-    config = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+    config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what the student prints is no verdict
 
-    def tell(**event: Any) -> None:
-        wire.write(json.dumps(event) + "\n")
+    def tell(event: Event) -> None:
+        wire.write(write_event(event))
         wire.flush()
 
-    arguments = [*config["tests"], "--capture=no", f"--rootdir={config['root']}"]
-    arguments += [f"--seed={config['seed']}", *(f"--engine={path}" for path in config["engine"])]
+    arranged = config.arranged
+    arguments = [*arranged.tests, "--capture=no", f"--rootdir={arranged.root}"]
+    arguments += [f"--seed={config.seed}", *(f"--engine={path}" for path in arranged.engine)]
     for plugin in UNUSED_PLUGINS.split():
         arguments += ["-p", f"no:{plugin}"]
     return int(pytest.main(arguments, plugins=[Recorder(config, tell)]))

@@ -1,7 +1,4 @@
-"""Lay a message out on a terminal: no line breaks inside a word, and no more lines than there are.
-
-A message has labeled lines: a word such as called or likely, and what it says from column 10 on.
-"""
+"""Lay text out on a terminal: no line breaks inside a word, and no more lines than there are."""
 
 from __future__ import annotations
 
@@ -9,32 +6,39 @@ import re
 import textwrap
 from typing import TYPE_CHECKING
 
+from autograder.message import INDENT, Row, laid_out
+
 if TYPE_CHECKING:
     from rich.console import Console
 
-INDENT = 10  # columns of the label
-LABELED = re.compile(rf"(?=[a-z]+ )[a-z ]{{{INDENT - 1}}} \S")
-PRINTED = "printed   "
 MOST_PRINTED_LINES = 5
 MOST_PRINTED = 300  # characters
 LONGEST_PRINTED = 4000  # characters, of which more is not kept anywhere
 MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
-def wrapped(message: str, width: int) -> list[str]:
-    """Return the lines of a message on a terminal of this width, without breaks inside a word.
+def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
+    """Return the lines of a text on a terminal of this width, without breaks inside a word.
 
-    Labeled lines have a hanging indent. A word is broken only where it is longer than a line.
+    The second line of what is wrapped has a hanging indent. A word is broken only where it is
+    longer than a line.
     """
     lines = []
-    for line in message.splitlines():
+    for line in words.splitlines():
         lines += textwrap.wrap(
             line,
             max(width, 2 * INDENT),
-            subsequent_indent=" " * INDENT if LABELED.match(line) else "",
+            subsequent_indent=" " * hanging,
             break_on_hyphens=False,
         ) or [""]
     return lines
+
+
+def wrapped_rows(rows: list[Row], width: int) -> list[str]:
+    """Return the lines of a message's rows on a terminal, what they say beside their labels."""
+    return [
+        line for row in rows for line in wrapped(laid_out([row]), width, INDENT if row[0] else 0)
+    ]
 
 
 def print_wrapped(console: Console, words: str, style: str) -> None:
@@ -43,10 +47,10 @@ def print_wrapped(console: Console, words: str, style: str) -> None:
     console.print("\n".join(lines), style=style, markup=False, soft_wrap=True)
 
 
-def without_printed(message: str) -> tuple[str, str]:
-    """Return a message up to what the student's code printed, and that part, empty without one."""
-    diagnosis, label, printed = message.partition(f"\n{PRINTED}")
-    return diagnosis, label.lstrip("\n") + printed
+def print_rows(console: Console, rows: list[Row]) -> None:
+    """Print the rows of a message as print_wrapped does words."""
+    lines = wrapped_rows(rows, console.width) if console.is_terminal else [laid_out(rows)]
+    console.print("\n".join(lines), markup=False, soft_wrap=True)
 
 
 def few_lines(text: str, lines: int, characters: int) -> str:

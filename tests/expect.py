@@ -1,8 +1,9 @@
 """What checks say. Each function compares plain numbers and, where they differ, teaches.
 
 A message says what was called, what came back, what was wanted and how closely, the likely cause
-and where to read. A check puts these into variables called call, cause and read before it calls the
-student's code: where that code raises, the message is made from the same variables.
+and where to read. A check tells ``about`` the call, the cause and the reading before it calls the
+student's code: every expectation is told in these words, and so is an exception of that code. An
+expectation takes other words by name: call, then (what follows the call), cause and read.
 
 Under the autograder only plain numbers cross from the student's process, so nothing here compares
 objects of the engine.
@@ -13,9 +14,11 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, Unpack
 
+from autograder.asked import Words, about, scoped
 from autograder.explain import NOT_IMPLEMENTED
+from autograder.message import ExpectationError, Message
 
 # Right answers worked out in another order differ by a few roundings, some 1e-16 of the numbers
 # involved. A thousand times that still leaves no room for a wrong formula.
@@ -24,6 +27,7 @@ NAN = (
     "NaN compares false with everything, so it gets through a test such as x <= 0. Ask for what "
     "you want, such as 0.0 < x < math.inf, or use the functions of arguments.py."
 )
+UNCHANGED = "the call must not change it: work on a copy, or on numbers"
 LOST = "v is as it was: assign to self.x, self.y and self.z, for a new vector is lost"
 
 
@@ -50,24 +54,25 @@ def is_plain(value: Any) -> bool:
     return value is None or isinstance(value, (bool, int, float, str, tuple, list, dict))
 
 
-def expect_vector(call: str, v: Any, *, cause: str, read: str) -> tuple[float, float, float]:
+@scoped
+def expect_vector(v: Any, **words: Unpack[Words]) -> tuple[float, float, float]:
     """Expect a vector of plain numbers; return its components."""
     __tracebackhide__ = True
+    call, cause, read = about.but(words)
+    about(call, cause=cause, read=read)  # to ask for its components runs the student's code
     got = xyz(v)
     if isinstance(got, NoVector) or not _are_numbers(got, 3):
-        _complain(call, _shown(got), "a Vector3", cause, read)
+        _complain(_shown(got), "a Vector3")
     x, y, z = got
     return x, y, z
 
 
 def expect_close(
-    call: str,
     got: Any,
     wanted: float | Sequence[float],
     *,
-    cause: str,
-    read: str,
     tolerance: float | None = None,
+    **words: Unpack[Words],
 ) -> None:
     """Expect a number, or as many as wanted, each within tolerance.
 
@@ -81,55 +86,44 @@ def expect_close(
     if not _are_numbers(got_numbers, len(wanted_numbers)) or not all(
         abs(g - w) <= tolerance for g, w in zip(got_numbers, wanted_numbers, strict=True)
     ):
-        how_close = f"to within {tolerance:.2g}" if tolerance else "exactly"
-        _complain(call, _shown(got), f"{_shown(wanted)}, {how_close}", cause, read)
+        _complain(_shown(got), _shown(wanted), words, tolerance)
 
 
-def expect_exactly(call: str, got: Any, wanted: Any, *, cause: str, read: str) -> None:
+def expect_exactly(got: Any, wanted: Any, **words: Unpack[Words]) -> None:
     """Expect exactly this value of exactly this type, such as a word or True."""
     __tracebackhide__ = True
     if type(got) is type(wanted) and got == wanted:
         return
     if is_plain(got) and got == wanted:  # such as 1 and 1.0, which look alike
-        shown = (
-            f"{got!r}, of type {type(got).__name__}",
-            f"{wanted!r}, of type {type(wanted).__name__}",
-        )
-        _complain(call, *shown, cause, read)
-    _complain(call, _shown(got), _shown(wanted), cause, read)
+        came, right = (f"{value!r}, of type {type(value).__name__}" for value in (got, wanted))
+        _complain(came, right, words)
+    _complain(_shown(got), _shown(wanted), words)
 
 
-def expect_nan(call: str, got: Any, *, cause: str, read: str) -> None:
+def expect_nan(got: Any, **words: Unpack[Words]) -> None:
     """Expect the number NaN: what came of a NaN must not look like a result."""
     __tracebackhide__ = True
     if not (type(got) is float and math.isnan(got)):
-        _complain(call, _shown(got), "nan", cause, read)
+        _complain(_shown(got), "nan", words)
 
 
 def expect_unchanged(
-    call: str,
-    name: str,
-    now: Sequence[float],
-    before: Sequence[float],
-    *,
-    cause: str = "the call must not change it: work on a copy, or on numbers",
-    read: str,
+    name: str, now: Sequence[float], before: Sequence[float], **words: Unpack[Words]
 ) -> None:
     """Expect a vector that a call only reads to be what it was before."""
     __tracebackhide__ = True
     if tuple(now) != tuple(before):
         got = f"afterwards {name} is {_shown(now)}"
-        _complain(call, got, f"{name} as it was, {_shown(before)}", cause, read)
+        _complain(got, f"{name} as it was, {_shown(before)}", words)
 
 
+@scoped
 def expect_error(
-    call: str,
     attempt: Callable[[], Any],
     error: type[Exception],
     *,
     allowed: Callable[[], Any],
-    cause: str,
-    read: str,
+    **words: Unpack[Words],
 ) -> None:
     """Expect attempt() to raise this error, and allowed() to raise none.
 
@@ -137,11 +131,14 @@ def expect_error(
     cause of its own.
     """
     __tracebackhide__ = True
-    wrong = call, NAN if "nan" in call else cause
-    call = f"as in {call}, but with arguments that are right"
-    cause = "what is right must not be refused"
-    allowed()  # the message of what it raises is made from these
-    call, cause = wrong
+    call, cause, read = about.but(words)
+    about(
+        f"as in {call}, but with arguments that are right",
+        cause="what is right must not be refused",
+        read=read,
+    )
+    allowed()
+    about(call, cause=NAN if "nan" in call else cause)
     try:
         got = attempt()
     except error:
@@ -154,7 +151,7 @@ def expect_error(
         came = "no error"
         if isinstance(got, (int, float, str, tuple, list)) or _is_not_implemented(got):
             came += f", but {_shown(got)}"
-    _complain(call, came, error.__name__, cause, read)
+    _complain(came, error.__name__)
 
 
 def expect_finite_numbers(
@@ -162,8 +159,7 @@ def expect_finite_numbers(
     function: Callable[..., Any],
     good: Sequence[int],
     bad: Sequence[tuple[int, float]],
-    *,
-    read: str,
+    **words: Unpack[Words],
 ) -> None:
     """Expect a function of numbers to refuse NaN, infinities and texts in each of its places.
 
@@ -180,24 +176,40 @@ def expect_finite_numbers(
         arguments = [*good]
         arguments[place] = value
         expect_error(
-            f"{name}({', '.join(map(repr, arguments))})",
             lambda arguments=arguments: function(*arguments),
             error,
             allowed=lambda: function(*good),
+            call=f"{name}({', '.join(map(repr, arguments))})",
             cause=cause,
-            read=read,
+            read=about.but(words)[2],
         )
 
 
-def expect_same_object(made: str, step: str, v: Any, before: Any, *, read: str) -> None:
+@scoped
+def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
     """Expect v to be the object that it was before, by what can be seen: they change together."""
     before.x = 99.0
-    call = f"{made}; w = v; {step}; w.x = 99.0; v.x"
-    cause = (
-        "v and w were one vector, and are two now: change self.x, self.y and self.z, and end with "
-        "return self; a new vector leaves w behind"
+    about(
+        f"{made}; w = v; {step}; w.x = 99.0; v.x",
+        cause="v and w were one vector, and are two now: change self.x, self.y and self.z, and "
+        "end with return self; a new vector leaves w behind",
     )
-    expect_close(call, v.x, 99.0, cause=cause, read=read)
+    expect_close(v.x, 99.0)
+
+
+def blame(
+    got: Any,
+    mistakes: Sequence[tuple[float | Sequence[float], str]] | Mapping[str, float | Sequence[float]],
+    tolerance: float = 1e-9,
+) -> None:
+    """Make the mistake that gives the very numbers of got the likely cause, where one does.
+
+    ``mistakes`` are as in cause_of, or slips by name as in named.
+    """
+    if isinstance(mistakes, Mapping):
+        about.cause = named(got, about.cause, mistakes)
+    else:
+        about.cause = cause_of(got, mistakes, about.cause, tolerance)
 
 
 def cause_of(
@@ -253,18 +265,27 @@ def _is_not_implemented(value: Any) -> bool:
     return value is NotImplemented
 
 
-def _complain(call: str, got: str, wanted: str, cause: str, read: str) -> None:
+def _complain(
+    got: str, wanted: str, words: Words | None = None, tolerance: float | None = None
+) -> None:
     __tracebackhide__ = True
+    call, cause, read = about.but(words or {})
+    other = ""
     if got == "None":
-        cause = (
-            "Nothing came back. Is a return missing, or does this method work in place?\n"
-            f"or        {cause}"
-        )
+        nothing = "Nothing came back. Is a return missing, or does this method work in place?"
+        cause, other = nothing, cause
     if re.search(r"\bNotImplemented\b(?!Error)", got):
-        cause = NOT_IMPLEMENTED
+        cause, other = NOT_IMPLEMENTED, ""
     if "bound method" in got:
-        cause = "A method is named but not called. Add its brackets."
-    raise AssertionError(
-        f"called    {call}\ngot       {got}\nwanted    {wanted}\nlikely    {cause}\n"
-        f"read      {read}"
+        cause, other = "A method is named but not called. Add its brackets.", ""
+    raise ExpectationError(
+        Message(
+            called=call,
+            got=got,
+            wanted=wanted,
+            tolerance=tolerance,
+            likely=cause,
+            other=other,
+            read=read,
+        )
     )

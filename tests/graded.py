@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from autograder.manifest import Chapter, Exercise
+from autograder.message import Message
+from autograder.records import from_json
+from autograder.reports.report import CheckReport, ExerciseReport, StudentReport
+from autograder.scores import ExerciseStatus
+from autograder.verdict import Status
 
 SHOUT = "<script>document.title = 'owned'</script><b onclick='x'>&amp;\"'"
 # Escape sequences, control characters, half a character, a turn of the reading direction.
@@ -39,27 +45,32 @@ def points_of(*chapters: Chapter) -> int:
 
 
 def check(
-    name: str, status: str, message: str = "", *, hidden: bool = False, robust: bool = False
-) -> dict[str, Any]:
-    return {
-        "name": name,
-        "status": status,
-        "message": message,
-        "weight": 1.0,
-        "hidden": hidden,
-        "robust": robust,
-    }
+    name: str,
+    status: Status,
+    message: Message | str = "",
+    *,
+    hidden: bool = False,
+    robust: bool = False,
+) -> CheckReport:
+    told = Message(message) if isinstance(message, str) else message
+    return CheckReport(name, status, told, 1.0, hidden, robust)
 
 
-def report_of(student: str = "ada", **changes: Any) -> dict[str, Any]:
+def told_by(check: dict[str, Any]) -> str:
+    """Return what a check in the JSON of a report tells, as people read it."""
+    return str(from_json(Message, check["message"]))
+
+
+def report_of(student: str = "ada", **changes: Any) -> StudentReport:
     """A report with an exercise that is passed, failed, waiting and inherited."""
+    statuses: list[tuple[ExerciseStatus, float | None, float | None]]
     statuses = [("passed", 2.0, 2.0), ("failed", 1.0, 1.0), ("waiting", None, None)]
     statuses.append(("inherited", 0.0, 5.0))
     checks = [
         [check("test_a_copy", "passed"), check("test_secret_plan", "passed", hidden=True)],
         [
             check("test_right_angle", "passed"),
-            check("test_angle", "failed", "got 1\nwanted 2"),
+            check("test_angle", "failed", Message(got="1", wanted="2")),
             check("test_far_away", "failed", "Angles turn once round.", hidden=True),
         ],
         [],
@@ -67,65 +78,77 @@ def report_of(student: str = "ada", **changes: Any) -> dict[str, Any]:
     ]
     places = [(chapter, exercise) for chapter in CHAPTERS for exercise in chapter.exercises]
     exercises = [
-        {
-            "chapter": chapter.number,
-            "id": exercise.id,
-            "title": exercise.title,
-            "kind": exercise.kind,
-            "points": exercise.points,
-            "score": score,
-            "score_on_given": given,
-            "status": status,
-            "comment": "",
-            "checks": own_checks,
-        }
+        ExerciseReport(
+            chapter=chapter.number,
+            id=exercise.id,
+            title=exercise.title,
+            kind=exercise.kind,
+            points=exercise.points,
+            score=score,
+            score_on_given=given,
+            status=status,
+            comment="",
+            checks=own_checks,
+            chart=None,
+        )
         for (chapter, exercise), (status, score, given), own_checks in zip(
             places, statuses, checks, strict=True
         )
     ]
-    report = {
-        "student": student,
-        "status": "graded",
-        "seed": "7",
-        "isolation": "none: an ordinary process",
-        "score": 3.0,
-        "score_on_given": 8.0,
-        "points": 11,
-        "by_hand": None,
-        "waiting": 3,
-        "earlier": [2],
-        "notes": [],
-        "exercises": exercises,
-        "run": {"hash": "abc"},
-    }
-    return report | changes
+    report = StudentReport(
+        student=student,
+        status="graded",
+        seed="7",
+        isolation="none: an ordinary process",
+        score=3.0,
+        score_on_given=8.0,
+        points=11,
+        by_hand=None,
+        waiting=3,
+        earlier=[2],
+        notes=[],
+        exercises=exercises,
+    )
+    return replace(report, **changes)
 
 
-def failed_run(student: str = "eve") -> dict[str, Any]:
+def with_exercise(report: StudentReport, number: int, **changes: Any) -> StudentReport:
+    """Return a report with one of its exercises changed."""
+    exercises = [*report.exercises]
+    exercises[number] = replace(exercises[number], **changes)
+    return replace(report, exercises=exercises)
+
+
+def with_words(report: StudentReport, text: str) -> StudentReport:
+    """Return a report whose checks have this text for their name and for their message."""
+    exercises = [
+        replace(e, checks=[replace(c, name=text, message=Message(text)) for c in e.checks])
+        for e in report.exercises
+    ]
+    return replace(report, exercises=exercises)
+
+
+def failed_run(student: str = "eve") -> StudentReport:
     """A report where the grader failed on the last exercise."""
     report = report_of(student, status="error, retry", score=None, score_on_given=None)
-    mass = report["exercises"][3]
-    mass |= {"status": "error", "score": None, "score_on_given": None}
-    mass["checks"] = [check("every check", "error", "the disk is full")]
-    return report
+    lost = [check("every check", "error", "the disk is full")]
+    return with_exercise(report, 3, status="error", score=None, score_on_given=None, checks=lost)
 
 
-def nothing_done(student: str = "eli") -> dict[str, Any]:
+def nothing_done(student: str = "eli") -> StudentReport:
     """A report where every check fails."""
     report = report_of(student, score=0.0, score_on_given=0.0)
-    for exercise in report["exercises"]:
-        if exercise["kind"] != "written":
-            exercise |= {"status": "failed", "score": 0.0, "score_on_given": 0.0}
-            exercise["checks"] = [check("test_it", "failed", "vector.py is missing")]
+    lost = [check("test_it", "failed", "vector.py is missing")]
+    for number, exercise in enumerate(report.exercises):
+        if exercise.kind != "written":
+            report = with_exercise(
+                report, number, status="failed", score=0.0, score_on_given=0.0, checks=lost
+            )
     return report
 
 
-def hostile(student: str = SHOUT + NASTY) -> dict[str, Any]:
+def hostile(student: str = SHOUT + NASTY) -> StudentReport:
     """A report in which every text that others write tries to get out of its place."""
     text = SHOUT + NASTY + "x" * 20_000
-    report = report_of(student, notes=[text], seed=text, isolation=text)
-    for exercise in report["exercises"]:
-        for one in exercise["checks"]:
-            one |= {"name": text, "message": text}
-    report["exercises"][2] |= {"status": "marked", "score": 1.0, "comment": text}
-    return report | {"by_hand": 1.0, "waiting": 0}
+    report = report_of(student, notes=[text], seed=text, isolation=text, by_hand=1.0, waiting=0)
+    return with_exercise(with_words(report, text), 2, status="marked", score=1.0, comment=text)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from autograder.arrange import Behind
-from autograder.isolation.template import best_level
+from autograder.isolation.probe import best_level
 
 
 @cache

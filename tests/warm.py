@@ -9,9 +9,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-from autograder import runner, verdicts
-from autograder.manifest import ROOT, Chapter
-from autograder.runner import Verdict, run_checks
+from autograder import judge, runner, verdicts
+from autograder.events import read_event
+from autograder.manifest import Chapter
+from autograder.records import to_json
+from autograder.runner import Order, Run, run_checks
+from autograder.verdict import Verdict, with_needs
 
 PATIENCE = 60.0  # seconds; a check that hangs ends its process after a few
 COPIES = multiprocessing.get_context("forkserver")
@@ -26,30 +29,27 @@ def run_checks_warm(
     Where that does not come to its end, it is all left to run_checks. Checks share that process:
     a copy for each would take several times as long.
     """
-    wanted = runner.with_needs(chapter, exercises)
-    hear = lambda *_: None  # noqa: E731
-    ran = runner._Run(chapter, engine, wanted, seed, ROOT, 3.0, 90.0, hear, None, apart=False)
+    ran = Run(Order(chapter, engine, with_needs(chapter, exercises), seed, apart=False))
     with tempfile.TemporaryDirectory(prefix="checks-") as folder:
         config, events = Path(folder) / "config.json", Path(folder) / "events.txt"
-        config.write_text(ran._config(Path(folder)), encoding="utf-8")
+        config.write_text(json.dumps(to_json(ran.config(Path(folder)))), encoding="utf-8")
         process = COPIES.Process(target=_judge, args=(str(config), str(events)))
         process.start()
         process.join(PATIENCE)
         process.kill()
-        current = None
         told = events.read_text(encoding="utf-8") if events.exists() else ""  # it never began
         for line in told.splitlines():
-            current = ran._take(json.loads(line), current)
+            ran.take(read_event(line))
     if not ran.finished:
         return run_checks(chapter, engine, seed=seed, exercises=exercises)
-    return runner._mark_blocked(chapter, ran.ordered_verdicts())
+    return ran.outcome()
 
 
 def _judge(config: str, events: str) -> None:
     """Be the process of the checks, with its events in a file."""
-    os.environ |= runner._environment()
-    os.chdir(ROOT)
+    os.environ |= judge.environment()
+    os.chdir(judge.ROOT)
     os.dup2(os.open(events, os.O_WRONLY | os.O_CREAT), 1)
-    sys.path[:] = [path for path in sys.path if Path(path).parent != ROOT]
+    sys.path[:] = [path for path in sys.path if Path(path).parent != judge.ROOT]
     sys.argv = ["verdicts", config]
     os._exit(verdicts.main())

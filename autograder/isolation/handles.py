@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import builtins
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NoReturn
 
 from autograder.explain import NOT_IMPLEMENTED
-from autograder.faults import CheckEnded, Fault, Frame, StudentLeft, clean
+from autograder.faults import CheckEnded, Fault, StudentLeft, clean
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
+from autograder.message import Kind, Message, Place
+from autograder.missing import MissingName
 from autograder.nearest import MOST_SLOTS, Unknown
 
 BROKEN = "the code broke the protocol between its process and the checks"
@@ -25,7 +27,10 @@ class WorkerFailure(CheckEnded):
 
 
 class Session:
-    """A conversation with one worker, from its start to its end."""
+    """A conversation with one worker, from its start to its end.
+
+    ``broken`` says of modules why they cannot be imported.
+    """
 
     def __init__(
         self,
@@ -33,12 +38,14 @@ class Session:
         deadline: float,
         on_hang: Callable[[], NoReturn],
         how_it_ended: Callable[[], str],
+        broken: Mapping[str, Message] | None = None,
     ) -> None:
         self.wire = wire
         self.deadline = deadline
         self.on_hang = on_hang
         self.how_it_ended = how_it_ended
-        self.dead = ""
+        self.broken = broken or {}
+        self.dead = Message()  # why it is, once it is
         self._last = 0
         self._callbacks: list[Callable[..., Any]] = []
 
@@ -56,7 +63,7 @@ class Session:
         try:
             return self._answer(self._exchange(message))
         except BrokenProtocolError as error:
-            self._fail(f"{BROKEN}: {error}")
+            self._fail(Message(f"{BROKEN}: {error}"))
 
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
         """Send a question, run the call-backs that it leads to, and return the reply."""
@@ -67,8 +74,8 @@ class Session:
         except TimeoutError:
             self.on_hang()
         except (EOFError, OSError):
-            self.dead = "the process of the code has ended"
-            self._fail(self.how_it_ended())
+            self.dead = Message("the process of the code has ended", kind=Kind.LEFT)
+            self._fail(Message(self.how_it_ended(), kind=Kind.LEFT))
         if reply.get("id") != message["id"]:
             raise BrokenProtocolError("an answer to another question")
         return reply
@@ -77,10 +84,19 @@ class Session:
         if "value" in reply:
             return unpack(reply["value"], self._find)
         if "missing" in reply:
-            raise WorkerFailure(_text(reply["missing"], 2000))
+            raise WorkerFailure(self._explain_missing(reply["missing"]))
         if "unsendable" in reply:
-            raise WorkerFailure(f"what came back is no result: {_text(reply['unsendable'], 200)}")
+            what = _text(reply["unsendable"], 200)
+            raise WorkerFailure(Message(f"what came back is no result: {what}"))
         raise _exception(reply.get("raised"))
+
+    def _explain_missing(self, data: Any) -> Message:
+        """Return what a check says that uses a name which is not there."""
+        if type(data) is not list or len(data) != 4:
+            raise BrokenProtocolError("a missing name of no known form")
+        module, name, near = (_text(part, 100) for part in data[:3])
+        why = self.broken.get(module)
+        return why or MissingName(module, name, near, data[3] is True).explain()
 
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
         """Run a function of the check for the worker; its Exceptions go back, others end all."""
@@ -94,9 +110,9 @@ class Session:
             return {"value": pack(self._callbacks[number](*arguments), self._refer)}
         except Exception as error:
             text = str(error.args[0]) if len(error.args) == 1 else str(error)
-            return {"error": [type(error).__name__, text]}
+            return {"error": [_known_name(error), text]}
         except BaseException:
-            self.dead = "a call-back of the check failed"
+            self.dead = Message("a call-back of the check failed")
             raise
 
     def _refer(self, value: Any) -> dict[str, Any]:
@@ -115,16 +131,21 @@ class Session:
             raise BrokenProtocolError("a value of no known kind")
         return ObjectHandle(self, number, _text(data.get("type"), 100))
 
-    def _fail(self, why: str) -> NoReturn:
+    def _fail(self, why: Message) -> NoReturn:
         self.dead = why
         raise WorkerFailure(why) from None
+
+
+def _known_name(error: Exception) -> str:
+    """Return the nearest name of an exception that crosses the wire."""
+    return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
 
 def _exception(data: Any) -> BaseException:
     """Return the exception that stands for the student's, with its fault."""
     try:
         frames = [
-            Frame(file, line, _text(function, 100))
+            Place(file, line, _text(function, 100))
             for file, line, function in data["frames"][-50:]
             if type(file) is str and FILE.fullmatch(file) and type(line) is int
         ]
@@ -191,7 +212,7 @@ class Handle:
     def __len__(self) -> int:
         length = self._session().ask("length", self)
         if type(length) is not int or not 0 <= length < 1 << 31:
-            raise WorkerFailure(f"{BROKEN}: a length that is none")
+            raise WorkerFailure(Message(f"{BROKEN}: a length that is none"))
         return length
 
     def __iter__(self) -> Iterator[Any]:
@@ -224,10 +245,12 @@ def _reflected(name: str) -> Callable[..., Any]:
 def _refused(name: str) -> Callable[..., Any]:
     def refuse(self: Handle, *_: Any) -> NoReturn:
         if isinstance(self, ObjectHandle) and self._type_name == "NotImplementedType":
-            raise WorkerFailure(f"got       NotImplemented\nlikely    {NOT_IMPLEMENTED}")
+            raise WorkerFailure(Message(got="NotImplemented", likely=NOT_IMPLEMENTED))
         raise WorkerFailure(
-            f"an object came back where a plain value is wanted: {self!r} (checks compare numbers "
-            f"that they have read from it, {name} of the object itself is not asked)"
+            Message(
+                f"an object came back where a plain value is wanted: {self!r} (checks compare "
+                f"numbers that they have read from it, {name} of the object itself is not asked)"
+            )
         )
 
     return refuse
@@ -264,5 +287,5 @@ class ObjectHandle(Handle):
 
     def _reference(self, session: Session) -> dict[str, Any]:
         if session is not self._of:
-            raise WorkerFailure("an object of another check is used: its process is gone")
+            raise WorkerFailure(Message("an object of another check is used: its process is gone"))
         return {"object": self._number}

@@ -13,18 +13,22 @@ import re
 import sys
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import ModuleType
 from typing import Any, NoReturn
 
+from autograder.arrange import Workers
+from autograder.events import Broken, Imported, Importing
 from autograder.explain import explain_import
 from autograder.faults import Fault, StudentLeft
 from autograder.in_process import Tell
 from autograder.isolation.handles import Handle, Session, WorkerFailure
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template
+from autograder.message import Message
+from autograder.missing import while_imported
 
 LARGE = 50_000  # bytes of a file that is given all of a worker's time to be compiled
 CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
@@ -41,27 +45,27 @@ class InWorker:
         time_limit: float,
         stack_file: str,
         complete: Sequence[str],
-        worker: dict[str, Any],
+        worker: Workers,
     ) -> None:
         self.engine = [Path(folder).resolve() for folder in engine]
         self.stack_file = Path(stack_file)
         self.complete = complete
-        level = Level(**worker["level"])
+        level = Level(**worker.level)
         folders = [str(folder) for folder in self.engine]
-        self.probes = Path(worker["probes"])
+        self.probes = Path(worker.probes)
         self.template = Template(
             level,
             folders,
-            worker["probes"],
+            worker.probes,
             self.stack_file.parent,
             time_limit,
-            fresh=worker["fresh"],
+            fresh=worker.fresh,
         )
         self.template.warm_up()  # while pytest collects the checks
         self.modules: list[str] = []
-        self.broken: dict[str, str] = {}
+        self.broken: dict[str, Message] = {}
 
-    def open(self, modules: list[str], broken: dict[str, str], tell: Tell) -> None:
+    def open(self, modules: list[str], broken: Mapping[str, Message], tell: Tell) -> None:
         """Serve the checks' imports from now on. What is imported is found out after_collection."""
         threading.Thread(target=_leave_with_our_parent, daemon=True).start()
         sys.meta_path.insert(0, ChapterFinder(self))
@@ -85,31 +89,29 @@ class InWorker:
         if module in self.broken:
             return
         if module in self.modules:
-            self.tell(event="import", module=module)
+            self.tell(Importing(module))
         with contextlib.suppress(WorkerFailure):  # a file on which Python itself fails
             code = self._worker(file.stat().st_size > LARGE).ask("compile", str(file))
             if type(code) is str:
                 self.template.keep_bytecode(file, code)
         if module in self.modules:
-            self.tell(event="imported")
+            self.tell(Imported())
 
     def _import(self, module: str) -> None:
-        self.tell(event="import", module=module)
+        self.tell(Importing(module))
         session = self._worker()
         try:
             session.ask("import", module)
-            self.tell(event="imported")
+            self.tell(Imported())
             return
         except WorkerFailure as error:
-            file = module.replace(".", "/") + ".py"
-            left = f"{file}, while it is imported: " if session.dead else ""
-            message = f"{left}{error}"
+            message = while_imported(module, error.message) if session.dead else error.message
         except (Exception, StudentLeft) as error:
             if not isinstance(fault := getattr(error, "fault", None), Fault):
                 raise
             message = explain_import(fault, module, self.engine, self.complete)
         self.broken[module] = message
-        self.tell(event="broken", module=module, message=message)
+        self.tell(Broken(module, message))
         self.stop()  # the next worker knows it
 
     def definitions(self, file: Path) -> set[str] | None:
@@ -133,9 +135,9 @@ class InWorker:
 
     def start(self) -> None:
         """Start the worker of a check. Raises TemplateError."""
-        self.session = self.template.start_worker(self._on_hang)
+        self.session = self.template.start_worker(self._on_hang, self.broken)
         if self.broken:
-            self.session.ask("begin", self.broken)
+            self.session.ask("begin", list(self.broken))
 
     def stop(self) -> str:
         """End the worker and return what it has printed."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level
-from autograder.isolation.template import best_level
 from autograder.manifest import ROOT
 
 SAMPLE_CLASS = ROOT / "sample_class"

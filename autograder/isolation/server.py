@@ -26,6 +26,7 @@ from autograder.isolation.wire import (
     pack,
     unpack,
 )
+from autograder.message import Message
 from autograder.missing import MissingNameError, answer_for_missing, broken_module
 from autograder.printed import CappedText
 
@@ -54,7 +55,8 @@ class Server:
             operands = [unpack(operand, self.find) for operand in request["with"]]
             reply["value"] = pack(getattr(self, "do_" + request["do"])(*operands), self.refer)
         except MissingNameError as error:
-            reply["missing"] = str(error)
+            missing = error.missing
+            reply["missing"] = [missing.module, missing.name, missing.nearest, missing.is_empty]
         except UnsendableError as error:
             reply["unsendable"] = str(error)
         except BaseException as error:
@@ -70,7 +72,7 @@ class Server:
             "as": next(filter(None, known), "BaseException"),
             "type": fault.type[:100],
             "text": fault.text[:2000],
-            "frames": [[frame.file, frame.line, frame.function[:100]] for frame in fault.frames],
+            "frames": [[place.file, place.line, place.function[:100]] for place in fault.frames],
             "syntax": fault.syntax,
             "missing_module": fault.missing_module,
             "unknown": fault.unknown and vars(fault.unknown),
@@ -110,10 +112,10 @@ class Server:
 
     # What can be asked for, each by the name behind do_.
 
-    def do_begin(self, broken: dict[str, str]) -> None:
-        """Put in place the modules that are known not to be importable."""
-        for module, message in broken.items():
-            sys.modules[module] = broken_module(module, message)
+    def do_begin(self, broken: list[str]) -> None:
+        """Put in place the modules that are known not to be importable; the checks know why."""
+        for module in broken:
+            sys.modules[module] = broken_module(module, Message())
 
     def do_compile(self, file: str) -> str | None:
         """Return the bytecode of a file as text; None for what is too long, or no Python."""

@@ -15,24 +15,21 @@ import sys
 import sysconfig
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, NoReturn
 
 from autograder.apart import how_it_ended
 from autograder.faults import GraderFault
-from autograder.isolation.handles import Session, WorkerFailure
-from autograder.isolation.sandbox import Level, landlock_version, seccomp_works_here
+from autograder.isolation.handles import Session
+from autograder.isolation.sandbox import Level
 from autograder.isolation.wire import Wire
 from autograder.manifest import ROOT
+from autograder.message import Message
 
 START_LIMIT = 20.0  # seconds for a process of our own to come up, on a busy machine
 SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/dev/null")
-# What must not get through each wall.
-HELD_BY_LANDLOCK = ("reading a file", "writing a file")
-HELD_BY_SECCOMP = ("reaching the network", "starting a process", "sending a signal")
-HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network")
 
 
 class TemplateError(GraderFault):
@@ -85,10 +82,13 @@ class Template:
         self._worker: _Worker | None = None
         self._next: _Worker | None = None
 
-    def start_worker(self, on_hang: Callable[[], NoReturn]) -> Session:
+    def start_worker(
+        self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
+    ) -> Session:
         """Return a session with a worker that nobody has used. Raises TemplateError.
 
-        The next one is ordered ahead: it comes up while this one works.
+        The next one is ordered ahead: it comes up while this one works. ``broken`` says of modules
+        why they cannot be imported.
         """
         self.stop_worker()
         try:
@@ -101,7 +101,8 @@ class Template:
                 raise EOFError
         except (OSError, EOFError, ValueError) as error:
             raise TemplateError(f"a worker did not come up: {self.printed() or error!r}") from error
-        return Session(wire, time.monotonic() + self.seconds, on_hang, self.how_it_ended)
+        deadline = time.monotonic() + self.seconds
+        return Session(wire, deadline, on_hang, self.how_it_ended, broken)
 
     def warm_up(self) -> None:
         """Order what the next worker needs, if that is not done yet, and do not wait for it."""
@@ -255,41 +256,6 @@ class Template:
             self._process.send_signal(signal.SIGKILL)
             self._process.wait()
         self._process = None
-
-
-def best_level() -> Level:
-    """Return the strongest level that holds here, by trying what it must not let through."""
-    inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
-    around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
-    candidates = [around] if shutil.which("bwrap") else []
-    candidates.append(inside)
-    return next((level for level in candidates if level.is_wall and holds(level)), Level())
-
-
-def holds(level: Level) -> bool:
-    """Say whether a worker at this level is held from what it must not do."""
-    attempts = [
-        *(HELD_BY_LANDLOCK if level.landlock else ()),
-        *(HELD_BY_SECCOMP if level.seccomp else ()),
-        *(HELD_BY_BUBBLEWRAP if level.bubblewrap else ()),
-    ]
-    with tempfile.TemporaryDirectory(prefix="walls-") as folder:
-        forbidden, own = Path(folder) / "forbidden", Path(folder) / "own"
-        forbidden.touch()
-        own.mkdir()
-        template = Template(level, [], str(own), own, 5.0)
-        try:
-            session = template.start_worker(_no_answer)
-            through: list[str] = session.ask("test_the_walls", attempts, str(forbidden))
-            return through == []
-        except (TemplateError, WorkerFailure):
-            return False
-        finally:
-            template.close()
-
-
-def _no_answer() -> NoReturn:
-    raise TemplateError("the probe of the walls does not answer")
 
 
 def _python_folders() -> list[str]:

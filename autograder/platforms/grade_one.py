@@ -10,15 +10,17 @@ import os
 import secrets
 import sys
 import traceback
+from dataclasses import replace
 from pathlib import Path
 
-from autograder.grading import Assignment, grade_submission
+from autograder.assignment import Assignment
+from autograder.grading import grade_submission
 from autograder.isolation.level import choose_level
+from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level, drop_privileges
-from autograder.isolation.template import best_level
 from autograder.manifest import ROOT, load_chapters
 from autograder.reports.gradescope import gradescope_results, ungraded_results
-from autograder.reports.texts import Report
+from autograder.reports.report import StudentReport
 from autograder.submissions.find import Submission, printable
 
 
@@ -35,7 +37,7 @@ def main(folder: Path, root: Path = ROOT) -> None:
     print(json.dumps(results, indent=1, allow_nan=False))
 
 
-def grade_one(folder: Path, root: Path) -> Report:
+def grade_one(folder: Path, root: Path) -> StudentReport:
     """Return the report on ``folder``/submission, on what the zip's assignment.json asks for.
 
     The numbers of checks are new in each run. Raises ValueError where there is nothing to grade,
@@ -53,7 +55,7 @@ def grade_one(folder: Path, root: Path) -> Report:
     print(f"grading {student}, seed {assignment.seed}, isolation: {level}", file=sys.stderr)
     report = grade_submission(assignment, Submission(student, submission))
     # A zip that is made so has no reference for a second run.
-    return report | {"score_on_given": None} if settings["unsafe"] else report
+    return replace(report, score_on_given=None) if settings["unsafe"] else report
 
 
 def students(metadata: Path) -> str:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from autograder.manifest import Chapter, Exercise
-from autograder.reports.texts import Report, check_title
+from autograder.reports.report import ExerciseReport, StudentReport
+from autograder.reports.texts import check_title
 
 MOST_MISSED = 5
 BINS = 10
@@ -41,12 +41,12 @@ class Bin:
     count: int
 
 
-def exercise_rates(chapters: list[Chapter], reports: Sequence[Report]) -> list[ExerciseRate]:
+def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[ExerciseRate]:
     """Return a rate for every exercise, in the order of the manifests."""
-    results: dict[str, list[dict[str, Any]]] = {}
+    results: dict[str, list[ExerciseReport]] = {}
     for report in reports:
-        for exercise in report["exercises"]:
-            results.setdefault(exercise["id"], []).append(exercise)
+        for exercise in report.exercises:
+            results.setdefault(exercise.id, []).append(exercise)
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     return [_rate(exercise, results.get(exercise.id, [])) for exercise in exercises]
 
@@ -57,12 +57,12 @@ def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
 
 
-def histogram(reports: Sequence[Report]) -> list[Bin]:
+def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
     """Return the scores in tenths of the points possible; full marks are in the last."""
     counts: Counter[int] = Counter()
     for report in reports:
-        if report["score"] is not None and report["points"]:
-            tenths = round(BINS * report["score"] / report["points"], 6)
+        if report.score is not None and report.points:
+            tenths = round(BINS * report.score / report.points, 6)
             counts[min(int(tenths), BINS - 1)] += 1
     step = 100 // BINS
     return [Bin(step * i, step * (i + 1), counts[i]) for i in range(BINS)]
@@ -72,18 +72,18 @@ def _pass_share_then_points(rate: ExerciseRate) -> tuple[float, float]:
     return rate.share or 0.0, (rate.mean or 0.0) / rate.exercise.points
 
 
-def _rate(exercise: Exercise, results: list[dict[str, Any]]) -> ExerciseRate:
-    scores = [result["score"] for result in results if result["score"] is not None]
+def _rate(exercise: Exercise, results: list[ExerciseReport]) -> ExerciseRate:
+    scores = [result.score for result in results if result.score is not None]
     lost = Counter(
-        "a hidden check" if check["hidden"] else check_title(check["name"])
+        "a hidden check" if check.hidden else check_title(check.name)
         for result in results
-        for check in result["checks"]
-        if check["status"] in ("failed", "blocked", "inherited")
+        for check in result.checks
+        if check.status in ("failed", "blocked", "inherited")
     )
     return ExerciseRate(
         exercise,
         len(scores),
-        sum(result["status"] == "passed" for result in results),
+        sum(result.status == "passed" for result in results),
         round(sum(scores) / len(scores), 2) if scores else None,
         lost.most_common(1)[0][0] if lost else "",
     )

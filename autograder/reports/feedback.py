@@ -6,7 +6,7 @@ They need no network and no script, and show what others wrote as text alone.
 from __future__ import annotations
 
 import statistics
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 from pathlib import Path
 from typing import Any
@@ -16,15 +16,9 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from autograder.manifest import Chapter
 from autograder.reports.class_stats import exercise_rates, histogram, most_missed
+from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport, tiers
 from autograder.reports.scatter import Scatter, scatter
-from autograder.reports.texts import (
-    Report,
-    check_title,
-    clean_all,
-    number,
-    replace_file,
-    tiers,
-)
+from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import PHYSICS_SHARE, place_on_chart
 from autograder.submissions.find import file_name
 
@@ -51,13 +45,13 @@ MEANINGS = {
 TO_FIX = ("failed", "inherited", "blocked")  # in the order in which to fix them
 
 
-def write_feedback(out: Path, report: Report) -> Path:
+def write_feedback(out: Path, report: StudentReport) -> Path:
     """Write feedback/<student>.html, the page for one student, and return its path."""
-    path = out / "feedback" / f"{file_name(report['student'])}.html"
+    path = out / "feedback" / f"{file_name(report.student)}.html"
     report = clean_all(report)
-    exercises = [_exercise(i, e) for i, e in enumerate(report["exercises"], start=1)]
+    exercises = [_exercise(i, e) for i, e in enumerate(report.exercises, start=1)]
     states = {e["status"] for e in exercises} | {g["status"] for e in exercises for g in e["lost"]}
-    own, given = report["score"], report["score_on_given"]
+    own, given = report.score, report.score_on_given
     page = _render(
         "student.html",
         report=report,
@@ -73,56 +67,55 @@ def write_feedback(out: Path, report: Report) -> Path:
     return path
 
 
-def write_index(out: Path, chapters: list[Chapter], reports: Sequence[Report]) -> Path:
+def write_index(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
     """Write index.html, the class for its instructor, and return its path."""
     path = out / "index.html"
-    links = [f"feedback/{quote(file_name(report['student']))}.html" for report in reports]
+    links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
     shown = [
-        clean_all(report) | {"link": link} for report, link in zip(reports, links, strict=True)
+        vars(clean_all(report)) | {"link": link}
+        for report, link in zip(reports, links, strict=True)
     ]
-    rates = exercise_rates(chapters, shown)
+    clean = [clean_all(report) for report in reports]
+    rates = exercise_rates(chapters, clean)
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     by_hand_points = sum(e.points for e in exercises if e.kind == "written")
-    scores = [report["score"] for report in shown if report["score"] is not None]
+    scores = [report.score for report in clean if report.score is not None]
     page = _render(
         "index.html",
         reports=shown,
         chapters=chapters,
-        errors=sum(report["status"] != "graded" for report in shown),
+        errors=sum(report.status != "graded" for report in clean),
         points=sum(e.points for e in exercises) - by_hand_points,
         by_hand_points=by_hand_points,
         median=statistics.median(scores) if scores else None,
-        waiting=sum(report["waiting"] for report in shown),
-        seeds=_distinct(shown, "seed"),
-        isolations=_distinct(shown, "isolation"),
-        bins=histogram(shown),
+        waiting=sum(report.waiting for report in clean),
+        seeds=_distinct(report.seed for report in clean),
+        isolations=_distinct(report.isolation for report in clean),
+        bins=histogram(clean),
         missed=most_missed(rates),
-        charts=_charts(shown),
+        charts=_charts(clean),
         rates_of_chapters=[(c, [r for r in rates if r.exercise in c.exercises]) for c in chapters],
     )
     replace_file(path, page)
     return path
 
 
-def _exercise(number_on_page: int, exercise: dict[str, Any]) -> dict[str, Any]:
+def _exercise(number_on_page: int, exercise: ExerciseReport) -> dict[str, Any]:
     """Return an exercise as its page shows it: what is lost in full, what passes in short."""
-    checks = exercise["checks"]
-    own, given = exercise["score"], exercise["score_on_given"]
-    chart = exercise.get("chart")
-    return exercise | {
-        "scatter": chart and scatter(exercise, [("yours", chart["own"])], chart["reference"]),
-        "place": chart and place_on_chart(chart["axes"], chart["own"]),
+    checks, chart = exercise.checks, exercise.chart
+    own, given = exercise.score, exercise.score_on_given
+    return vars(exercise) | {
+        "scatter": chart and scatter(exercise, chart, [("yours", chart.own)]),
+        "place": chart and place_on_chart(chart.axes, chart.own),
         "anchor": f"exercise-{number_on_page}",
         "gains": own is not None and given is not None and given > own,
-        "comment": exercise.get("comment") or "",
-        "uneven": len({(check["robust"], check["weight"]) for check in checks})
-        > len(tiers(checks)),
+        "uneven": len({(check.robust, check.weight) for check in checks}) > len(tiers(checks)),
         "tiers": tiers(checks),
-        "lost": _groups([check for check in checks if check["status"] != "passed"]),
+        "lost": _groups([check for check in checks if check.status != "passed"]),
         "passed": [
-            "hidden check" if check["hidden"] else check_title(check["name"])
+            "hidden check" if check.hidden else check_title(check.name)
             for check in checks
-            if check["status"] == "passed"
+            if check.status == "passed"
         ],
     }
 
@@ -137,45 +130,37 @@ def _first_to_fix(exercises: list[dict[str, Any]]) -> dict[str, Any] | None:
     return min((e for e in exercises if e["status"] in TO_FIX), key=urgency, default=None)
 
 
-def _charts(reports: Sequence[Report]) -> list[Scatter]:
+def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
     """Return a chart for each open exercise that is on somebody's, in the order of the reports."""
-    exercises: dict[str, dict[str, Any]] = {}
+    found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
-        for exercise in report["exercises"]:
-            if chart := exercise.get("chart"):
-                exercises.setdefault(exercise["id"], exercise)
-                named.setdefault(exercise["id"], []).append((report["student"], chart["own"]))
-    return [
-        scatter(exercise, named[key], exercise["chart"]["reference"])
-        for key, exercise in exercises.items()
-    ]
+        for exercise in report.exercises:
+            if chart := exercise.chart:
+                found.setdefault(exercise.id, (exercise, chart))
+                named.setdefault(exercise.id, []).append((report.student, chart.own))
+    return [scatter(exercise, chart, named[key]) for key, (exercise, chart) in found.items()]
 
 
-def _groups(checks: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def _groups(checks: list[CheckReport]) -> list[dict[str, Any]]:
     """Return lost checks, those with the same message as one: a file that cannot be read."""
     groups: dict[tuple[Any, ...], dict[str, Any]] = {}
     for check in checks:
-        key = check["status"], check["message"], check["hidden"], check["robust"]
-        group = groups.setdefault(
-            key,
-            {
-                "status": check["status"],
-                "message": check["message"],
-                "hidden": check["hidden"],
-                "robust": check["robust"],
-                "titles": [],
-                "count": 0,
-            },
-        )
+        shared = {
+            "status": check.status,
+            "message": str(check.message),
+            "hidden": check.hidden,
+            "robust": check.robust,
+        }
+        group = groups.setdefault(tuple(shared.values()), shared | {"titles": [], "count": 0})
         group["count"] += 1
-        if not check["hidden"]:  # its name may tell what is hidden
-            group["titles"].append(check_title(check["name"]))
+        if not check.hidden:  # its name may tell what is hidden
+            group["titles"].append(check_title(check.name))
     return list(groups.values())
 
 
-def _distinct(reports: Sequence[Report], key: str) -> list[str]:
-    return list(dict.fromkeys(report[key] for report in reports))
+def _distinct(values: Iterable[str]) -> list[str]:
+    return list(dict.fromkeys(values))
 
 
 def _render(template: str, **values: Any) -> str:

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from autograder.manifest import Chapter
-from autograder.reports.texts import Report, clean_line, number, replace_file
+from autograder.reports.report import StudentReport
+from autograder.reports.texts import clean_line, number, replace_file
 
 COLUMNS = "student,status,score,score on given chapters,by hand,waiting,total"
 # What begins a formula, in full width as well, at the start or behind spaces. A spreadsheet that
@@ -17,7 +18,7 @@ COLUMNS = "student,status,score,score on given chapters,by hand,waiting,total"
 FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
-def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[Report]) -> Path:
+def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
     """Write gradebook.csv with the points possible in its second row, and return its path.
 
     A cell without a number is not graded: an answer that waits, or a fault of the grader.
@@ -31,13 +32,16 @@ def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[Report
         ["points possible", "", *map(str, (checked, checked, written, "", sum(points), *points))],
     ]
     for report in reports:
-        scores = {exercise["id"]: exercise["score"] for exercise in report["exercises"]}
+        scores = {exercise.id: exercise.score for exercise in report.exercises}
         cells = [
-            *(report[key] for key in ("score", "score_on_given", "by_hand", "waiting")),
-            None if report["score"] is None else report["score"] + (report["by_hand"] or 0),
+            report.score,
+            report.score_on_given,
+            report.by_hand,
+            report.waiting,
+            report.total,
             *(scores.get(exercise.id) for exercise in exercises),
         ]
-        rows.append([*map(as_cell, (report["student"], report["status"])), *map(number, cells)])
+        rows.append([*map(as_cell, (report.student, report.status)), *map(number, cells)])
     text = io.StringIO(newline="")
     csv.writer(text).writerows(rows)
     path = out / "gradebook.csv"

@@ -6,15 +6,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from autograder.reports.texts import (
-    Report,
-    check_title,
-    clean,
-    clean_line,
-    number,
-    replace_file,
-    tiers,
-)
+from autograder.reports.report import ExerciseReport, StudentReport, tiers
+from autograder.reports.texts import check_title, clean, clean_line, number, replace_file
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
@@ -28,29 +21,29 @@ FORM = {
 OURS = "error of the grader, retry: this is no fault of the submission, and it is no zero"
 
 
-def write_gradescope(out: Path, report: Report) -> Path:
+def write_gradescope(out: Path, report: StudentReport) -> Path:
     """Write gradescope/<student>/results.json and return its path."""
-    path = out / "gradescope" / file_name(report["student"]) / "results.json"
+    path = out / "gradescope" / file_name(report.student) / "results.json"
     text = json.dumps(gradescope_results(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
     return path
 
 
-def gradescope_results(report: Report) -> dict[str, Any]:
+def gradescope_results(report: StudentReport) -> dict[str, Any]:
     """Return the report in Gradescope's form: a test an exercise, written ones with them.
 
     Where the grader failed there is no score at all: no zero, and no full marks.
     """
-    failed = report["status"] != "graded" or report["score"] is None
+    failed = report.status != "graded" or report.score is None
     results: dict[str, Any] = {
         "output": _summary(report, failed),
         **FORM,
-        "tests": [_test(exercise) for exercise in report["exercises"]],
+        "tests": [_test(exercise) for exercise in report.exercises],
     }
-    if "seconds" in report:
-        results["execution_time"] = report["seconds"]
-    if not failed:
-        results["score"] = round(report["score"] + (report["by_hand"] or 0), 2)
+    if report.seconds is not None:
+        results["execution_time"] = report.seconds
+    if not failed and report.total is not None:
+        results["score"] = round(report.total, 2)
     return results
 
 
@@ -59,58 +52,58 @@ def ungraded_results(reason: str) -> dict[str, Any]:
     return {"output": f"{OURS}\n{clean(reason)}", **FORM, "tests": []}
 
 
-def _summary(report: Report, failed: bool) -> str:
+def _summary(report: StudentReport, failed: bool) -> str:
     lines = [OURS] if failed else []
     if not failed:
-        lines.append(f"checks: {number(report['score'])} of {report['points']} points")
-    if report["score_on_given"] is not None:
+        lines.append(f"checks: {number(report.score)} of {report.points} points")
+    if report.score_on_given is not None:
         lines.append(
-            f"on given chapters: {number(report['score_on_given'])} points, with the reference's "
+            f"on given chapters: {number(report.score_on_given)} points, with the reference's "
             "earlier chapters in place of your own"
         )
-    if report["by_hand"] is not None:
-        lines.append(f"by hand: {number(report['by_hand'])} points")
-    if report["waiting"]:
-        lines.append(f"waiting for a person: {number(report['waiting'])} points")
-    lines += [f"note: {clean_line(note)}" for note in report["notes"]]
-    lines.append(f"seed: {clean_line(report['seed'])}")
-    lines.append(f"isolation: {clean_line(report['isolation'])}")
+    if report.by_hand is not None:
+        lines.append(f"by hand: {number(report.by_hand)} points")
+    if report.waiting:
+        lines.append(f"waiting for a person: {number(report.waiting)} points")
+    lines += [f"note: {clean_line(note)}" for note in report.notes]
+    lines.append(f"seed: {clean_line(report.seed)}")
+    lines.append(f"isolation: {clean_line(report.isolation)}")
     return "\n".join(lines)
 
 
-def _test(exercise: dict[str, Any]) -> dict[str, Any]:
+def _test(exercise: ExerciseReport) -> dict[str, Any]:
     test: dict[str, Any] = {
-        "number": clean_line(exercise["id"]),
-        "name": clean_line(exercise["title"]),
-        "max_score": exercise["points"],
+        "number": clean_line(exercise.id),
+        "name": clean_line(exercise.title),
+        "max_score": exercise.points,
         "output": _output(exercise),
         "visibility": "visible",
     }
-    status = exercise["status"]
-    if exercise["score"] is not None and status not in ("error", "waiting"):
-        test["score"] = exercise["score"]
+    status = exercise.status
+    if exercise.score is not None and status not in ("error", "waiting"):
+        test["score"] = exercise.score
         if status != "marked":  # a person gives points, and no verdict
             test["status"] = "passed" if status == "passed" else "failed"
     return test
 
 
-def _output(exercise: dict[str, Any]) -> str:
+def _output(exercise: ExerciseReport) -> str:
     """Return what a student reads about one exercise: the messages of the checks that are lost."""
-    status, checks = exercise["status"], exercise["checks"]
+    status, checks = exercise.status, exercise.checks
     if status == "waiting":
-        return f"waits for a person, who gives up to {exercise['points']} points"
+        return f"waits for a person, who gives up to {exercise.points} points"
     if status == "marked":
-        return f"marked by a person\n{clean(exercise['comment'])}".strip()
-    lost = [check for check in checks if check["status"] != "passed"]
+        return f"marked by a person\n{clean(exercise.comment)}".strip()
+    lost = [check for check in checks if check.status != "passed"]
     blocks = [OURS] if status == "error" else []
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))
     blocks.append(f"{status}: {passing} checks pass")
     if status == "inherited":
         blocks.append("the mistake lies in an earlier chapter: on the given ones this passes")
-    if chart := exercise.get("chart"):
-        blocks.append(f"your work: {place_on_chart(chart['axes'], chart['own'])}")
+    if chart := exercise.chart:
+        blocks.append(f"your work: {place_on_chart(chart.axes, chart.own)}")
     for check in lost:
-        title = "a hidden check" if check["hidden"] else check_title(check["name"])
-        tier = "robust, " if check["robust"] else ""
-        blocks.append(f"{tier}{check['status']}: {title}\n{clean(check['message'])}".strip())
+        title = "a hidden check" if check.hidden else check_title(check.name)
+        tier = "robust, " if check.robust else ""
+        blocks.append(f"{tier}{check.status}: {title}\n{clean(str(check.message))}".strip())
     return "\n\n".join(blocks)

@@ -7,12 +7,12 @@ import io
 import re
 import unicodedata
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from autograder.manifest import Chapter, Exercise
 from autograder.reports.gradebook import as_cell
-from autograder.reports.texts import Report
+from autograder.reports.report import ExerciseReport, StudentReport
 
 HEADER = ["student", "exercise", "points", "comment"]
 
@@ -65,29 +65,34 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
     return marks
 
 
-def apply_marks(report: Report, marks: Marks) -> Report:
+def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
     """Return the report with these marks, and with no others, in it.
 
     A written exercise without a mark waits for a person.
     """
     exercises = []
     given: list[float] = []
-    waiting = 0
-    for exercise in report["exercises"]:
-        merged = dict(exercise)
-        if exercise["kind"] == "written":
-            mark = marks.get((report["student"], exercise["id"]))
+    waiting = 0.0
+    for exercise in report.exercises:
+        if exercise.kind == "written":
+            mark = marks.get((report.student, exercise.id))
+            exercise = _marked(exercise, mark)
             if mark is None:
-                merged |= {"status": "waiting", "score": None, "score_on_given": None}
-                merged["comment"] = ""
-                waiting += exercise["points"]
+                waiting += exercise.points
             else:
-                merged |= {"status": "marked", "score": mark.points, "score_on_given": mark.points}
-                merged["comment"] = mark.comment
                 given.append(mark.points)
-        exercises.append(merged)
+        exercises.append(exercise)
     by_hand = round(sum(given), 2) if given else None
-    return report | {"exercises": exercises, "by_hand": by_hand, "waiting": waiting}
+    return replace(report, exercises=exercises, by_hand=by_hand, waiting=waiting)
+
+
+def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
+    if mark is None:
+        return replace(exercise, status="waiting", score=None, score_on_given=None, comment="")
+    points = mark.points
+    return replace(
+        exercise, status="marked", score=points, score_on_given=points, comment=mark.comment
+    )
 
 
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, list[str]]]]:

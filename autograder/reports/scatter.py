@@ -8,7 +8,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+
+from autograder.reports.report import Chart, ExerciseReport
 
 LEFT, RIGHT, TOP, BOTTOM = 70.0, 620.0, 20.0, 300.0
 MOST_TICKS = 9
@@ -31,7 +32,7 @@ class Dot:
 class Scatter:
     """A chart: its axes with ticks (place, label), students' dots, the reference's, the front."""
 
-    exercise: dict[str, Any]
+    exercise: ExerciseReport
     axes: Sequence[str]
     costs: list[tuple[float, str]]
     errors: list[tuple[float, str]]
@@ -40,10 +41,9 @@ class Scatter:
     front: str  # the points of a line
 
 
-def scatter(
-    exercise: dict[str, Any], named: Sequence[tuple[str, Point]], reference: Point | None
-) -> Scatter:
-    """Lay out named points, and the reference's, for an exercise of a report that has a chart."""
+def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
+    """Lay out named points, and the reference's, for an exercise with such a chart."""
+    reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
     costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
     edge = front(points)
@@ -59,7 +59,7 @@ def scatter(
     line = [(line[0][0], TOP), *_stairs(line), (RIGHT, line[-1][1])]
     return Scatter(
         exercise,
-        exercise["chart"]["axes"],
+        chart.axes,
         [(round(_between(t, costs, LEFT, RIGHT), 1), _label(t)) for t in costs],
         [(round(_between(t, errors, BOTTOM, TOP), 1), _label(t)) for t in errors],
         sorted((dot(*pair) for pair in named), key=lambda d: (d.error, d.cost, d.name)),

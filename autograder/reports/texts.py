@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar, cast
 
 from autograder.scores import shown
 
-Report = dict[str, Any]  # one student's results, as they stand in results/<student>.json
+T = TypeVar("T")
 
 LONGEST = 4000  # characters of one text in a report; a check's own message has a few hundred
 ESCAPE_SEQUENCE = re.compile(
@@ -38,14 +39,19 @@ def clean_line(text: str) -> str:
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 
-def clean_all(value: Any) -> Any:
+def clean_all(value: T) -> T:
     """Return a report, or a part of one, with every text in it clean."""
+    return cast(T, _cleaned(value))
+
+
+def _cleaned(value: Any) -> Any:
     if isinstance(value, str):
         return clean(value)
-    if isinstance(value, dict):
-        return {key: clean_all(item) for key, item in value.items()}
-    if isinstance(value, list):
-        return [clean_all(item) for item in value]
+    if is_dataclass(value) and not isinstance(value, type):
+        parts = {field.name: _cleaned(getattr(value, field.name)) for field in fields(value)}
+        return replace(value, **parts)
+    if isinstance(value, (list, tuple)):
+        return type(value)(_cleaned(item) for item in value)
     return value
 
 
@@ -57,16 +63,6 @@ def number(value: float | None) -> str:
 def check_title(name: str) -> str:
     """Return a check's name as words: test_clear_leaves_zero is "clear leaves zero"."""
     return clean_line(name).removeprefix("test_").replace("_", " ")
-
-
-def tiers(checks: list[dict[str, Any]]) -> list[tuple[str, int, int]]:
-    """Return for each tier that has checks its name, how many pass, and how many there are."""
-    found = []
-    for name, robust in (("physics", False), ("robust", True)):
-        states = [check["status"] for check in checks if check["robust"] is robust]
-        if states:
-            found.append((name, states.count("passed"), len(states)))
-    return found
 
 
 def replace_file(path: Path, text: str) -> None:

@@ -8,9 +8,9 @@ from functools import partial
 from pathlib import Path
 
 from autograder.arrange import Behind
-from autograder.isolation.template import best_level
+from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.runner import run_checks
+from autograder.runner import Limits, run_checks
 from autograder.submissions.find import find_submissions
 from autograder.submissions.stage import stage
 from studies.timing import Measurement, Target, both, timer, versus
@@ -51,7 +51,7 @@ def _twenty(behind: Behind) -> Measurement:
     def grade(fresh: bool) -> None:
         where = Behind(behind.level, fresh=fresh)
         with ThreadPoolExecutor(AT_A_TIME) as pool:
-            run = partial(run_checks, chapter, ENGINE, behind=where, run_limit=600.0)
+            run = partial(run_checks, chapter, ENGINE, behind=where, limits=Limits(run=600.0))
             for _ in pool.map(lambda seed: run(seed=str(seed)), range(20)):
                 pass  # a fault of one would be raised here
 

@@ -197,8 +197,8 @@ def test_code_that_refuses_what_is_right_is_told_so_and_where() -> None:
         raise ValueError("mass must be positive")
 
     with pytest.raises(ValueError, match="positive") as caught:
-        expect_error("mass(0)", refuse, ValueError, allowed=refuse, cause="by 0?", read="book 3")
-    message = explain_exception(caught.value, [Path(__file__).parent])
+        expect_error(refuse, ValueError, allowed=refuse, call="mass(0)", cause="?", read="book 3")
+    message = str(explain_exception(caught.value, [Path(__file__).parent]))
     assert "called    as in mass(0), but with arguments that are right\n" in message
     assert "\nwhere     autograder/test_check.py, line " in message
     assert "likely    what is right must not be refused\n" in message

@@ -26,11 +26,13 @@ import pytest
 
 from autograder import cluster as over_cluster
 from autograder import cohort
-from autograder.grading import Assignment
+from autograder.assignment import Assignment
+from autograder.cohort import ClassOptions
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.find import find_submissions
+from graded import told_by
 from small import RIGHT, hand_in, make_root
 
 distributed = pytest.importorskip("distributed")
@@ -92,7 +94,8 @@ def submissions(tmp_path: Path) -> Path:
 
 def grade(submissions: Path, out: Path, root: Path, **options: Any) -> int:
     chapters = load_chapters(root)
-    return cohort.grade(submissions, out, chapters, "1", root=root, unsafe=True, **options)
+    how = ClassOptions(seed="1", root=root, unsafe=True, **options)
+    return cohort.grade(submissions, out, chapters, how)
 
 
 def results(out: Path) -> dict[str, dict[str, Any]]:
@@ -172,7 +175,7 @@ def test_what_a_killed_worker_was_at_is_done_by_another(
     else:
         assert status == 1
         assert landed["slow"]["status"] == "error, retry"
-        told = {check["message"] for e in landed["slow"]["exercises"] for check in e["checks"]}
+        told = {told_by(check) for e in landed["slow"]["exercises"] for check in e["checks"]}
         assert told == {"every worker that graded it died, 1 in all"}
 
 

@@ -1,4 +1,4 @@
-"""A run over a class: side by side, taken up again after it was killed, with hidden checks.
+"""A run over a class: side by side, and taken up again after it was killed.
 
 Run against a chapter of four checks.
 """
@@ -14,38 +14,20 @@ import signal
 import subprocess
 import sys
 import time
-import zipfile
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from autograder import cohort, grading
+from autograder import grading
+from autograder.class_folder import only_run
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
-from autograder.manifest import ROOT, load_chapters
+from autograder.manifest import ROOT
 from copies import copy_tree
 from small import RIGHT, hand_in, make_root
+from small_class import HALF, everything_in, grade, make_class, results, scores
 
-HALF = RIGHT.replace("4 * x", "3 * x")
-HIDDEN = '''
-import pytest
-from ch90_small import small
-from ch90_small.hidden_probes import double_twice
-
-
-@pytest.mark.exercise("90.1")
-@pytest.mark.parametrize("secret_value", [1234, 5678])
-def test_secret_plan(secret_value):
-    """Quadruple must hold for large numbers."""
-    print("secret output")
-    assert small.quadruple(secret_value) == 4 * secret_value, "secret expectation"
-
-
-@pytest.mark.exercise("B90.1")
-def test_secret_second_plan():
-    assert double_twice(77) == 308, "secret expectation"
-'''
 WRITTEN = """
 [[exercise]]
 id = "90.2"
@@ -56,13 +38,6 @@ points = 3
 hints = ["think"]
 terms = []
 """
-HIDDEN_PROBES = """
-from ch90_small.small import double
-
-
-def double_twice(x):
-    return double(double(x))
-"""
 
 
 @pytest.fixture
@@ -72,33 +47,7 @@ def root(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def submissions(tmp_path: Path) -> Path:
-    """A class of three: one right, one half right, one in a zip with a folder around it."""
-    folder = tmp_path / "class"
-    hand_in(folder, "ann", RIGHT)
-    hand_in(folder, "bob", HALF)
-    with zipfile.ZipFile(folder / "cem.zip", "w") as zipped:
-        zipped.writestr("my work/ch90_small/small.py", RIGHT)
-    return folder
-
-
-def grade(submissions: Path, out: Path, root: Path, seed: str | None = "1", **options: Any) -> int:
-    chapters = load_chapters(root)
-    return cohort.grade(submissions, out, chapters, seed, root=root, unsafe=True, **options)
-
-
-def results(out: Path) -> dict[str, dict[str, Any]]:
-    reports = [json.loads(path.read_text(encoding="utf-8")) for path in out.glob("results/*.json")]
-    return {report["student"]: report for report in reports}
-
-
-def scores(out: Path) -> dict[str, float | None]:
-    return {student: report["score"] for student, report in sorted(results(out).items())}
-
-
-def everything_in(out: Path) -> str:
-    return "\n".join(
-        path.read_text(encoding="utf-8") for path in sorted(out.rglob("*")) if path.is_file()
-    )
+    return make_class(tmp_path / "class")
 
 
 @pytest.mark.parametrize("jobs", [1, 3])
@@ -186,7 +135,8 @@ def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Pa
         "import sys; from pathlib import Path; from autograder import cohort;"
         "from autograder.manifest import load_chapters;"
         "folder, out, root = map(Path, sys.argv[1:]);"
-        "sys.exit(cohort.grade(folder, out, load_chapters(root), root=root, jobs=2, unsafe=True))"
+        "options = cohort.ClassOptions(root=root, jobs=2, unsafe=True); "
+        "sys.exit(cohort.grade(folder, out, load_chapters(root), options))"
     )
     command = [sys.executable, "-c", program, str(submissions), str(out), str(root)]
     temporary = tmp_path / "tmp"
@@ -314,7 +264,7 @@ def test_reports_do_not_go_where_submissions_are(
 def test_two_runs_do_not_share_a_folder(submissions: Path, root: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     with (
-        cohort._only_run(out),
+        only_run(out),
         pytest.raises(ValueError, match="another run is grading into"),
     ):
         grade(submissions, out, root)
@@ -325,83 +275,6 @@ def test_the_reports_may_lie_in_the_folder_of_the_class(submissions: Path, root:
     for _ in range(2):
         assert grade(submissions, submissions / "grades", root) == 0
     assert sorted(scores(submissions / "grades")) == ["ann", "bob", "cem"]
-
-
-def test_hidden_checks_count_and_tell_a_rationale_alone(
-    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    hidden = tmp_path / "hidden/ch90_small"
-    hidden.mkdir(parents=True)
-    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
-    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
-    hand_in(submissions, "dee", RIGHT.replace("return 4 * x", "while True: pass"))
-    out = tmp_path / "out"
-    grade(submissions, out, root, hidden=tmp_path / "hidden", time_limit=0.7)
-    # Exercise 90.1 has 2 points for 4 checks now, and bob passes the one of zero.
-    assert scores(out) == {"ann": 6.0, "bob": 4.5, "cem": 6.0, "dee": 4.0}
-    (exercise,) = (e for e in results(out)["bob"]["exercises"] if e["id"] == "90.1")
-    told = {c["name"]: c["message"] for c in exercise["checks"] if c["hidden"]}
-    assert told == {
-        "hidden check 2": "Quadruple must hold for large numbers.",
-        "hidden check 3": "Quadruple must hold for large numbers.",
-    }
-    assert "secret" not in everything_in(out) + capsys.readouterr().out
-    assert "1234" not in everything_in(out / "feedback") + everything_in(out / "gradescope")
-
-
-@pytest.mark.parametrize(
-    ("name", "text", "complaint"),
-    [
-        (
-            "test_x.py",
-            HIDDEN.replace("4 * secret_value", "5"),
-            "plan.1234. fails on the reference itself: secret",
-        ),
-        (
-            "test_x.py",
-            HIDDEN.replace('"90.1"', '"90.9"'),
-            "do not run: .* is of an exercise that there is not",
-        ),
-        ("notes.py", "", "there is no check in"),
-    ],
-)
-def test_hidden_checks_that_are_wrong_themselves_stop_the_run_before_it_begins(
-    submissions: Path, root: Path, tmp_path: Path, name: str, text: str, complaint: str
-) -> None:
-    hidden = tmp_path / "hidden/ch90_small"
-    hidden.mkdir(parents=True)
-    (hidden / name).write_text(text, encoding="utf-8")
-    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
-    with pytest.raises(ValueError, match=complaint):
-        grade(submissions, tmp_path / "out", root, hidden=tmp_path / "hidden")
-    assert not (tmp_path / "out/results").exists()
-
-
-def test_hidden_probes_do_not_take_the_place_of_public_ones(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    (root / "tests/ch90_small/probes.py").touch()
-    hidden = tmp_path / "hidden/ch90_small"
-    hidden.mkdir(parents=True)
-    (hidden / "probes.py").touch()
-    with pytest.raises(ValueError, match=r"probes\.py has the name of a public file"):
-        grade(submissions, tmp_path / "out", root, hidden=tmp_path / "hidden")
-
-
-def test_a_hidden_check_that_the_grader_fails_on_tells_nothing_either(
-    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    hidden = tmp_path / "hidden/ch90_small"
-    hidden.mkdir(parents=True)
-    fixture = "\n\n@pytest.fixture(autouse=True)\ndef odd():\n    raise OSError('secret fault')\n"
-    (hidden / "test_more.py").write_text(HIDDEN + fixture, encoding="utf-8")
-    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
-    monkeypatch.setattr(cohort, "check_hidden", lambda _: None)
-    out = tmp_path / "out"
-    assert grade(submissions, out, root, hidden=tmp_path / "hidden") == 1
-    assert scores(out) == {"ann": None, "bob": None, "cem": None}
-    assert "the grader failed on this check" in everything_in(out / "feedback")
-    assert "secret" not in everything_in(out)
 
 
 def test_after_an_error_the_same_command_grades_that_student_alone(
@@ -423,13 +296,6 @@ def test_after_an_error_the_same_command_grades_that_student_alone(
     after = results(out)
     assert (after["ann"], after["cem"]) == (before["ann"], before["cem"])
     assert after["bob"]["score"] == 5.0
-
-
-def test_hidden_checks_of_no_chapter_are_refused(
-    submissions: Path, root: Path, tmp_path: Path
-) -> None:
-    with pytest.raises(ValueError, match="--checks must be a folder that has one of ch90_small"):
-        grade(submissions, tmp_path / "out", root, hidden=tmp_path / "nowhere")
 
 
 def test_marks_of_a_person_are_merged_on_every_run(

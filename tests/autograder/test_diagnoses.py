@@ -10,6 +10,7 @@ import pytest
 
 from autograder.gone import explain_gone
 from autograder.manifest import ROOT, load_chapters
+from autograder.message import Message
 from autograder.nearest import nearest
 from autograder.runner import run_checks
 from copies import copy_tree
@@ -44,7 +45,7 @@ def messages(request: pytest.FixtureRequest, tmp_path: Path) -> Messages:
         for verdict in run_checks(chapter, engine, seed="1", behind=behind):
             assert verdict.status != "error"
             if verdict.status != "passed":
-                failed.setdefault(verdict.exercise, []).append(verdict.message)
+                failed.setdefault(verdict.exercise, []).append(str(verdict.message))
         return failed
 
     return run
@@ -147,12 +148,13 @@ def test_a_deleted_function_and_a_deleted_class() -> None:
         ("basis", "B2.10", "vector.py does not define it"),
         ("Vector3", "B2.1", "stub of Vector3.copy is gone"),
     ):
-        message = explain_gone(says.format(name), "B2.10", edits, lambda _: there)
-        assert gone in likely([message])
-        assert exercise in likely([message])
+        message = explain_gone(Message(says.format(name)), "B2.10", edits, lambda _: there)
+        assert gone in message.likely
+        assert exercise in message.likely
     for defined in (None, {*there, "basis"}):
-        same = explain_gone(says.format("basis"), "B2.10", edits, lambda _, is_=defined: is_)
-        assert same == says.format("basis")
+        says_basis = Message(says.format("basis"))
+        same = explain_gone(says_basis, "B2.10", edits, lambda _, is_=defined: is_)
+        assert same == says_basis
 
 
 def test_short_and_special_names_are_near_to_nothing() -> None:

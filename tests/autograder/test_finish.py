@@ -14,9 +14,9 @@ from rich.console import Console
 from autograder import finish
 from autograder.finish import DRAWN_WITH, finish_lines, is_finished, print_finish
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
-from autograder.runner import Verdict
 from autograder.scores import Result, result_of
 from autograder.screen import Report
+from autograder.verdict import Verdict
 from wrong import write_all
 
 CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}

@@ -16,7 +16,8 @@ from hypothesis import strategies as st
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.runner import LONGEST_MESSAGE, run_checks, with_needs
+from autograder.runner import LONGEST_MESSAGE, Limits, run_checks
+from autograder.verdict import with_needs
 from walls import behind_walls
 from wrong import Wrong, write_wrong
 
@@ -85,15 +86,15 @@ def assert_verdicts_and_sentences(chapter: Chapter, exercises: list[str], folder
     """Every check has a verdict of the student's, and whoever loses it reads why."""
     engine = [folder, ROOT / "solutions", ROOT / "chapters"]
     verdicts = run_checks(
-        chapter, engine, seed="1", exercises=exercises, behind=behind_walls(), time_limit=1.0
+        chapter, engine, seed="1", exercises=exercises, behind=behind_walls(), limits=Limits(1.0)
     )
     assert {verdict.exercise for verdict in verdicts} == {*with_needs(chapter, exercises)}
     for verdict in verdicts:
         assert verdict.status in ("passed", "failed", "blocked"), verdict
         if verdict.status != "passed":
-            assert re.search(r"\w+ \w+", verdict.message), verdict
-            assert len(verdict.message) <= LONGEST_MESSAGE + 100
-            assert "Traceback" not in verdict.message
+            assert re.search(r"\w+ \w+", str(verdict.message)), verdict
+            assert len(str(verdict.message)) <= LONGEST_MESSAGE + 100
+            assert "Traceback" not in str(verdict.message)
 
 
 @each_chapter

@@ -15,13 +15,18 @@ from typing import Any
 import pytest
 
 from autograder import cohort, grading
-from autograder.grading import Assignment, grade_submission
+from autograder.assignment import Assignment, OnceForAll
+from autograder.cohort import ClassOptions
+from autograder.grading import grade_submission
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.runner import GraderError, Verdict, run_checks
+from autograder.records import to_json
+from autograder.runner import GraderError, run_checks
 from autograder.submissions.find import Submission
+from autograder.verdict import Verdict
 from copies import copy_tree
+from graded import told_by
 
 CHAPTER = load_chapters()[0]
 POSSIBLE = sum(exercise.points for exercise in CHAPTER.exercises if exercise.kind != "written")
@@ -49,7 +54,7 @@ def result(out: Path, student: str) -> dict[str, Any]:
 
 
 def messages(report: dict[str, Any]) -> str:
-    return "\n".join(c["message"] for e in report["exercises"] for c in e["checks"])
+    return "\n".join(told_by(c) for e in report["exercises"] for c in e["checks"])
 
 
 def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str]) -> None:
@@ -66,7 +71,7 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
         assert report["score"] == pytest.approx(earned, abs=0.01)
         for exercise in report["exercises"]:
             for check in exercise["checks"]:
-                assert (check["message"] == "") == (check["status"] == "passed")
+                assert (told_by(check) == "") == (check["status"] == "passed")
 
 
 @pytest.mark.parametrize(
@@ -127,15 +132,16 @@ def test_the_screen_shows_the_class_and_how_it_was_isolated(graded: tuple[Path, 
 
 
 def grade(submissions: Path, out: Path) -> int:
-    return cohort.grade(submissions, out, [CHAPTER], "1", unsafe=True)
+    return cohort.grade(submissions, out, [CHAPTER], ClassOptions(seed="1", unsafe=True))
 
 
 def grade_one(
     path: Path, chapters: list[Chapter], given: Sequence[Chapter] = (), root: Path = ROOT
 ) -> dict[str, Any]:
     """Return the report of one submission, graded without a wall."""
-    assignment = Assignment(chapters, "1", Level(), given, root=root)
-    return grade_submission(assignment, Submission(path.name, path))
+    wanted = Assignment(chapters, "1", Level(), given, root=root)
+    report: dict[str, Any] = to_json(grade_submission(wanted, Submission(path.name, path)))
+    return report
 
 
 def states(report: dict[str, Any], key: str = "status") -> set[Any]:
@@ -153,7 +159,7 @@ def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
     def fails(*_: object, **__: object) -> None:
         raise GraderError("the disk is full")
 
-    monkeypatch.setattr(grading, "run_checks", fails)
+    monkeypatch.setattr("autograder.assignment.run_checks", fails)
     for student in ("ann", "bob"):
         (tmp_path / "class" / student).mkdir(parents=True)
     assert grade(tmp_path / "class", tmp_path / "out") == 1
@@ -175,29 +181,35 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
         runs.append(chapter.number)
         return run_checks(chapter, *arguments, **more)
 
-    monkeypatch.setattr(grading, "run_checks", counted)
-    assignment = Assignment(chapters, "1", Level())
+    monkeypatch.setattr("autograder.assignment.run_checks", counted)
+    assignment, once = Assignment(chapters, "1", Level()), OnceForAll()
+
+    def graded(student: str) -> dict[str, Any]:
+        submission = Submission(student, tmp_path / student)
+        report: dict[str, Any] = to_json(grade_submission(assignment, submission, once))
+        return report
+
     for student in ("ann", "bob"):
         copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / student / "ch02_vectors")
-        report = grade_submission(assignment, Submission(student, tmp_path / student))
+        report = graded(student)
         assert report["score"] == report["score_on_given"] == POSSIBLE
         later = [e for e in report["exercises"] if e["chapter"] == 3]
         assert {e["status"] for e in later} == {"failed", "blocked"}
         assert "ch03_laws_of_motion/particle.py is missing: not handed in" in messages(report)
     assert runs == [2, 3, 2]
     # What became of the first student's files is no other's.
-    assignment = Assignment(chapters, "1", Level())
+    once = OnceForAll()
     earlier = tmp_path / "ann/ch02_vectors/vector.py"
     earlier.write_bytes(b"\xff")
-    report = grade_submission(assignment, Submission("ann", tmp_path / "ann"))
+    report = graded("ann")
     assert "ch02_vectors/vector.py was not taken: it is not UTF-8" in messages(report)
-    report = grade_submission(assignment, Submission("bob", tmp_path / "bob"))
+    report = graded("bob")
     assert "was not taken" not in messages(report)
     runs.clear()
     refused = tmp_path / "bob/ch03_laws_of_motion/particle.py"
     refused.parent.mkdir()
     refused.write_bytes(b"\xff")
-    report = grade_submission(assignment, Submission("bob", tmp_path / "bob"))
+    report = graded("bob")
     assert "ch03_laws_of_motion/particle.py was not taken: it is not UTF-8" in messages(report)
     assert runs[:2] == [2, 3]
 
@@ -293,6 +305,6 @@ def test_without_a_seed_every_run_draws_a_new_one(tmp_path: Path) -> None:
     (tmp_path / "class" / "eli").mkdir(parents=True)
     seeds = set()
     for _ in range(2):
-        cohort.grade(tmp_path / "class", tmp_path / "out", [CHAPTER], unsafe=True)
+        cohort.grade(tmp_path / "class", tmp_path / "out", [CHAPTER], ClassOptions(unsafe=True))
         seeds.add(result(tmp_path / "out", "eli")["seed"])
     assert len(seeds) == 2

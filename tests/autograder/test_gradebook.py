@@ -5,18 +5,18 @@ from __future__ import annotations
 import csv
 import unicodedata
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from autograder.reports.gradebook import as_cell, write_gradebook
 from autograder.reports.marks import Mark, apply_marks
+from autograder.reports.report import StudentReport
 from graded import CHAPTERS, failed_run, hostile, nothing_done, report_of
 
 FULL_WIDTH = "\uff1d\uff0b\uff0d\uff20"  # = + - @ as Chinese and Japanese keyboards write them
 
 
-def rows(out: Path, *reports: dict[str, Any], separator: str = ",") -> list[list[str]]:
+def rows(out: Path, *reports: StudentReport, separator: str = ",") -> list[list[str]]:
     path = write_gradebook(out, CHAPTERS, reports)
     assert path == out / "gradebook.csv"
     with path.open(encoding="utf-8", newline="") as file:
@@ -42,8 +42,7 @@ def test_an_error_of_the_grader_is_no_number_and_a_zero_is_one(tmp_path: Path) -
 
 
 def test_an_exercise_that_a_report_does_not_have_is_empty(tmp_path: Path) -> None:
-    report = report_of()
-    report["exercises"] = report["exercises"][3:]
+    report = report_of(exercises=report_of().exercises[3:])
     assert rows(tmp_path, report)[2][7:] == ["", "", "", "0"]
 
 

@@ -12,8 +12,9 @@ import pytest
 
 from autograder.reports.gradescope import gradescope_results, write_gradescope
 from autograder.reports.marks import Mark, apply_marks
+from autograder.reports.report import StudentReport
 from autograder.submissions.find import file_name
-from graded import SHOUT, check, failed_run, hostile, nothing_done, report_of
+from graded import SHOUT, check, failed_run, hostile, nothing_done, report_of, with_exercise
 
 SCHEMA = json.loads(Path(__file__).with_name("gradescope.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -36,12 +37,12 @@ def by_number(results: dict[str, Any]) -> dict[str, dict[str, Any]]:
     ],
     ids=["graded", "marked", "error", "zero", "hostile", "nothing known"],
 )
-def test_every_report_is_of_the_documented_form(tmp_path: Path, report: dict[str, Any]) -> None:
+def test_every_report_is_of_the_documented_form(tmp_path: Path, report: StudentReport) -> None:
     path = write_gradescope(tmp_path, report)
-    assert path == tmp_path / "gradescope" / file_name(report["student"]) / "results.json"
+    assert path == tmp_path / "gradescope" / file_name(report.student) / "results.json"
     results = json.loads(path.read_text(encoding="utf-8"))
     VALIDATOR.validate(results)
-    if report["exercises"]:
+    if report.exercises:
         assert sum(test["max_score"] for test in results["tests"]) == 2 + 4 + 3 + 5
 
 
@@ -68,7 +69,7 @@ def test_an_exercise_is_a_test_with_its_own_points_and_what_was_lost() -> None:
     assert (copy["score"], copy["max_score"], copy["status"]) == (2.0, 2, "passed")
     assert (angles["score"], angles["max_score"], angles["status"]) == (1.0, 4, "failed")
     assert "physics 1 of 3" in angles["output"]
-    assert "failed: angle\ngot 1\nwanted 2" in angles["output"]
+    assert "failed: angle\ngot       1\nwanted    2" in angles["output"]
     assert "right angle" not in angles["output"]
     assert (mass["score"], mass["status"]) == (0.0, "failed")
     assert "earlier chapter" in mass["output"]
@@ -111,8 +112,8 @@ def test_where_the_grader_failed_there_is_no_number_at_all() -> None:
 
 def test_an_error_with_numbers_left_in_it_gives_none_of_them() -> None:
     report = report_of(status="error, retry")
-    report["exercises"][3] |= {"status": "error", "score": 5.0}
-    report["exercises"][3]["checks"] = [check("test_mass", "error", "killed")]
+    lost = [check("test_mass", "error", "killed")]
+    report = with_exercise(report, 3, status="error", score=5.0, checks=lost)
     results = gradescope_results(report)
     assert "score" not in results
     assert "score" not in by_number(results)["B3.1"]

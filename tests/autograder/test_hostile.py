@@ -51,6 +51,7 @@ from corpus import (  # noqa: E402
 )
 from odd_files import RIGHT, SUMS, WRONG  # noqa: E402
 
+from graded import told_by  # noqa: E402
 from table import table  # noqa: E402
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the walls are those of Linux")
@@ -71,7 +72,8 @@ from autograder.manifest import load_chapters
 folder, out, root = map(Path, sys.argv[1:4])
 chapters = load_chapters(root)
 limit = float(sys.argv[5])
-sys.exit(cohort.grade(folder, out, chapters, sys.argv[4], jobs=2, root=root, time_limit=limit))
+options = cohort.ClassOptions(seed=sys.argv[4], jobs=2, root=root, time_limit=limit)
+sys.exit(cohort.grade(folder, out, chapters, options))
 """
 # Two names that are cleaned alike, with different work; and what is no submission.
 ALIKE = {"alike\tname": RIGHT, "alike\x07name": WRONG, "alike_name": RIGHT}
@@ -309,7 +311,7 @@ def lost_checks(result: dict[str, Any]) -> list[dict[str, Any]]:
 def test_a_submission_gets_what_its_honest_code_is_worth(run: Run, submission: Submission) -> None:
     result = result_of(submission, run.results)
     assert result is not None, f"there is no result; the grader said: {run.screen[-2000:]}"
-    messages = "\n".join(check["message"] for check in lost_checks(result))
+    messages = "\n".join(told_by(check) for check in lost_checks(result))
     assert result["status"] == "graded", messages
     earned = {e["id"] for e in result["exercises"] if e["status"] == "passed"}
     assert earned == submission.earns, messages
@@ -324,7 +326,7 @@ def test_every_lost_check_says_why_in_words(run: Run, submission: Submission) ->
     result = result_of(submission, run.results)
     assert result is not None
     for check in lost_checks(result):
-        message = check["message"]
+        message = told_by(check)
         assert check["status"] in ("failed", "blocked")
         assert len(re.findall(r"[a-z]{2,}", message)) >= 3, message
         assert "Traceback (most recent call last)" not in message

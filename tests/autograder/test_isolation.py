@@ -1,15 +1,11 @@
-"""A worker and what checks hold of it: handles, the wire between, and the walls around."""
+"""A worker, and the handles that checks hold of what is in it."""
 
 from __future__ import annotations
 
 import contextlib
-import json
 import math
 import os
 import signal
-import socket
-import sys
-import threading
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -18,28 +14,12 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from autograder.faults import CheckEnded
 from autograder.isolation.handles import Session, StudentLeft, WorkerFailure
-from autograder.isolation.sandbox import Level, landlock_version, seccomp_filter
-from autograder.isolation.template import (
-    HELD_BY_LANDLOCK,
-    HELD_BY_SECCOMP,
-    Template,
-    TemplateError,
-    best_level,
-    holds,
-)
-from autograder.isolation.wire import (
-    LONGEST_LINE,
-    BrokenProtocolError,
-    UnsendableError,
-    Wire,
-    pack,
-    unpack,
-)
+from autograder.isolation.probe import best_level
+from autograder.isolation.sandbox import Level
+from autograder.isolation.template import Template, TemplateError
 
 MODULE = """
 import os
@@ -383,173 +363,3 @@ def test_a_worker_is_no_root(session: Session, level: Level) -> None:
     if not level.is_wall:
         pytest.skip("no wall stands here")
     assert 0 not in name(session, "who")()
-
-
-@pytest.mark.skipif(landlock_version() == 0, reason="there is no Landlock here")
-def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Level) -> None:
-    if not (level.landlock and level.seccomp):
-        pytest.skip("Landlock and seccomp do not stand here")
-    attempts = [*HELD_BY_LANDLOCK, *HELD_BY_SECCOMP]
-    (tmp_path / "forbidden").touch()
-    through = []
-    for number, walls in enumerate([Level(), Level(landlock=True), Level(seccomp=True), level]):
-        own = tmp_path / str(number)
-        own.mkdir()
-        template = Template(walls, [], str(own), own, 5.0)
-        with contextlib.closing(template):
-            session = template.start_worker(hang)
-            path = str(tmp_path / "forbidden")
-            through.append(set(session.ask("test_the_walls", attempts, path)))
-    nothing, landlock, seccomp, all_of_them = through
-    assert nothing >= {*HELD_BY_LANDLOCK, "sending a signal"}
-    assert landlock.isdisjoint(HELD_BY_LANDLOCK)
-    assert seccomp.isdisjoint(HELD_BY_SECCOMP)
-    assert seccomp >= {*HELD_BY_LANDLOCK}
-    assert all_of_them == set()
-
-
-def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("autograder.isolation.template._python_folders", lambda: ["/"])
-    assert not holds(Level(landlock=True)), "everything can be read"
-
-
-def test_a_template_that_cannot_start_says_so(
-    tmp_path: Path, level: Level, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("autograder.isolation.template.ROOT", tmp_path)  # it has no autograder
-    template = Template(level, [], str(tmp_path), tmp_path, 1.0)
-    with (
-        contextlib.closing(template),
-        pytest.raises(TemplateError, match=r"(?s)did not come up: .*No module named"),
-    ):
-        template.start_worker(hang)
-
-
-def test_the_filter_refuses_what_it_does_not_name() -> None:
-    """Run the program by hand, as the kernel does: 8 bytes an instruction."""
-
-    def verdict(architecture: int, number: int) -> int:
-        program = seccomp_filter()
-        place, loaded = 0, 0
-        while True:
-            code, yes, no, value = _instruction(program, place)
-            place += 1
-            match code:
-                case 0x20:
-                    loaded = architecture if value == 4 else number
-                case 0x15:
-                    place += yes if loaded == value else no
-                case 0x35:
-                    place += yes if loaded >= value else no
-                case 0x06:
-                    return value
-
-    allow, refuse, kill = 0x7FFF0000, 0x00050001, 0x80000000
-    x86_64 = 0xC000003E
-    read, write, exit_group, statx = 0, 1, 231, 332
-    for number in (read, write, exit_group, statx):
-        assert verdict(x86_64, number) == allow
-    # ioctl, socket, clone, fork, vfork, execve, kill, ptrace, fcntl, prlimit64, memfd_create,
-    # execveat, clone3, and the 32-bit way in.
-    for number in (16, 41, 56, 57, 58, 59, 62, 101, 72, 302, 319, 322, 435, 0x40000000 | 1):
-        assert verdict(x86_64, number) == refuse
-    assert verdict(0x40000003, read) == kill, "another architecture"
-
-
-def _instruction(program: bytes, place: int) -> tuple[int, int, int, int]:
-    line = program[8 * place : 8 * place + 8]
-    return (
-        int.from_bytes(line[:2], sys.byteorder),
-        line[2],
-        line[3],
-        int.from_bytes(line[4:], sys.byteorder),
-    )
-
-
-plain = st.recursive(
-    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
-    lambda inner: (
-        st.lists(inner)
-        | st.lists(inner).map(tuple)
-        | st.dictionaries(st.text() | st.integers() | st.tuples(st.integers()), inner)
-    ),
-    max_leaves=20,
-)
-
-
-def no_reference(value: Any) -> Any:
-    raise AssertionError(value)
-
-
-@given(plain)
-def test_plain_data_comes_back_from_the_wire(value: Any) -> None:
-    sent = json.dumps(pack(value, no_reference))
-    back = unpack(json.loads(sent), no_reference)
-    assert back == value
-    assert repr(back) == repr(value), "1 is not 1.0, and a tuple is no list"
-
-
-class Number(int):
-    pass
-
-
-@pytest.mark.parametrize(
-    "data", [[1], {"list": [[1]]}, {"dict": [1]}, {"dict": [{"tuple": [{"list": []}, 1]}]}]
-)
-def test_what_pack_does_not_make_is_refused(data: Any) -> None:
-    with pytest.raises(BrokenProtocolError):
-        unpack(data, no_reference)
-
-
-def test_a_subclass_is_referred_to() -> None:
-    assert pack([Number(3)], lambda value: {"object": type(value).__name__}) == {
-        "list": [{"object": "Number"}]
-    }
-    endless: list[Any] = []
-    endless.append(endless)
-    with pytest.raises(UnsendableError):
-        pack(endless, no_reference)
-
-
-@pytest.mark.parametrize(
-    ("sent", "complaint"),
-    [
-        (b"no json\n", "no JSON"),
-        (b"[1]\n", "no JSON object"),
-        (b"[" * 100_000 + b"\n", "no JSON"),
-        (b'{"n": ' + b"9" * 5000 + b"}\n", "no JSON"),
-        (b'{"text": "' + b"x" * (LONGEST_LINE + 70_000), "too long"),
-    ],
-)
-def test_lines_that_are_no_messages(sent: bytes, complaint: str) -> None:
-    ours, theirs = socket.socketpair()
-    with ours, theirs:
-        writer = threading.Thread(target=theirs.sendall, args=(sent,))
-        writer.start()
-        with pytest.raises(BrokenProtocolError, match=complaint):
-            Wire(ours.fileno()).receive(time.monotonic() + 10.0)
-        while writer.is_alive():
-            with contextlib.suppress(BlockingIOError):
-                os.read(ours.fileno(), 1 << 16)
-        writer.join()
-
-
-def test_who_talks_without_end_is_not_listened_to_beyond_the_deadline() -> None:
-    ours, theirs = socket.socketpair()
-    with ours, theirs:
-        theirs.sendall(b"{}\n{}\n")
-        wire = Wire(ours.fileno())
-        assert wire.receive(time.monotonic() + 1.0) == {}
-        with pytest.raises(TimeoutError):
-            wire.receive(time.monotonic() - 1.0)
-
-
-def test_silence_and_an_end_are_told_apart() -> None:
-    ours, theirs = socket.socketpair()
-    with ours:
-        wire = Wire(ours.fileno())
-        with pytest.raises(TimeoutError):
-            wire.receive(time.monotonic() + 0.01)
-        theirs.close()
-        with pytest.raises(EOFError):
-            wire.receive(time.monotonic() + 1.0)

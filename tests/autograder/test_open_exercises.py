@@ -10,14 +10,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from autograder.cohort import grade
+from autograder.cohort import ClassOptions, grade
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.gradescope import gradescope_results
+from autograder.reports.report import Chart, StudentReport
 from autograder.reports.scatter import BOTTOM, LEFT, RIGHT, TOP, front, scatter
 from autograder.runner import run_checks
 from autograder.scores import results_of
-from graded import CHAPTERS, SHOUT, report_of
+from autograder.verdict import Point
+from graded import CHAPTERS, SHOUT, report_of, with_exercise
 from small import MANIFEST, make_root
 from small import RIGHT as SMALL
 from walls import behind_walls
@@ -91,9 +93,8 @@ def test_a_class_is_on_the_chart_with_the_reference_and_hidden_checks_put_nobody
     (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
     out = tmp_path / "out"
     chapter = load_chapter(root / "chapters/ch90_small")
-    grade(
-        tmp_path / "class", out, [chapter], "1", unsafe=True, root=root, hidden=tmp_path / "hidden"
-    )
+    options = ClassOptions(seed="1", unsafe=True, root=root, hidden=tmp_path / "hidden")
+    grade(tmp_path / "class", out, [chapter], options)
 
     def charts(student: str) -> list[Any]:
         text = (out / "results" / f"{student}.json").read_text(encoding="utf-8")
@@ -127,14 +128,16 @@ def test_the_reference_is_on_the_chart_of_every_open_exercise(chapter: Chapter) 
     assert placed == set(wanted)
 
 
-def charted(student: str, own: list[float]) -> dict[str, Any]:
-    report = report_of(student)
-    report["exercises"][1]["chart"] = {"axes": AXES, "own": own, "reference": None}
-    return report
+def chart_of(own: Point, reference: Point | None = None) -> Chart:
+    return Chart(AXES, own, reference)
+
+
+def charted(student: str, own: Point) -> StudentReport:
+    return with_exercise(report_of(student), 1, chart=chart_of(own))
 
 
 def test_names_on_a_chart_are_text_and_gradescope_says_the_place_in_words(tmp_path: Path) -> None:
-    report = charted(SHOUT, [100.0, 0.01])
+    report = charted(SHOUT, (100.0, 0.01))
     page = write_index(tmp_path, CHAPTERS, [report]).read_text(encoding="utf-8")
     assert "<script>" not in page
     assert page.count("&lt;script&gt;") >= 2
@@ -148,8 +151,9 @@ def test_names_on_a_chart_are_text_and_gradescope_says_the_place_in_words(tmp_pa
 
 
 def test_a_dot_lies_where_its_logarithms_say() -> None:
-    exercise = charted("ada", [1.0, 1.0])["exercises"][1]
-    chart = scatter(exercise, [("a", (100.0, 1e-2)), ("b", (1000.0, 1e-6))], (300.0, 1e-4))
+    drawn = chart_of((1.0, 1.0), reference=(300.0, 1e-4))
+    named = [("a", (100.0, 1e-2)), ("b", (1000.0, 1e-6))]
+    chart = scatter(report_of().exercises[1], drawn, named)
     costs, errors = dict(map(reversed, chart.costs)), dict(map(reversed, chart.errors))  # type: ignore[arg-type]
     a, b = chart.dots[1], chart.dots[0]
     assert (a.name, b.name) == ("a", "b")  # the nearest to the truth first
@@ -172,8 +176,8 @@ def test_the_front_is_what_no_other_beats_and_all_dots_are_inside(
 ) -> None:
     beaten = [[*p] for p in points if any(q != p and q[0] <= p[0] and q[1] <= p[1] for q in points)]
     assert front(points) == sorted([*p] for p in set(points) if [*p] not in beaten)
-    exercise = charted("ada", [1.0, 1.0])["exercises"][1]
-    chart = scatter(exercise, [("a", point) for point in points], None)
+    named = [("a", point) for point in points]
+    chart = scatter(report_of().exercises[1], chart_of((1.0, 1.0)), named)
     for dot in chart.dots:
         assert LEFT < dot.x < RIGHT
         assert TOP < dot.y < BOTTOM

@@ -8,16 +8,18 @@ from typing import Any
 
 import pytest
 
+from autograder.records import to_json
 from autograder.reports.marks import Mark, apply_marks
+from autograder.reports.report import StudentReport
 from autograder.reports.results import read_result, write_class, write_result, write_student
 from autograder.reports.texts import replace_file
 from graded import CHAPTERS, failed_run, hostile, nothing_done, report_of
 
 
 @pytest.mark.parametrize("report", [report_of(), failed_run(), nothing_done()])
-def test_a_result_is_read_as_it_was_written(tmp_path: Path, report: dict[str, Any]) -> None:
+def test_a_result_is_read_as_it_was_written(tmp_path: Path, report: StudentReport) -> None:
     path = write_result(tmp_path, report)
-    assert path == tmp_path / "results" / f"{report['student']}.json"
+    assert path == tmp_path / "results" / f"{report.student}.json"
     assert read_result(path) == report
     assert [file.name for file in path.parent.iterdir()] == [path.name], "nothing is left beside it"
 
@@ -53,14 +55,15 @@ def test_a_result_that_is_missing_or_cut_off_is_none(tmp_path: Path) -> None:
         ((), "seed", 7),
         (("exercises", 0), "status", "graded"),
         (("exercises", 0), "checks", [None]),
-        (("exercises", 1, "checks", 1), "message", None),
+        (("exercises", 0), "points", "2"),
+        (("exercises", 1, "checks", 1), "message", {"title": 1}),
         (("exercises", 1, "checks", 1), "hidden", "no"),
     ],
 )
 def test_a_result_of_another_form_is_none(
     tmp_path: Path, where: tuple[Any, ...], key: str, value: object
 ) -> None:
-    report = report_of()
+    report = to_json(report_of())
     part: Any = report
     for step in where:
         part = part[step]
@@ -86,7 +89,7 @@ def test_all_that_a_class_leaves_is_made_from_its_reports(tmp_path: Path) -> Non
     assert {place.name for place in places} == {path.name for path in tmp_path.iterdir()}
     files = {path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*")}
     assert len(files) == 2 + 3 * 3
-    again = [read_result(tmp_path / "results" / f"{r['student']}.json") for r in reports]
+    again = [read_result(tmp_path / "results" / f"{r.student}.json") for r in reports]
     assert again == reports
     for report in again:
         assert report is not None

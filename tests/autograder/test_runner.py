@@ -17,10 +17,11 @@ from typing import Any
 
 import pytest
 
-from autograder import runner
+from autograder import judge, runner
 from autograder.manifest import Chapter, load_chapter
-from autograder.runner import GraderError, Verdict, run_checks
+from autograder.runner import GraderError, Limits, run_checks
 from autograder.scores import results_of, total
+from autograder.verdict import Verdict
 from small import CHECKS, RIGHT, make_root
 from walls import behind_walls
 
@@ -61,9 +62,13 @@ def run_checks_on(
     if code is not None:
         source = code.encode("utf-8") if isinstance(code, str) else code
         (engine / "ch90_small/small.py").write_bytes(source)
-    options = {"seed": "1", "time_limit": 0.7} | options
+    options = {"seed": "1", "limits": Limits(0.7)} | options
     verdicts = run_checks(chapter, [engine], root=root, **options)  # type: ignore[arg-type]
     return {verdict.name: verdict for verdict in verdicts}
+
+
+def says(verdicts: dict[str, Verdict], name: str) -> str:
+    return str(verdicts[name].message)
 
 
 def statuses(verdicts: dict[str, Verdict]) -> list[str]:
@@ -90,7 +95,9 @@ def test_partial_credit_is_by_weight_and_a_failed_need_blocks(
     code = "def double(x):\n    return 0\n\n\ndef quadruple(x):\n    return double(double(x))\n"
     verdicts = run(root, chapter, code)
     assert statuses(verdicts) == ["failed", "passed", "blocked", "passed"]
-    assert verdicts["test_quadruple"].message.startswith("blocked until B90.1 (Double) passes")
+    assert verdicts["test_quadruple"].message.blocked.startswith(
+        "blocked until B90.1 (Double) passes"
+    )
     results = results_of(chapter, verdicts.values())
     assert [(r.status, r.score) for r in results] == [("failed", 1.0), ("blocked", 1.0)]
 
@@ -101,9 +108,9 @@ def test_an_endless_loop_costs_its_own_check_and_says_where(
     code = RIGHT.replace("return x + x", "while x:\n        pass\n    return 0")
     verdicts = run(root, chapter, code)
     assert statuses(verdicts) == ["failed", "passed", "passed", "passed"]
-    assert "did not end within 0.7 seconds" in verdicts["test_double"].message
+    assert "did not end within 0.7 seconds" in says(verdicts, "test_double")
     # The loop has two lines, and the time may be up on either.
-    assert re.search(r"small\.py, line [34], in double", verdicts["test_double"].message)
+    assert re.search(r"small\.py, line [34], in double", says(verdicts, "test_double"))
 
 
 @pytest.mark.parametrize(
@@ -124,14 +131,14 @@ def test_leaving_costs_the_check_and_no_other(
     verdicts = run(root, chapter, RIGHT.replace("return x + x", leave))
     assert statuses(verdicts) == [status, status, "passed", "passed"]
     # What differs: the checks' own process is ended by what a worker only reports.
-    assert re.search(words, verdicts["test_double"].message)
+    assert re.search(words, says(verdicts, "test_double"))
 
 
 def test_an_object_is_told_in_the_same_words_in_every_run(
     root: Path, chapter: Chapter, run: Run
 ) -> None:
     verdicts = run(root, chapter, "def double(x):\n    raise ValueError(object())\n")
-    assert "ValueError: <object object>\n" in verdicts["test_double"].message
+    assert "ValueError: <object object>\n" in says(verdicts, "test_double")
 
 
 @pytest.mark.parametrize(
@@ -161,7 +168,7 @@ def test_a_module_that_cannot_be_used_fails_every_check_with_the_reason(
     verdicts = run(root, chapter, code)
     assert len(verdicts) == 4
     assert statuses(verdicts)[:2] == ["failed", "failed"]
-    assert words in verdicts["test_double"].message
+    assert words in says(verdicts, "test_double")
     assert total(results_of(chapter, verdicts.values()))[0] in (0.0, 2.0)
 
 
@@ -172,18 +179,18 @@ def test_what_the_student_prints_is_shown_and_is_no_verdict(
     code = f"print({forged!r})\n" + RIGHT.replace("return x + x", f"print({forged!r}); return 1")
     verdicts = run(root, chapter, code)
     assert verdicts["test_double"].status == "failed"
-    assert f"printed   {forged}" in verdicts["test_double"].message
+    assert f"printed   {forged}" in says(verdicts, "test_double")
 
 
 def test_a_message_has_a_length_that_people_read(root: Path, chapter: Chapter, run: Run) -> None:
     verdicts = run(root, chapter, RIGHT.replace("return x + x", "raise ValueError('x' * 900_000)"))
-    assert "ValueError: xxx" in verdicts["test_double"].message
+    assert "ValueError: xxx" in says(verdicts, "test_double")
     checks = root / "tests/ch90_small/test_small.py"
     shows = CHECKS.replace('"double must double"', "small.double(value)")
     checks.write_text(shows, encoding="utf-8")
     verdicts = run(root, chapter, RIGHT.replace("return x + x", "return 'x' * 900_000"))
-    assert "xxx" in verdicts["test_double"].message
-    assert len(verdicts["test_double"].message) < 9_000
+    assert "xxx" in says(verdicts, "test_double")
+    assert len(says(verdicts, "test_double")) < 9_000
 
 
 def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
@@ -193,23 +200,23 @@ def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
     floods += "        except OSError: pass\n    return 0"
     with pytest.raises(GraderError, match="sent 'nonsense"):
         run_beside(root, chapter, RIGHT.replace("return x + x", floods))
-    monkeypatch.setattr(runner, "GRACE", 0.5)
+    monkeypatch.setattr(judge, "GRACE", 0.5)
     quiet = "import faulthandler, time\n    faulthandler.cancel_dump_traceback_later()\n"
     quiet += "    time.sleep(60)"
     verdicts = run_beside(root, chapter, RIGHT.replace("return x + x", quiet))
     assert statuses(verdicts) == ["failed", "failed", "passed", "passed"]
-    assert "did not end within 0.7 seconds" in verdicts["test_double"].message
+    assert "did not end within 0.7 seconds" in says(verdicts, "test_double")
 
 
 def test_after_a_silent_process_one_that_leaves_is_told_from_it(
     root: Path, chapter: Chapter, run_beside: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(runner, "GRACE", 0.5)
+    monkeypatch.setattr(judge, "GRACE", 0.5)
     quiet = "import faulthandler, os, time\n    faulthandler.cancel_dump_traceback_later()\n"
     quiet += "    time.sleep(60) if x else os._exit(1)"
     verdicts = run_beside(root, chapter, RIGHT.replace("return x + x", quiet))
-    assert "did not end" in verdicts["test_double"].message
-    assert "ended in the middle" in verdicts["test_double_of_zero"].message
+    assert "did not end" in says(verdicts, "test_double")
+    assert "ended in the middle" in says(verdicts, "test_double_of_zero")
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
@@ -233,7 +240,7 @@ def test_an_exception_that_hangs_or_fails_when_it_is_shown_costs_its_check(
         error = f"class Odd(NotImplementedError):\n    def __str__(self):\n        {text}\n"
         verdicts = run(root, chapter, error + RIGHT.replace("return x + x", "raise Odd"))
         assert statuses(verdicts) == ["failed", "failed", "passed", "passed"]
-        assert words in verdicts["test_double"].message
+        assert words in says(verdicts, "test_double")
 
 
 def test_after_a_hang_in_the_last_check_nothing_is_started(
@@ -256,19 +263,21 @@ def test_what_builds_on_a_hang_waits_for_it_once(root: Path, chapter: Chapter, r
     code = "def double(x):\n    while True: pass\n\n\ndef quadruple(x):\n    return double(x)\n"
     verdicts = run(root, chapter, code)
     assert statuses(verdicts) == ["failed", "failed", "blocked", "blocked"]
-    assert "did not end within 0.7 seconds" in verdicts["test_double_of_zero"].message
+    assert "did not end within 0.7 seconds" in says(verdicts, "test_double_of_zero")
     # Two checks hung in double: from then on a check has a quarter of the time.
-    assert "did not end within 0.175 seconds" in verdicts["test_quadruple"].message
-    assert "not run: another check of it did not end" in verdicts["test_quadruple_of_zero"].message
+    assert "did not end within 0.175 seconds" in says(verdicts, "test_quadruple")
+    assert "not run: another check of it did not end" in str(
+        verdicts["test_quadruple_of_zero"].message
+    )
 
 
 def test_the_time_for_all_checks_is_limited(root: Path, chapter: Chapter, run: Run) -> None:
     start = time.monotonic()
     code = RIGHT.replace("return 4 * x", "import time; time.sleep(3)")
-    verdicts = run(root, chapter, code, time_limit=60.0, run_limit=2.0)
+    verdicts = run(root, chapter, code, limits=Limits(60.0, 2.0))
     assert time.monotonic() - start < 30.0  # two seconds, and much for a busy machine
     assert statuses(verdicts) == ["passed", "passed", "failed", "failed"]
-    assert "the 2 seconds were used up" in verdicts["test_quadruple"].message
+    assert "the 2 seconds were used up" in says(verdicts, "test_quadruple")
 
 
 def test_one_exercise_runs_with_what_it_needs_and_no_more(

@@ -6,114 +6,43 @@ import os
 import shutil
 import socket
 import stat
-import struct
 import tempfile
-import time
-import tracemalloc
-import warnings
-import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from autograder.manifest import ROOT, load_chapters
+from autograder.manifest import ROOT
 from autograder.submissions.stage import LARGEST_FILE, stage
-from autograder.submissions.zips import LARGEST_ZIP
 from copies import copy_tree
-
-CHAPTERS = load_chapters()[:2]
-EDITED = [f"{chapter.name}/{file}" for chapter in CHAPTERS for file in chapter.edited_files]
-VECTOR, EXERCISES = "ch02_vectors/vector.py", "ch02_vectors/exercises.py"
-CODE = b"x = 1\n"
-HandIn = Callable[[dict[str, bytes]], Path]
-# The files taken, why others are not, and the notes.
-Outcome = tuple[dict[str, bytes], dict[str, str], list[str]]
-TAKEN: Outcome = ({VECTOR: CODE}, {}, [])
-NOTHING: Outcome = ({}, {}, [])
-LINKED: Outcome = ({}, dict.fromkeys([VECTOR, EXERCISES], "its folder is a symbolic link"), [])
-
-LINK = "it is a symbolic link"
-NO_FILE = "it is no regular file"
-FOLDER = "it is a folder"
-TOO_LARGE = "it is larger than 1,000,000 bytes"
-NO_UTF8 = "it is not UTF-8: save it as UTF-8 in your editor"
-DENIED = "Permission denied"
-UNSEARCHED = f"was not searched: {DENIED}"
-UNKNOWN = f"a folder of the submission cannot be read: {DENIED}"  # who knows what is in it
-GONE = "No such file or directory"
-UNUSUAL = "it is compressed in an unusual way: make an ordinary zip"
-SPOILT = "it is damaged in the zip: zip the folder again"
-DAMAGED = "the zip is damaged, or no ordinary zip: zip the folder again"
-CROWDED = "the zip has more than 5,000 files and folders in it"
-
-posix = pytest.mark.skipif(os.name != "posix", reason="modes, pipes and such names are POSIX's")
-
-
-def only(why: str) -> Outcome:
-    """Nothing was taken of a submission that has but one file."""
-    return {}, {VECTOR: why}, []
-
-
-def refused(why: str) -> Outcome:
-    """The submission as a whole was not taken, which the instructor is told as well."""
-    return {}, dict.fromkeys(EDITED, why), [f"nothing was taken: {why}"]
-
-
-def boxed(submission: Path, root: Path = ROOT) -> Outcome:
-    """Stage a submission into a new box, and see what becomes of it."""
-    box = Path(tempfile.mkdtemp(dir=submission.parent, prefix=".box-"))
-    staged = stage(submission, CHAPTERS, box, root)
-    files = {str(p.relative_to(box)): p.read_bytes() for p in box.rglob("*") if p.is_file()}
-    for chapter in CHAPTERS:
-        for name in chapter.complete:
-            ours = (root / "chapters" / chapter.name / name).read_bytes()
-            assert files.pop(f"{chapter.name}/{name}") == ours
-    missing = {}
-    for module, sentence in staged.missing.items():
-        file, why = sentence.split(" was not taken: ")
-        assert file == module.replace(".", "/") + ".py"
-        missing[file] = why
-    return files, missing, staged.notes
-
-
-def make_folder(folder: Path, files: dict[str, bytes]) -> Path:
-    (folder / "ann").mkdir(exist_ok=True)
-    for name, content in files.items():
-        (folder / "ann" / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / "ann" / name).write_bytes(content)
-    return folder / "ann"
-
-
-def make_zip(folder: Path, files: dict[str, bytes], method: int = zipfile.ZIP_DEFLATED) -> Path:
-    with zipfile.ZipFile(folder / "ann.zip", "w", method) as file:
-        for name, content in files.items():
-            file.writestr(name, content)
-    return folder / "ann.zip"
-
-
-def special_zip(
-    folder: Path, name: str = VECTOR, mode: int = 0o100644, extra: bytes = b"", **fields: int
-) -> Path:
-    """A zip with one stored file, of which fields in the directory are set to other values."""
-    info = zipfile.ZipInfo(name)
-    info.create_system, info.external_attr, info.extra = 3, mode << 16, extra
-    with zipfile.ZipFile(folder / "ann.zip", "w") as file:
-        file.writestr(info, CODE)
-    return set_fields(folder / "ann.zip", **fields)
-
-
-def set_fields(path: Path, **fields: int) -> Path:
-    """Set fields of a zip's directory to other values, in what it says of its last file."""
-    data = bytearray(path.read_bytes())
-    short = {"version": 6, "flags": 8, "method": 10}
-    long = {"crc": 16, "packed": 20, "size": 24, "offset": 42}
-    for field, value in fields.items():
-        place = data.rindex(b"PK\1\2") + (short | long)[field]
-        struct.pack_into("<H" if field in short else "<L", data, place, value)
-    path.write_bytes(data)
-    return path
+from staging import (
+    CHAPTERS,
+    CODE,
+    DENIED,
+    EDITED,
+    EXERCISES,
+    FOLDER,
+    GONE,
+    LINK,
+    LINKED,
+    NO_FILE,
+    NO_UTF8,
+    NOTHING,
+    TAKEN,
+    TOO_LARGE,
+    UNKNOWN,
+    UNSEARCHED,
+    VECTOR,
+    HandIn,
+    Outcome,
+    boxed,
+    make_folder,
+    make_zip,
+    only,
+    posix,
+    refused,
+)
 
 
 @pytest.fixture(params=[make_folder, make_zip])
@@ -450,180 +379,3 @@ def test_names_that_are_no_text_are_escaped_in_notes(tmp_path: Path) -> None:
     ann = make_folder(tmp_path, {f"a\udcff\n\x1b/{VECTOR}": CODE, f"b/{VECTOR}": CODE})
     (note,) = boxed(ann)[2]
     assert r"a\udcff\n\x1b/ch02_vectors was taken" in note
-
-
-# Zips
-
-
-@pytest.mark.parametrize("name", [f"./{VECTOR}", "my work\\a\\ch02_vectors\\vector.py"])
-def test_paths_as_odd_tools_write_them(tmp_path: Path, name: str) -> None:
-    assert boxed(special_zip(tmp_path, name)) == TAKEN
-
-
-@pytest.mark.parametrize(("flags", "outcome"), [(0, TAKEN), (1 << 11, refused(DAMAGED))])
-def test_names_in_any_encoding_are_read(tmp_path: Path, flags: int, outcome: Outcome) -> None:
-    """Unless they promise, with bit 11, to be UTF-8."""
-    made = special_zip(tmp_path, f"ab/{VECTOR}", flags=flags)
-    made.write_bytes(made.read_bytes().replace(b"ab/", b"\x81\xff/"))
-    assert boxed(made) == outcome
-
-
-def test_a_name_does_not_end_at_a_nul(tmp_path: Path) -> None:
-    made = special_zip(tmp_path, f"{VECTOR}?.txt")
-    made.write_bytes(made.read_bytes().replace(b"?", b"\0"))
-    assert boxed(made) == NOTHING
-
-
-@pytest.mark.parametrize(
-    "above",
-    ["/", "/home/ann/", "../", "a/../../", "./../", "..\\", "\\\\host\\a\\", "C:\\", "C:/ann/"],
-)
-def test_paths_that_lead_out_of_the_zip(tmp_path: Path, above: str) -> None:
-    assert boxed(special_zip(tmp_path, above + VECTOR)) == only(
-        "its path in the zip is absolute or has dots in it"
-    )
-    assert not [path for path in tmp_path.rglob("vector.py") if ".box-" not in str(path)]
-    # A sound path counts before it.
-    assert boxed(make_zip(tmp_path, {above + VECTOR: b"1", f"a/{VECTOR}": CODE})) == TAKEN
-
-
-@pytest.mark.parametrize(
-    ("special", "why"),
-    [
-        ({"mode": stat.S_IFLNK | 0o777}, LINK),
-        ({"mode": stat.S_IFIFO | 0o644}, NO_FILE),
-        ({"mode": stat.S_IFCHR | 0o644}, NO_FILE),
-        ({"mode": stat.S_IFDIR | 0o755}, FOLDER),
-        ({"mode": 0, "name": f"{VECTOR}/"}, FOLDER),
-        ({"mode": 0, "name": "ch02_vectors\\vector.py\\"}, FOLDER),
-        ({"flags": 1}, "it is encrypted in the zip: zip it without a password"),
-        ({"flags": 1 << 6}, SPOILT),  # another encryption
-        ({"method": zipfile.ZIP_BZIP2}, UNUSUAL),
-        ({"method": zipfile.ZIP_LZMA}, UNUSUAL),
-        ({"method": 97}, UNUSUAL),
-        ({"method": zipfile.ZIP_DEFLATED}, SPOILT),
-        ({"packed": 3}, SPOILT),
-        ({"packed": LARGEST_FILE + 1}, TOO_LARGE),
-        ({"size": 3}, SPOILT),
-        ({"size": 7}, SPOILT),
-        ({"size": LARGEST_FILE + 1}, TOO_LARGE),
-        ({"crc": 0}, SPOILT),
-        ({"offset": 1}, SPOILT),
-        ({"offset": 4_000_000_000}, SPOILT),
-        ({"offset": 0xFFFF_FFFF, "extra": struct.pack("<2HQ", 1, 8, 1 << 63)}, SPOILT),  # zip64
-    ],
-)
-def test_files_in_a_zip_that_are_not_taken(
-    tmp_path: Path, special: dict[str, Any], why: str
-) -> None:
-    assert boxed(special_zip(tmp_path, **special)) == only(why)
-
-
-@pytest.mark.parametrize(
-    ("special", "outcome"),
-    [
-        ({"mode": 0}, TAKEN),  # from a system without modes
-        ({"mode": stat.S_IFLNK | 0o777, "name": "a/ch02_vectors"}, LINKED),
-        ({"version": 99}, refused(DAMAGED)),
-    ],
-)
-def test_other_fields_of_a_zip(tmp_path: Path, special: dict[str, Any], outcome: Outcome) -> None:
-    assert boxed(special_zip(tmp_path, **special)) == outcome
-
-
-@pytest.mark.parametrize("second", ["ch02_vectors/vector.py", "ch02_vectors\\vector.py"])
-def test_one_name_twice_is_refused(tmp_path: Path, second: str) -> None:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # zipfile doubts it too
-        with zipfile.ZipFile(tmp_path / "ann.zip", "w") as file:
-            for content in (b"good", b"bad", b"good"):
-                file.writestr(VECTOR, content)
-            file.writestr(second, b"other")
-            file.writestr(EXERCISES, CODE)
-    why = "it is in the zip twice"
-    assert boxed(tmp_path / "ann.zip") == ({EXERCISES: CODE}, {VECTOR: why}, [])
-
-
-@pytest.mark.parametrize(
-    "content",
-    [b"", b"PK", b"PK\5\6", b"PK\5\6" + b"\0" * 17, b"Rar!\x1a\7", b"\xff" * 100_000],
-)
-def test_what_is_no_zip(tmp_path: Path, content: bytes) -> None:
-    (tmp_path / "ann.zip").write_bytes(content)
-    assert boxed(tmp_path / "ann.zip") == refused(DAMAGED)
-
-
-@pytest.mark.parametrize("method", [zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED])
-def test_a_zip_cut_or_changed_anywhere_is_told_and_never_raises(
-    tmp_path: Path, method: int
-) -> None:
-    made = make_zip(tmp_path, {f"a/{VECTOR}": b"one", "ch02_vectors/x.txt": b"two"}, method)
-    data = made.read_bytes()
-    directory = data.index(b"PK\1\2")
-    for length in range(len(data)):
-        made.write_bytes(data[:length])
-        assert boxed(made) == refused(DAMAGED)
-    for position in range(len(data)):
-        for value in {0, 255, data[position] ^ 1} - {data[position]}:
-            made.write_bytes(data[:position] + bytes([value]) + data[position + 1 :])
-            files, missing, notes = boxed(made)
-            assert files in ({}, {VECTOR: b"one"})
-            if position < directory:
-                assert (files, missing) in (({VECTOR: b"one"}, {}), ({}, {VECTOR: SPOILT}))
-            elif position < directory + 4:  # "PK" and the kind of record
-                assert (files, missing, notes) == refused(DAMAGED)
-            shutil.rmtree(next(tmp_path.glob(".box-*")))
-
-
-@posix
-def test_a_submission_that_is_a_pipe_holds_nothing_up(tmp_path: Path) -> None:
-    os.mkfifo(tmp_path / "ann.zip")
-    assert boxed(tmp_path / "ann.zip") == refused("the zip is no regular file")
-
-
-def test_a_zip_that_is_too_large_is_not_opened(tmp_path: Path) -> None:
-    assert boxed(make_zip(tmp_path, {VECTOR: CODE, "film": bytes(4_999_000)}, 0)) == TAKEN
-    made = make_zip(tmp_path, {VECTOR: CODE, "film": bytes(5_000_000)}, 0)
-    assert boxed(made) == refused(
-        "the zip is larger than 5,000,000 bytes: zip the folders of the chapters alone"
-    )
-
-
-def test_as_many_entries_as_allowed_are_read(tmp_path: Path) -> None:
-    files = {VECTOR: CODE} | {f"{number}.txt": b"" for number in range(4_999)}
-    assert boxed(make_zip(tmp_path, files)) == TAKEN
-    made = make_zip(tmp_path, files | {"one more.txt": b""})
-    assert boxed(made) == refused(CROWDED)
-
-
-@pytest.mark.parametrize(
-    ("name", "extra", "outcome"),
-    [
-        (b"a", b"", refused(CROWDED)),
-        (b"a", bytes(65_532), NOTHING),  # of which zipfile makes sense at some length
-        (b"a/" * 32_000 + VECTOR.encode(), b"", NOTHING),
-    ],
-)
-def test_a_huge_directory_costs_little_time(
-    tmp_path: Path, name: bytes, extra: bytes, outcome: Outcome
-) -> None:
-    """A zip that is all directory, and says that it has one entry."""
-    fields = [b"PK\1\2", *[0] * 9, len(name), len(extra), *[0] * 5]
-    entry = struct.pack("<4s6H3L5H2L", *fields) + name + extra
-    directory = entry * ((LARGEST_ZIP - 22) // len(entry))
-    end = struct.pack("<4s4H2LH", b"PK\5\6", 0, 0, 1, 1, len(directory), 0, 0)
-    (tmp_path / "ann.zip").write_bytes(directory + end)
-    begin = time.process_time()
-    assert boxed(tmp_path / "ann.zip") == outcome
-    assert time.process_time() - begin < 60.0  # it is 2 at most: a hang is what must not be
-
-
-@pytest.mark.parametrize(("said", "why"), [(200_000_000, TOO_LARGE), (10, SPOILT)])
-def test_a_bomb_is_never_unpacked(tmp_path: Path, said: int, why: str) -> None:
-    made = set_fields(make_zip(tmp_path, {VECTOR: bytes(200_000_000)}), size=said)
-    tracemalloc.start()
-    try:
-        assert boxed(made) == only(why)
-        assert tracemalloc.get_traced_memory()[1] < 10_000_000  # of which 5 are for any zip
-    finally:
-        tracemalloc.stop()

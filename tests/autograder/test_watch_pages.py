@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import ROOT
-from autograder.wrapping import cut, few_lines, wrapped
+from autograder.message import laid_out
+from autograder.wrapping import cut, few_lines, wrapped, wrapped_rows
 from small import RIGHT, make_students_root
 from terminal import HEIGHT, KEYS, WIDTH, Terminal, save
 
@@ -41,34 +42,34 @@ terms = []
 TIERS_CHECKS = """
 import pytest
 from ch90_small import small
-from expect import expect_close, expect_error
+from expect import about, expect_close, expect_error
 
 
 @pytest.mark.exercise("B90.1")
 def test_double():
-    call, cause, read = "double(5)", "twice", "the docstring"
-    expect_close(call, small.double(5), 10, cause=cause, read=read)
+    about("double(5)", cause="twice", read="the docstring")
+    expect_close(small.double(5), 10)
 
 
 @pytest.mark.exercise("B90.1")
 def test_triple():
-    call, cause, read = "triple(5)", "three times", "the docstring"
-    expect_close(call, small.triple(5), 15, cause=cause, read=read)
+    about("triple(5)", cause="three times", read="the docstring")
+    expect_close(small.triple(5), 15)
 
 
 @pytest.mark.robust
 @pytest.mark.exercise("B90.1")
 def test_a_text_is_refused():
-    call, cause, read = "double('a')", "refuse it", "the docstring"
+    about("double('a')", cause="refuse it", read="the docstring")
     twice = lambda: small.double(1)
     text = lambda: small.double("a")
-    expect_error(call, text, TypeError, allowed=twice, cause=cause, read=read)
+    expect_error(text, TypeError, allowed=twice)
 
 
 @pytest.mark.exercise("90.1")
 def test_quadruple():
-    call, cause, read = "quadruple(5)", "four times", "the docstring"
-    expect_close(call, small.quadruple(5), 20, cause=cause, read=read)
+    about("quadruple(5)", cause="four times", read="the docstring")
+    expect_close(small.quadruple(5), 20)
 """
 TIERS = """
 def double(x):
@@ -176,7 +177,8 @@ def shows(terminal: Terminal) -> None:
 
 
 def test_a_line_breaks_between_words_below_its_label() -> None:
-    lines = wrapped("likely    " + "some words " * 9 + "\nplain " + "words " * 9, 40)
+    rows = [("likely", "some words " * 9), ("", "plain " + "words " * 9)]
+    lines = wrapped_rows(rows, 40)
     assert max(map(len, lines)) <= 40
     assert [line[:10].strip() for line in lines] == [
         "likely",
@@ -187,8 +189,18 @@ def test_a_line_breaks_between_words_below_its_label() -> None:
         "words word",
     ]
     assert {word for line in lines for word in line.split()} == {"likely", "some", "words", "plain"}
-    long = "called    v = " + "x" * 50
+    long = "v = " + "x" * 50
     assert "".join(line.strip() for line in wrapped(long, 40)) == long
+
+
+def test_what_code_prints_cannot_look_like_a_label() -> None:
+    text = laid_out([("printed", "1\nlikely    a lie"), ("", "a title\ngot       a lie")])
+    assert text.splitlines() == [
+        "printed   1",
+        "          likely    a lie",
+        "a title",
+        "          got       a lie",
+    ]
 
 
 def test_a_long_diagnosis_is_cut_in_the_middle() -> None:

@@ -9,45 +9,44 @@ from typing import Any
 import pytest
 
 from ch02_vectors import exercises
-from expect import expect_close, expect_error, expect_exactly
+from expect import about, expect_close, expect_error, expect_exactly, scoped
 
 READ = "the docstring of checked_duration"
 
 
+@scoped
 def expect_refusal(value: Any, error: type[Exception], cause: str) -> None:
     """Expect checked_duration to refuse a value with this error, and to accept half a second."""
+    about.cause = cause
     __tracebackhide__ = True
-    call = f"checked_duration({value!r})"
+    about.call = f"checked_duration({value!r})"
     expect_error(
-        call,
         lambda: exercises.checked_duration(value),
         error,
         allowed=lambda: exercises.checked_duration(0.5),
-        cause=cause,
         read=READ,
     )
 
 
 @pytest.mark.exercise("B2.11")
 def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
-    read = READ
+    about.read = READ
     for duration in (round(rng.uniform(0.1, 5.0), 3), 1e-300, 1e300, rng.randint(1, 9)):
-        call = f"checked_duration({duration!r})"
-        cause = "Every positive, finite number is a good duration. Return it as float(duration)."
+        about.call = f"checked_duration({duration!r})"
+        about.cause = "Every positive, finite number is a good duration. Return it as "
+        about.cause += "float(duration)."
         got = exercises.checked_duration(duration)
-        expect_close(call, got, float(duration), cause=cause, read=read, tolerance=0.0)
-        cause = "An int must come back as a float: return float(duration)."
-        expect_exactly(call, got, float(duration), cause=cause, read=read)
+        expect_close(got, float(duration), tolerance=0.0)
+        about.cause = "An int must come back as a float: return float(duration)."
+        expect_exactly(got, float(duration))
 
 
 @pytest.mark.exercise("B2.11")
 def test_zero_and_negative_durations_are_refused(rng: Random) -> None:
     for value in (0.0, -round(rng.uniform(0.1, 5.0), 3), -1e-300, 0):
-        cause = (
-            "No time passes in such a step, or time runs backwards. Raise ValueError where the "
-            "duration is not above 0."
-        )
-        expect_refusal(value, ValueError, cause)
+        about.cause = "No time passes in such a step, or time runs backwards. Raise ValueError "
+        about.cause += "where the duration is not above 0."
+        expect_refusal(value, ValueError, about.cause)
 
 
 @pytest.mark.exercise("B2.11")
@@ -65,32 +64,30 @@ def test_infinite_durations_and_nan_are_refused() -> None:
 @pytest.mark.exercise("B2.11")
 @pytest.mark.parametrize("value", ["0.5", None, [0.5]], ids=["text", "none", "list"])
 def test_what_is_not_a_number_is_refused(value: Any) -> None:
-    cause = (
-        "This is another type of value, not a bad number, so the error is a TypeError. Check "
-        "isinstance(duration, (int, float)) first; float() alone would accept a text."
-    )
-    expect_refusal(value, TypeError, cause)
+    about.cause = "This is another type of value, not a bad number, so the error is a TypeError. "
+    about.cause += "Check isinstance(duration, (int, float)) first; float() alone would accept a "
+    about.cause += "text."
+    expect_refusal(value, TypeError, about.cause)
 
 
 @pytest.mark.exercise("B2.11")
 @pytest.mark.parametrize("value", [-1.5, "soon"], ids=["number", "text"])
 def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
-    call = "checked_duration(0.5)"
-    cause = "Every positive, finite number is a good duration."
-    read = READ
+    about("checked_duration(0.5)", cause="Every positive, finite number is a good duration.")
+    about.read = READ
     exercises.checked_duration(0.5)
     message = "no error"
     try:
         exercises.checked_duration(value)
     except (ValueError, TypeError) as error:
         message = str(error)
-    call = f"the message of the error of checked_duration({value!r})"
-    cause = (
+    about.call = f"the message of the error of checked_duration({value!r})"
+    about.cause = (
         "The message must say which argument is wrong and what came. Put the name "
         'and the value into it: f"duration must be positive and finite, got {duration!r}"'
     )
     wanted = ("duration", str(value))
     got = tuple(word for word in wanted if word in message)
     if got != wanted:
-        call = f"{call}, which says {message!r}"
-    expect_exactly(call, got, wanted, cause=cause, read=read)
+        about.call = f"{about.call}, which says {message!r}"
+    expect_exactly(got, wanted)

@@ -11,6 +11,8 @@ from ch02_vectors.vector import Vector3
 from draw import Components, components, number
 from expect import (
     LOST,
+    about,
+    blame,
     cause_of,
     expect_close,
     expect_error,
@@ -44,52 +46,50 @@ def scaled(a: Components, scale: float) -> Components:
 def test_a_copy_has_the_components_and_a_life_of_its_own(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    call = f"v = Vector3{a}; v.copy()"
-    cause = "a new Vector3 is wanted, made of the same x, y and z: three numbers"
-    read = "the docstring of Vector3.copy"
+    about.call = f"v = Vector3{a}; v.copy()"
+    about.cause = "a new Vector3 is wanted, made of the same x, y and z: three numbers"
+    about.read = "the docstring of Vector3.copy"
     copied = v.copy()
-    expect_close(call, xyz(copied), a, cause=cause, read=read)
+    expect_close(xyz(copied), a)
     copied.x = 99.0
-    call = f"v = Vector3{a}; w = v.copy(); w.x = 99"
-    cause = "v and w are one and the same vector: copy makes a new Vector3, which self is not"
-    expect_unchanged(call, "v", xyz(v), a, cause=cause, read=read)
+    about.call = f"v = Vector3{a}; w = v.copy(); w.x = 99"
+    about.cause = "v and w are one and the same vector: copy makes a new Vector3, which self is not"
+    expect_unchanged("v", xyz(v), a)
 
 
 @pytest.mark.exercise("B2.1")
 def test_clear_leaves_zero(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    call = f"v = Vector3{a}; v.clear()"
-    cause = "all three components of v itself become zero"
-    read = "the docstring of Vector3.clear"
+    about(f"v = Vector3{a}; v.clear()", cause="all three components of v itself become zero")
+    about.read = "the docstring of Vector3.clear"
     v.clear()
-    cause = cause_of(xyz(v), [(a, f"{LOST}; self = Vector3() does not reach v")], cause)
-    expect_close(call, xyz(v), ZERO, cause=cause, read=read)
+    blame(xyz(v), [(a, f"{LOST}; self = Vector3() does not reach v")])
+    expect_close(xyz(v), ZERO)
 
 
 @pytest.mark.exercise("B2.1")
 def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    call = f"v = Vector3{a}; v.invert()"
-    cause = "in v itself each component changes its sign: x from x, y from y, z from z"
-    read = "book 2.1, and errata.md"
+    about.call = f"v = Vector3{a}; v.invert()"
+    about.cause = "in v itself each component changes its sign: x from x, y from y, z from z"
+    about.read = "book 2.1, and errata.md"
     v.invert()
     printed = "the book's listing is wrong here: it sets x from z and leaves z as it is (E-14)"
-    cause = cause_of(xyz(v), [(a, LOST), ((-a[2], -a[1], a[2]), printed)], cause)
-    expect_close(call, xyz(v), scaled(a, -1.0), cause=cause, read=read)
+    blame(xyz(v), [(a, LOST), ((-a[2], -a[1], a[2]), printed)])
+    expect_close(xyz(v), scaled(a, -1.0))
 
 
 @pytest.mark.exercise("B2.1")
 def test_minus_v_is_a_new_vector_turned_round(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    call = f"v = Vector3{a}; -v"
-    cause = "a new vector with all three signs changed"
-    read = "the docstring of Vector3.__neg__"
-    expect_close(call, xyz(-v), scaled(a, -1.0), cause=cause, read=read)
-    cause = "-v makes a new vector and only reads v; invert is the one that changes v"
-    expect_unchanged(call, "v", xyz(v), a, cause=cause, read=read)
+    about(f"v = Vector3{a}; -v", cause="a new vector with all three signs changed")
+    about.read = "the docstring of Vector3.__neg__"
+    expect_close(xyz(-v), scaled(a, -1.0))
+    about.cause = "-v makes a new vector and only reads v; invert is the one that changes v"
+    expect_unchanged("v", xyz(v), a)
 
 
 # B2.2 Length
@@ -98,67 +98,63 @@ def test_minus_v_is_a_new_vector_turned_round(rng: Random) -> None:
 @pytest.mark.exercise("B2.2")
 def test_magnitude_is_the_length(rng: Random) -> None:
     a, length = whole_length(rng)
-    call = f"Vector3{a}.magnitude()"
-    cause = "the root of the sum of the three squared components"
-    read = "book 2.1"
+    about(f"Vector3{a}.magnitude()", cause="the root of the sum of the three squared components")
+    about.read = "book 2.1"
     got = Vector3(*a).magnitude()
     mistakes = [
         (length**2, "that is the squared length: its root is missing"),
         (math.hypot(a[0], a[1]), "that is the length without z: three terms are under the root"),
         (sum(a), "the components themselves were added up: square each of them first"),
     ]
-    cause = cause_of(got, mistakes, cause)
-    expect_close(call, got, length, cause=cause, read=read)
+    blame(got, mistakes)
+    expect_close(got, length)
 
 
 @pytest.mark.exercise("B2.2")
 def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
     a, length = whole_length(rng)
-    call = f"Vector3{a}.squared_magnitude()"
-    cause = "the sum of the three squares, without the root"
-    read = "book 2.1"
+    about(f"Vector3{a}.squared_magnitude()", cause="the sum of the three squares, without the root")
+    about.read = "book 2.1"
     got = Vector3(*a).squared_magnitude()
     mistakes = [
         (length, "that is the length itself: the squares are added up, and no root is taken"),
         (a[0] ** 2 + a[1] ** 2, "that is the sum without z: there are three squares"),
     ]
-    cause = cause_of(got, mistakes, cause)
-    expect_close(call, got, length**2, cause=cause, read=read)
+    blame(got, mistakes)
+    expect_close(got, length**2)
 
 
 @pytest.mark.exercise("B2.2")
 @pytest.mark.robust
 def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
     a, length = whole_length(rng)
-    cause = (
-        "the square of 1e200 is above the largest float, that of 1e-200 below the smallest; "
-        "math.hypot finds the length without them"
-    )
-    read = "the docstring of Vector3.magnitude"
+    about.cause = "the square of 1e200 is above the largest float, that of 1e-200 below the "
+    about.cause += "smallest; math.hypot finds the length without them"
+    about.read = "the docstring of Vector3.magnitude"
     for scale in (HUGE, TINY):
         b = scaled(a, scale)
-        call = f"Vector3{b}.magnitude()"
-        expect_close(call, Vector3(*b).magnitude(), length * scale, cause=cause, read=read)
+        about.call = f"Vector3{b}.magnitude()"
+        expect_close(Vector3(*b).magnitude(), length * scale)
 
 
 @pytest.mark.exercise("B2.2")
 def test_the_zero_vector_has_the_length_zero() -> None:
-    call = "Vector3(0, 0, 0).magnitude()"
-    cause = "zero is a vector like any other, of length zero"
-    read = "book 2.1"
-    expect_close(call, Vector3(0.0, 0.0, 0.0).magnitude(), 0.0, cause=cause, read=read)
+    about("Vector3(0, 0, 0).magnitude()", cause="zero is a vector like any other, of length zero")
+    about.read = "book 2.1"
+    expect_close(Vector3(0.0, 0.0, 0.0).magnitude(), 0.0)
 
 
 @pytest.mark.exercise("B2.2")
 @pytest.mark.robust
 def test_nan_stays_visible_in_a_length() -> None:
-    read = "the docstrings of Vector3 and Vector3.magnitude"
+    about.read = "the docstrings of Vector3 and Vector3.magnitude"
     lost = Vector3(1.0, math.nan, 2.0)
-    call = "Vector3(1, nan, 2).magnitude()"
-    cause = "NaN, not a number, must stay visible: no max or min, and no test that it slips through"
-    expect_nan(call, lost.magnitude(), cause=cause, read=read)
-    call = "Vector3(1, nan, 2).squared_magnitude()"
-    expect_nan(call, lost.squared_magnitude(), cause=cause, read=read)
+    about.call = "Vector3(1, nan, 2).magnitude()"
+    about.cause = "NaN, not a number, must stay visible: no max or min, and no test that it slips "
+    about.cause += "through"
+    expect_nan(lost.magnitude())
+    about.call = "Vector3(1, nan, 2).squared_magnitude()"
+    expect_nan(lost.squared_magnitude())
 
 
 # B2.3 Multiply and divide by a number
@@ -168,16 +164,16 @@ def test_nan_stays_visible_in_a_length() -> None:
 def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = Vector3(*a)
-    cause = "a new vector, each component multiplied once, by any number: 2 as well as 2.0"
-    read = "book 2.1.3"
+    about.cause = "a new vector, each component multiplied once, by any number: 2 as well as 2.0"
+    about.read = "book 2.1.3"
     for factor in (scale, 2):
         wanted = scaled(a, factor)
-        call = f"v = Vector3{a}; v * {factor}"
-        expect_close(call, xyz(v * factor), wanted, cause=cause, read=read)
+        about.call = f"v = Vector3{a}; v * {factor}"
+        expect_close(xyz(v * factor), wanted)
         reads = f"v * {factor} makes a new vector and only reads v; *= is the one that changes v"
-        expect_unchanged(call, "v", xyz(v), a, cause=reads, read=read)
-        call = f"v = Vector3{a}; {factor} * v"
-        expect_close(call, xyz(factor * v), wanted, cause=cause, read=read)
+        expect_unchanged("v", xyz(v), a, cause=reads)
+        about.call = f"v = Vector3{a}; {factor} * v"
+        expect_close(xyz(factor * v), wanted)
 
 
 @pytest.mark.exercise("B2.3")
@@ -185,12 +181,13 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = before = Vector3(*a)
     made, step = f"v = Vector3{a}", f"v *= {scale}"
-    call = f"{made}; {step}"
-    cause = "each component is multiplied in self; what the method returns becomes v: return self"
-    read = "book 2.1.3, and the docstring of Vector3.__imul__"
+    about.call = f"{made}; {step}"
+    about.cause = "each component is multiplied in self; what the method returns becomes v: return "
+    about.cause += "self"
+    about.read = "book 2.1.3, and the docstring of Vector3.__imul__"
     v *= scale
-    expect_close(call, xyz(v), scaled(a, scale), cause=cause, read=read)
-    expect_same_object(made, step, v, before, read=read)
+    expect_close(xyz(v), scaled(a, scale))
+    expect_same_object(made, step, v, before)
 
 
 @pytest.mark.exercise("B2.3")
@@ -204,20 +201,20 @@ def test_division_by_a_number(rng: Random) -> None:
         (scaled(a, divisor), "that is v times the number"),
     ]
     made, step = f"v = Vector3{a}", f"v /= {divisor}"
-    call = f"{made}; v / {divisor}"
-    cause = "a new vector, each component divided once"
-    read = "the docstring of Vector3.__truediv__"
+    about(f"{made}; v / {divisor}", cause="a new vector, each component divided once")
+    about.read = "the docstring of Vector3.__truediv__"
     got = xyz(v / divisor)
-    expect_close(call, got, wanted, cause=cause_of(got, mistakes, cause), read=read)
+    expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
     reads = f"v / {divisor} makes a new vector and only reads v; /= is the one that changes v"
-    expect_unchanged(call, "v", xyz(v), a, cause=reads, read=read)
-    call = f"{made}; {step}"
-    cause = "each component is divided in self; what the method returns becomes v: return self"
-    read = "the docstring of Vector3.__itruediv__"
+    expect_unchanged("v", xyz(v), a, cause=reads)
+    about.call = f"{made}; {step}"
+    about.cause = "each component is divided in self; what the method returns becomes v: return "
+    about.cause += "self"
+    about.read = "the docstring of Vector3.__itruediv__"
     w /= divisor
     got = xyz(w)
-    expect_close(call, got, wanted, cause=cause_of(got, mistakes, cause), read=read)
-    expect_same_object(made, step, w, before, read=read)
+    expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
+    expect_same_object(made, step, w, before)
 
 
 def divide_in_place(a: Components, divisor: object) -> object:
@@ -231,8 +228,8 @@ def divide_in_place(a: Components, divisor: object) -> object:
 def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    cause = "no vector is right here: let Python's own ZeroDivisionError through"
-    read = "the docstring of Vector3.__truediv__"
+    about.cause = "no vector is right here: let Python's own ZeroDivisionError through"
+    about.read = "the docstring of Vector3.__truediv__"
     for call, attempt, allowed in (
         (f"v = Vector3{a}; v / 0.0", lambda: v / 0.0, lambda: v / 2.0),
         (
@@ -241,7 +238,8 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
             lambda: divide_in_place(a, 2.0),
         ),
     ):
-        expect_error(call, attempt, ZeroDivisionError, allowed=allowed, cause=cause, read=read)
+        about.call = call
+        expect_error(attempt, ZeroDivisionError, allowed=allowed)
 
 
 @pytest.mark.exercise("B2.3")
@@ -257,7 +255,7 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
 
     asked = "ask isinstance(..., Vector3) first, and raise TypeError"
     product = f"it could be dot, cross or component_product, so * takes numbers only: {asked}"
-    read = "the docstring of Vector3.__mul__"
+    about.read = "the docstring of Vector3.__mul__"
     for call, attempt, allowed, cause in (
         (f"Vector3{a} * Vector3{b}", lambda: v * w, lambda: v * 2.0, product),
         (
@@ -273,7 +271,8 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
             f"nothing is divided by a vector: {asked}",
         ),
     ):
-        expect_error(call, attempt, TypeError, allowed=allowed, cause=cause, read=read)
+        about(call, cause=cause)
+        expect_error(attempt, TypeError, allowed=allowed)
 
 
 # B2.4 Normalise
@@ -283,9 +282,9 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
 def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> None:
     a, length = whole_length(rng)
     v = Vector3(*a)
-    call = f"v = Vector3{a}; v.normalize()"
-    cause = "v itself changes: each of the three components is divided by the length"
-    read = "book 2.1.3"
+    about.call = f"v = Vector3{a}; v.normalize()"
+    about.cause = "v itself changes: each of the three components is divided by the length"
+    about.read = "book 2.1.3"
     v.normalize()
     x = a[0] / length
     y = a[1] / math.hypot(x, a[1], a[2])
@@ -297,57 +296,61 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
             "the length was worked out again after x had changed: keep it in a name first",
         ),
     ]
-    cause = cause_of(xyz(v), mistakes, cause)
-    expect_close(call, xyz(v), scaled(a, 1.0 / length), cause=cause, read=read)
+    blame(xyz(v), mistakes)
+    expect_close(xyz(v), scaled(a, 1.0 / length))
 
 
 @pytest.mark.exercise("B2.4")
 def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     a, length = whole_length(rng)
     v = Vector3(*a)
-    call = f"v = Vector3{a}; v.normalized()"
-    cause = "a new vector, each component divided by the length"
-    read = "the docstring of Vector3.normalized"
+    about.call = f"v = Vector3{a}; v.normalized()"
+    about.cause = "a new vector, each component divided by the length"
+    about.read = "the docstring of Vector3.normalized"
     got = xyz(v.normalized())
     mistakes = [(scaled(a, length**-2), "divided by the squared length: take magnitude()")]
-    cause = cause_of(got, mistakes, cause)
-    expect_close(call, got, scaled(a, 1.0 / length), cause=cause, read=read)
-    cause = "normalized makes a new vector and only reads v; normalize is the one that changes v"
-    expect_unchanged(call, "v", xyz(v), a, cause=cause, read=read)
+    blame(got, mistakes)
+    expect_close(got, scaled(a, 1.0 / length))
+    about.cause = "normalized makes a new vector and only reads v; normalize is the one that "
+    about.cause += "changes v"
+    expect_unchanged("v", xyz(v), a)
     first = v.normalized()
     Vector3(0.0, -1.0, 0.0).normalized()
-    call = f"u = Vector3{a}.normalized(); Vector3(0, -1, 0).normalized(); u"
-    cause = "Every call must make a vector of its own: this one changed when the next was made."
-    expect_close(call, xyz(first), scaled(a, 1.0 / length), cause=cause, read=read)
+    about.call = f"u = Vector3{a}.normalized(); Vector3(0, -1, 0).normalized(); u"
+    about.cause = "Every call must make a vector of its own: this one changed when the next was "
+    about.cause += "made."
+    expect_close(xyz(first), scaled(a, 1.0 / length))
 
 
 @pytest.mark.exercise("B2.4")
 def test_the_zero_vector_stays_zero() -> None:
     v = Vector3(0.0, 0.0, 0.0)
-    call = "v = Vector3(0, 0, 0); v.normalized()"
-    cause = "zero has no direction and stays zero: ask for the length 0.0 before you divide by it"
-    read = "book 2.1.3"
-    expect_close(call, xyz(v.normalized()), ZERO, cause=cause, read=read)
-    call = "v = Vector3(0, 0, 0); v.normalize()"
+    about.call = "v = Vector3(0, 0, 0); v.normalized()"
+    about.cause = "zero has no direction and stays zero: ask for the length 0.0 before you divide "
+    about.cause += "by it"
+    about.read = "book 2.1.3"
+    expect_close(xyz(v.normalized()), ZERO)
+    about.call = "v = Vector3(0, 0, 0); v.normalize()"
     v.normalize()
-    expect_close(call, xyz(v), ZERO, cause=cause, read=read)
+    expect_close(xyz(v), ZERO)
 
 
 @pytest.mark.exercise("B2.4")
 @pytest.mark.robust
 def test_normalize_huge_and_tiny_vectors(rng: Random) -> None:
     a, length = whole_length(rng)
-    read = "the docstring of Vector3.normalize"
+    about.read = "the docstring of Vector3.normalize"
     for scale in (HUGE, TINY):
         b = scaled(a, scale)
         v = Vector3(*b)
-        call = f"v = Vector3{b}; v.normalize()"
-        cause = "a square, or one divided by the length, left the range of a float: see magnitude"
+        about.call = f"v = Vector3{b}; v.normalize()"
+        about.cause = "a square, or one divided by the length, left the range of a float: see "
+        about.cause += "magnitude"
         v.normalize()
         taken = "v is as it was, taken for zero: short is not zero, only magnitude() == 0.0 is"
         mistakes = [
             (b, taken),
             (ZERO, "the length came out as infinity, since its square did: take magnitude()"),
         ]
-        cause = cause_of(xyz(v), mistakes, cause)
-        expect_close(call, xyz(v), scaled(a, 1.0 / length), cause=cause, read=read)
+        blame(xyz(v), mistakes)
+        expect_close(xyz(v), scaled(a, 1.0 / length))

@@ -12,7 +12,16 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import damping as forms
 from ch03_laws_of_motion import exercises
 from draw import Components, components
-from expect import cause_of, expect_close, expect_error, expect_unchanged, xyz
+from expect import (
+    UNCHANGED,
+    about,
+    blame,
+    expect_close,
+    expect_error,
+    expect_unchanged,
+    scoped,
+    xyz,
+)
 
 
 def draw_damping(rng: Random) -> float:
@@ -31,10 +40,10 @@ def combined(v: Components, a: Components, kept: float, gained: float) -> Compon
 @pytest.mark.exercise("B3.3")
 def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) -> None:
     v, a = components(rng), components(rng)
-    read = "book 3.3, Eq. 3.5"
+    about.read = "book 3.3, Eq. 3.5"
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
-        call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
-        cause = "v' = v d + a h: d, however long the frame; the acceleration is not damped"
+        about.call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
+        about.cause = "v' = v d + a h: d, however long the frame; the acceleration is not damped"
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
         undamped = "nothing was damped: v d + a h"
         if d == 0.0:
@@ -45,35 +54,35 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
             (combined(v, a, d, d * h), "the acceleration was damped too: v d + a h"),
             (combined(v, a, 1.0, h), undamped),
         ]
-        cause = cause_of(xyz(got), mistakes, cause)
+        blame(xyz(got), mistakes)
         wanted = combined(v, a, d, h)
-        expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
+        expect_close(xyz(got), wanted, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.3")
 def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None:
     v, drawn = components(rng), draw_damping(rng)
-    read = "book 3.3, Eq. 3.6"
+    about.read = "book 3.3, Eq. 3.6"
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
-        call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
-        cause = "without an acceleration v' = v d^h: a frame of h seconds keeps d^h"
+        about.call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
+        about.cause = "without an acceleration v' = v d^h: a frame of h seconds keeps d^h"
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
         mistakes = [
             (combined(v, v, d, 0.0), "that is Eq. 3.5, d in every frame: Eq. 3.6 takes d^h"),
             (combined(v, v, d * h, 0.0), "d was multiplied by h: d^h is damping**duration"),
         ]
-        cause = cause_of(xyz(got), mistakes, cause)
+        blame(xyz(got), mistakes)
         wanted = combined(v, v, d**h, 0.0)
-        expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
+        expect_close(xyz(got), wanted, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.3")
 def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> None:
     v, a = components(rng), components(rng)
-    read = "book 3.3, Eq. 3.6, and errata.md"
+    about.read = "book 3.3, Eq. 3.6, and errata.md"
     for d in (draw_damping(rng), 0.0, 1.5):
-        call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
-        cause = "v' = v d^h + a h: that is Eq. 3.6, in which the acceleration is not damped"
+        about.call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
+        about.cause = "v' = v d^h + a h: that is Eq. 3.6, in which the acceleration is not damped"
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
             "that is (v + a h) d^h, the form of the book's listing, which contradicts its Eq. 3.6 "
@@ -81,47 +90,38 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
-        cause = cause_of(xyz(got), mistakes, cause)
+        blame(xyz(got), mistakes)
         wanted = combined(v, a, kept, 0.5)
-        expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-13)
+        expect_close(xyz(got), wanted, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.3")
 def test_both_equations_give_a_new_vector(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    cause = "a new vector is wanted: v *= d would change the caller's velocity"
-    read = "the head of damping.py"
+    about.cause = "a new vector is wanted: v *= d would change the caller's velocity"
+    about.read = "the head of damping.py"
     for name in ("damp_per_frame", "damp_per_second"):
-        call = f"v, a = Vector3{first}, Vector3{second}; {name}(v, a, 0.5, 2.0)"
+        about.call = f"v, a = Vector3{first}, Vector3{second}; {name}(v, a, 0.5, 2.0)"
         v, a = Vector3(*first), Vector3(*second)
         result = getattr(forms, name)(v, a, 0.5, 2.0)
-        expect_unchanged(call, "v", xyz(v), first, cause=cause, read=read)
-        expect_unchanged(call, "a", xyz(a), second, cause=cause, read=read)
+        expect_unchanged("v", xyz(v), first)
+        expect_unchanged("a", xyz(a), second)
         kept = {"damp_per_frame": 0.5, "damp_per_second": 0.25}[name]
         wanted = tuple(first[i] * kept + second[i] * 2.0 for i in range(3))
-        expect_close(call, xyz(result), wanted, cause=cause, read=read, tolerance=1e-13)
+        expect_close(xyz(result), wanted, tolerance=1e-13)
 
 
+@scoped
 def expect_refusal(
-    name: str,
-    damping: Any,
-    duration: Any,
-    error: type[Exception],
-    *,
-    good: tuple[float, float],
-    cause: str,
-    read: str,
+    name: str, damping: Any, duration: Any, error: type[Exception], *, good: tuple[float, float]
 ) -> None:
     """Expect an equation to refuse a damping or a duration, and to take two that are good."""
-    call = f"{name}(Vector3(1, 2, 3), Vector3(), {damping!r}, {duration!r})"
+    about.call = f"{name}(Vector3(1, 2, 3), Vector3(), {damping!r}, {duration!r})"
     function = getattr(forms, name)
     expect_error(
-        call,
         lambda: function(Vector3(1, 2, 3), Vector3(), damping, duration),
         error,
         allowed=lambda: function(Vector3(1, 2, 3), Vector3(), *good),
-        cause=cause,
-        read=read,
     )
 
 
@@ -130,21 +130,20 @@ def expect_refusal(
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
-    cause = (
-        "no time passes in it, or time runs back or for ever: positive of arguments.py refuses it"
-    )
-    read = f"the docstring of {name}"
-    expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0), cause=cause, read=read)
+    about.cause = "no time passes in it, or time runs back or for ever: positive of arguments.py "
+    about.cause += "refuses it"
+    about.read = f"the docstring of {name}"
+    expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0))
 
 
 @pytest.mark.exercise("B3.3")
 @pytest.mark.robust
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 def test_both_equations_refuse_text(name: str) -> None:
-    cause = "the functions of arguments.py raise the TypeError for you"
-    read = "the head of damping.py"
+    about.cause = "the functions of arguments.py raise the TypeError for you"
+    about.read = "the head of damping.py"
     for numbers in (("0.5", 0.5), (0.5, "0.5")):
-        expect_refusal(name, *numbers, TypeError, good=(0.5, 0.5), cause=cause, read=read)
+        expect_refusal(name, *numbers, TypeError, good=(0.5, 0.5))
 
 
 @pytest.mark.exercise("B3.3")
@@ -152,9 +151,9 @@ def test_both_equations_refuse_text(name: str) -> None:
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
-    cause = "not_negative of arguments.py refuses it in one line"
-    read = f"the docstring of {name}"
-    expect_refusal(name, bad, 0.5, ValueError, good=(0.0, 0.5), cause=cause, read=read)
+    about.cause = "not_negative of arguments.py refuses it in one line"
+    about.read = f"the docstring of {name}"
+    expect_refusal(name, bad, 0.5, ValueError, good=(0.0, 0.5))
 
 
 # 3.5b How far apart the two equations end
@@ -164,24 +163,24 @@ def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
 def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
     damping, frames = draw_damping(rng), rng.choice((20, 40, 80))
     h = 1.0 / frames
-    call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, [[{h}] * {frames}])"
-    cause = "in every frame both velocities take one step of their own equation"
-    read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
+    about.call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, [[{h}] * {frames}])"
+    about.cause = "in every frame both velocities take one step of their own equation"
+    about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(), Vector3(0.0, -10.0, 0.0), damping, [[h] * frames])
     # From rest both velocities are sums of powers: a h (1 - q^n) / (1 - q), with q = d and d^h.
     # Rounding of numbers up to 10 in 80 steps.
     by_frame = 10.0 * h * (1.0 - damping**frames) / (1.0 - damping)
     by_second = 10.0 * h * (1.0 - damping) / (1.0 - damping**h)
-    expect_close(call, got, abs(by_second - by_frame), cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, abs(by_second - by_frame), tolerance=1e-12)
 
 
 @pytest.mark.exercise("3.5b")
 def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     v, a, damping = components(rng), components(rng), draw_damping(rng)
     runs = [[round(rng.uniform(0.05, 0.3), 3) for _ in range(n)] for n in (2, 3, 5)]
-    call = f"damping_difference(Vector3{v}, Vector3{a}, {damping}, {runs})"
-    cause = "every run starts with the velocity that is given; the mean is over the runs"
-    read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
+    about.call = f"damping_difference(Vector3{v}, Vector3{a}, {damping}, {runs})"
+    about.cause = "every run starts with the velocity that is given; the mean is over the runs"
+    about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
     distances, speeds = [], []
     for run in runs:
@@ -204,61 +203,58 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
         ),
         (distances[-1], "that is the last run alone: the mean is over all of them"),
     ]
-    cause = cause_of(got, mistakes, cause)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    blame(got, mistakes)
+    expect_close(got, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("3.5b")
 def test_the_difference_leaves_its_vectors_alone(rng: Random) -> None:
     first, second = components(rng), components(rng)
     v, a = Vector3(*first), Vector3(*second)
-    call = f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, 1.0, [[0.5, 0.5]])"
-    cause = "with a damping of 1 both equations are v + a h, and end alike"
-    read = "the docstring of damping_difference"
+    about.call = f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, 1.0, [[0.5, "
+    about.call += "0.5]])"
+    about.cause = "with a damping of 1 both equations are v + a h, and end alike"
+    about.read = "the docstring of damping_difference"
     got = exercises.damping_difference(v, a, 1.0, [[0.5, 0.5]])
-    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-13)
-    expect_unchanged(call, "v", xyz(v), first, read=read)
-    expect_unchanged(call, "a", xyz(a), second, read=read)
+    expect_close(got, 0.0, tolerance=1e-13)
+    expect_unchanged("v", xyz(v), first, cause=UNCHANGED)
+    expect_unchanged("a", xyz(a), second, cause=UNCHANGED)
 
 
 Runs = list[list[float]]
 
 
-def expect_no_difference(
-    damping: float, runs: Runs, *, good: tuple[float, Runs], cause: str
-) -> None:
+@scoped
+def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]) -> None:
     """Expect damping_difference to refuse a damping or its runs, and to take two that are good."""
-    call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, {runs})"
-    read = "the docstring of damping_difference"
+    about.call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, {runs})"
+    about.read = "the docstring of damping_difference"
     gravity = Vector3(0.0, -10.0, 0.0)
     expect_error(
-        call,
         lambda: exercises.damping_difference(Vector3(), gravity, damping, runs),
         ValueError,
         allowed=lambda: exercises.damping_difference(Vector3(), gravity, *good),
-        cause=cause,
-        read=read,
     )
 
 
 @pytest.mark.exercise("3.5b")
 @pytest.mark.robust
 def test_no_run_has_no_mean() -> None:
-    cause = "a mean over nothing is a division by zero: say so with a ValueError"
-    expect_no_difference(0.9, [], good=(0.9, [[0.5]]), cause=cause)
+    about.cause = "a mean over nothing is a division by zero: say so with a ValueError"
+    expect_no_difference(0.9, [], good=(0.9, [[0.5]]))
 
 
 @pytest.mark.exercise("3.5b")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
-    cause = "the two equations refuse it, if you use them"
-    expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]), cause=cause)
+    about.cause = "the two equations refuse it, if you use them"
+    expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]))
 
 
 @pytest.mark.exercise("3.5b")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
-    cause = "the two equations refuse it, if you use them"
-    expect_no_difference(bad, [[0.5, 0.5]], good=(0.0, [[0.5, 0.5]]), cause=cause)
+    about.cause = "the two equations refuse it, if you use them"
+    expect_no_difference(bad, [[0.5, 0.5]], good=(0.0, [[0.5, 0.5]]))

@@ -11,50 +11,46 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import exercises
 from draw import Components, components
-from expect import cause_of, expect_close, expect_error, expect_unchanged, xyz
+from expect import about, blame, cause_of, expect_close, expect_error, expect_unchanged, scoped, xyz
 
 # 3.1 The same force on two masses
 
 
 @pytest.mark.exercise("3.1")
 def test_twice_the_mass_gets_half_the_speed() -> None:
-    call = "speed_ratio(2, 1)"
-    cause = "a = f / m: the heavier one is the slower one"
-    read = "book 3.2, Eq. 3.2; errata.md"
+    about("speed_ratio(2, 1)", cause="a = f / m: the heavier one is the slower one")
+    about.read = "book 3.2, Eq. 3.2; errata.md"
     got = exercises.speed_ratio(2, 1)
     faster = (
         "that makes the heavier one the faster: a = f / m. The book's sentence, acceleration in "
         "proportion to the mass, is wrong (E-1)"
     )
     mistakes = [(2.0, faster), (0.0, "// rounds down to a whole number: a division is /")]
-    expect_close(call, got, 0.5, cause=cause_of(got, mistakes, cause), read=read)
+    expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
 
 
 @pytest.mark.exercise("3.1")
 def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
     first, second = round(rng.uniform(1.0, 9.0), 3), round(rng.uniform(10.0, 90.0), 3)
-    call = f"speed_ratio({first}, {second})"
-    cause = "the first speed over the second: (f t / m1) / (f t / m2)"
-    read = "the docstring of speed_ratio"
+    about.call = f"speed_ratio({first}, {second})"
+    about.cause = "the first speed over the second: (f t / m1) / (f t / m2)"
+    about.read = "the docstring of speed_ratio"
     got = exercises.speed_ratio(first, second)
-    expect_close(call, got, second / first, cause=cause, read=read)
+    expect_close(got, second / first)
 
 
 @pytest.mark.exercise("3.1")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
-    cause = "positive of arguments.py refuses it in one line"
-    read = "the docstring of speed_ratio"
+    about.cause = "positive of arguments.py refuses it in one line"
+    about.read = "the docstring of speed_ratio"
     for masses in ((bad, 1.0), (1.0, bad), (bad, bad)):
-        call = f"speed_ratio{masses}"
+        about.call = f"speed_ratio{masses}"
         expect_error(
-            call,
             lambda masses=masses: exercises.speed_ratio(*masses),
             ValueError,
             allowed=lambda: exercises.speed_ratio(1.0, 1.0),
-            cause=cause,
-            read=read,
         )
 
 
@@ -63,25 +59,23 @@ def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
 
 @pytest.mark.exercise("3.2")
 def test_the_force_between_two_people_of_100_kg() -> None:
-    call = "gravity_between(100, 100, 1)"
-    cause = "G m1 m2 / r^2, with G = 6.67428e-11"
-    read = "book 3.2, Eq. 3.3"
+    about("gravity_between(100, 100, 1)", cause="G m1 m2 / r^2, with G = 6.67428e-11")
+    about.read = "book 3.2, Eq. 3.3"
     got = exercises.gravity_between(100, 100, 1)
     mistakes = [
         (6.67428e-11 * 200, "the masses were added: they are multiplied"),
         (1e4, "G is missing: GRAVITATIONAL_CONSTANT"),
     ]
-    cause = cause_of(got, mistakes, cause)
-    expect_close(call, got, 6.67428e-7, cause=cause, read=read, tolerance=1e-20)
+    blame(got, mistakes)
+    expect_close(got, 6.67428e-7, tolerance=1e-20)
 
 
 @pytest.mark.exercise("3.2")
 def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     m1, m2 = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
-    read = "book 3.2, Eq. 3.3"
+    about.read = "book 3.2, Eq. 3.3"
     for distance in (round(rng.uniform(2.0, 9.0), 3), 0.25):
-        call = f"gravity_between({m1}, {m2}, {distance})"
-        cause = "G m1 m2 / r^2"
+        about(f"gravity_between({m1}, {m2}, {distance})", cause="G m1 m2 / r^2")
         got = exercises.gravity_between(m1, m2, distance)
         wanted = 6.67428e-11 * m1 * m2 / (distance * distance)
         mistakes = [
@@ -89,43 +83,37 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
             (wanted * distance**2, "the distance is missing: G m1 m2 / r^2"),
             (wanted * distance**4, "the force grew with the distance: divide by r^2"),
         ]
-        cause = cause_of(got, mistakes, cause)
-        expect_close(call, got, wanted, cause=cause, read=read)
+        blame(got, mistakes)
+        expect_close(got, wanted)
 
 
 @pytest.mark.exercise("3.2")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
-    cause = "positive of arguments.py refuses it in one line"
-    read = "the docstring of gravity_between"
+    about.cause = "positive of arguments.py refuses it in one line"
+    about.read = "the docstring of gravity_between"
     for data in ((bad, 1.0, 1.0), (1.0, bad, 1.0), (1.0, 1.0, bad)):
-        call = f"gravity_between{data}"
+        about.call = f"gravity_between{data}"
         expect_error(
-            call,
             lambda data=data: exercises.gravity_between(*data),
             ValueError,
             allowed=lambda: exercises.gravity_between(1.0, 1.0, 1.0),
-            cause=cause,
-            read=read,
         )
 
 
 @pytest.mark.exercise("3.2")
 @pytest.mark.robust
 def test_text_is_no_mass_and_no_distance() -> None:
-    cause = "positive of arguments.py raises the TypeError for you"
-    read = "the docstring of gravity_between"
+    about.cause = "positive of arguments.py raises the TypeError for you"
+    about.read = "the docstring of gravity_between"
     data: Any
     for data in (("2", 1.0, 1.0), (1.0, "2", 1.0), (1.0, 1.0, "2")):
-        call = f"gravity_between{data}"
+        about.call = f"gravity_between{data}"
         expect_error(
-            call,
             lambda data=data: exercises.gravity_between(*data),
             TypeError,
             allowed=lambda: exercises.gravity_between(1.0, 1.0, 1.0),
-            cause=cause,
-            read=read,
         )
 
 
@@ -142,9 +130,8 @@ def vectors(*all_of: Components) -> tuple[Any, ...]:
 
 @pytest.mark.exercise("3.4a")
 def test_five_seconds_by_the_equation() -> None:
-    call = f"position_by_equation({EXAMPLE}, 5)"
-    cause = "p + v t + a t^2 / 2: 2 + 5 - 25 on X"
-    read = "book 2.2, Eq. 2.9"
+    about(f"position_by_equation({EXAMPLE}, 5)", cause="p + v t + a t^2 / 2: 2 + 5 - 25 on X")
+    about.read = "book 2.2, Eq. 2.9"
     got = exercises.position_by_equation(*vectors(START, VELOCITY, ACCELERATION), 5)
     mistakes = [
         ((-43.0, 25.0, 21.5), "the half is missing: a t^2 / 2"),
@@ -152,56 +139,55 @@ def test_five_seconds_by_the_equation() -> None:
         ((-20.0, 7.5, 16.25), "the start is missing: p + v t + a t^2 / 2"),
         ((-22.0, 16.5, 7.25), "the velocity was added once, as if one second had passed: v t"),
     ]
-    cause = cause_of(xyz(got), mistakes, cause)
-    expect_close(call, xyz(got), (-18.0, 12.5, 15.25), cause=cause, read=read)
+    blame(xyz(got), mistakes)
+    expect_close(xyz(got), (-18.0, 12.5, 15.25))
 
 
 @pytest.mark.exercise("3.4a")
 def test_the_equation_gives_a_new_position(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     position, velocity, acceleration = vectors(x, v, a)
-    read = "book 2.2, Eq. 2.9"
+    about.read = "book 2.2, Eq. 2.9"
     for t in (round(rng.uniform(2.0, 9.0), 3), 0.25):
-        call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, {t})"
-        cause = "p + v t + a t^2 / 2, as a new vector"
+        about.call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, "
+        about.call += f"{t})"
+        about.cause = "p + v t + a t^2 / 2, as a new vector"
         got = exercises.position_by_equation(position, velocity, acceleration, t)
         wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * t for i in range(3))
         # Rounding of numbers up to 400.
-        expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-12)
-        cause = "+=, *= and add_scaled change the caller's vector: + and * make a new one"
-        expect_unchanged(call, "p", xyz(position), x, cause=cause, read=read)
-        expect_unchanged(call, "v", xyz(velocity), v, cause=cause, read=read)
-        expect_unchanged(call, "a", xyz(acceleration), a, cause=cause, read=read)
+        expect_close(xyz(got), wanted, tolerance=1e-12)
+        about.cause = "+=, *= and add_scaled change the caller's vector: + and * make a new one"
+        expect_unchanged("p", xyz(position), x)
+        expect_unchanged("v", xyz(velocity), v)
+        expect_unchanged("a", xyz(acceleration), a)
 
 
 @pytest.mark.exercise("3.4a")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
-    call = f"position_by_equation({EXAMPLE}, {bad})"
-    cause = "positive of arguments.py refuses it in one line"
-    read = "the docstring of position_by_equation"
+    about.call = f"position_by_equation({EXAMPLE}, {bad})"
+    about.cause = "positive of arguments.py refuses it in one line"
+    about.read = "the docstring of position_by_equation"
     data = vectors(START, VELOCITY, ACCELERATION)
     expect_error(
-        call,
         lambda: exercises.position_by_equation(*data, bad),
         ValueError,
         allowed=lambda: exercises.position_by_equation(*data, 1.0),
-        cause=cause,
-        read=read,
     )
 
 
 @pytest.mark.exercise("3.4b")
 def test_one_step_and_five_steps_of_a_second() -> None:
-    read = "book 2.2, Eq. 2.7 and 2.8; errata.md"
+    about.read = "book 2.2, Eq. 2.7 and 2.8; errata.md"
     wanted = {
         1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)),
         5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5)),
     }
     for steps, (x, v) in wanted.items():
-        call = f"state_by_steps({EXAMPLE}, 1, {steps})"
-        cause = "a pair is wanted: position and velocity after p' = p + v h and then v' = v + a h"
+        about.call = f"state_by_steps({EXAMPLE}, 1, {steps})"
+        about.cause = "a pair is wanted: position and velocity after p' = p + v h and then v' = v "
+        about.cause += "+ a h"
         position, velocity = exercises.state_by_steps(
             *vectors(START, VELOCITY, ACCELERATION), 1, steps
         )
@@ -215,9 +201,9 @@ def test_one_step_and_five_steps_of_a_second() -> None:
                 "the velocity was changed first: the position moves with the old one (E-17)",
             ),
         ]
-        cause = cause_of(xyz(position), mistakes, cause)
-        expect_close(f"{call}, the first", xyz(position), x, cause=cause, read=read)
-        expect_close(f"{call}, the second", xyz(velocity), v, cause=cause, read=read)
+        blame(xyz(position), mistakes)
+        expect_close(xyz(position), x, then=", the first")
+        expect_close(xyz(velocity), v, then=", the second")
 
 
 @pytest.mark.exercise("3.4b")
@@ -225,22 +211,21 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     x, v, a = components(rng), components(rng), components(rng)
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)
     p, velocity, acceleration = vectors(x, v, a)
-    call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; state_by_steps(p, v, a, {h}, {steps})"
-    cause = "n steps of h seconds: n h seconds in all, each from where the last one ended"
-    read = "book 2.2, Eq. 2.7 and 2.8"
+    about.call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; state_by_steps(p, v, a, {h}, "
+    about.call += f"{steps})"
+    about.cause = "n steps of h seconds: n h seconds in all, each from where the last one ended"
+    about.read = "book 2.2, Eq. 2.7 and 2.8"
     position, last = exercises.state_by_steps(p, velocity, acceleration, h, steps)
     t = h * steps
     wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * (t - h) for i in range(3))
     # Some 40 roundings of numbers up to 2000.
-    name = f"{call}, the first"
-    expect_close(name, xyz(position), wanted, cause=cause, read=read, tolerance=1e-10)
+    expect_close(xyz(position), wanted, then=", the first", tolerance=1e-10)
     wanted = tuple(v[i] + a[i] * t for i in range(3))
-    name = f"{call}, the second"
-    expect_close(name, xyz(last), wanted, cause=cause, read=read, tolerance=1e-11)
-    cause = "+= and add_scaled change the caller's vector: work on a Particle, or on a copy"
-    expect_unchanged(call, "p", xyz(p), x, cause=cause, read=read)
-    expect_unchanged(call, "v", xyz(velocity), v, cause=cause, read=read)
-    expect_unchanged(call, "a", xyz(acceleration), a, cause=cause, read=read)
+    expect_close(xyz(last), wanted, then=", the second", tolerance=1e-11)
+    about.cause = "+= and add_scaled change the caller's vector: work on a Particle, or on a copy"
+    expect_unchanged("p", xyz(p), x)
+    expect_unchanged("v", xyz(velocity), v)
+    expect_unchanged("a", xyz(acceleration), a)
 
 
 BAD_STEPS = [(0.0, 5), (-1.0, 5), (math.inf, 5), (math.nan, 5), (1.0, 0), (1.0, -1)]
@@ -253,51 +238,49 @@ def test_steps_need_a_duration_and_a_number(duration: float, steps: int) -> None
     expect_refusal("state_by_steps", duration, steps)
 
 
+@scoped
 def expect_refusal(name: str, duration: float, steps: int) -> None:
     """Expect an exercise to refuse a duration or a number of steps."""
-    call = f"{name}({EXAMPLE}, {duration}, {steps})"
-    cause = "a loop over range(0) does nothing, in silence: ask for 1 step or more"
+    about.call = f"{name}({EXAMPLE}, {duration}, {steps})"
+    about.cause = "a loop over range(0) does nothing, in silence: ask for 1 step or more"
     if steps > 0:
-        cause = "such a duration is refused: by Particle.integrate, or by positive of arguments.py"
-    read = f"the docstring of {name}"
+        about.cause = "such a duration is refused: by Particle.integrate, or by positive of "
+        about.cause += "arguments.py"
+    about.read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)
     function = getattr(exercises, name)
     expect_error(
-        call,
         lambda: function(*data, duration, steps),
         ValueError,
         allowed=lambda: function(*data, 1.0, 1),
-        cause=cause,
-        read=read,
     )
 
 
 @pytest.mark.exercise("3.4d")
 def test_five_steps_are_off_by_half_a_step() -> None:
-    call = f"stepping_error({EXAMPLE}, 1, 5)"
-    cause = "stepped minus exact: -13 - (-18) on X"
-    read = "book 3, exercise 3.4"
+    about(f"stepping_error({EXAMPLE}, 1, 5)", cause="stepped minus exact: -13 - (-18) on X")
+    about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(START, VELOCITY, ACCELERATION), 1, 5)
     mistakes = [
         ((-5.0, 2.5, 1.25), "that is exact minus stepped: the other way round"),
         ((-15.0, 5.5, 12.75), "the exact position is that after 5 s, duration x steps, not 1 s"),
         (math.hypot(5.0, 2.5, 1.25), "that is its length: the error is a vector"),
     ]
-    cause = cause_of(xyz(got), mistakes, cause)
-    expect_close(call, xyz(got), (5.0, -2.5, -1.25), cause=cause, read=read, tolerance=1e-12)
+    blame(xyz(got), mistakes)
+    expect_close(xyz(got), (5.0, -2.5, -1.25), tolerance=1e-12)
 
 
 @pytest.mark.exercise("3.4d")
 def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)
-    call = f"stepping_error(Vector3{x}, Vector3{v}, Vector3{a}, {h}, {steps})"
-    cause = "-a t h / 2, where t is the time of all steps together: halve h, and it halves"
-    read = "book 3, exercise 3.4"
+    about.call = f"stepping_error(Vector3{x}, Vector3{v}, Vector3{a}, {h}, {steps})"
+    about.cause = "-a t h / 2, where t is the time of all steps together: halve h, and it halves"
+    about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(x, v, a), h, steps)
     wanted = tuple(-0.5 * a[i] * h * steps * h for i in range(3))
     # Rounding of positions up to 2000.
-    expect_close(call, xyz(got), wanted, cause=cause, read=read, tolerance=1e-10)
+    expect_close(xyz(got), wanted, tolerance=1e-10)
 
 
 @pytest.mark.exercise("3.4d")

@@ -10,7 +10,7 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from draw import Components, components
-from expect import cause_of, expect_close, expect_error, expect_unchanged, xyz
+from expect import about, blame, expect_close, expect_error, expect_unchanged, xyz
 
 # A few roundings of numbers up to 40.
 ROUNDED = 1e-13
@@ -35,11 +35,11 @@ def a_particle(
 @pytest.mark.exercise("B3.4")
 def test_a_drift_moves_the_position_alone(rng: Random) -> None:
     x, v, a, damping = components(rng), components(rng), components(rng), draw_part(rng)
-    read = "the docstring of drift"
+    about.read = "the docstring of drift"
     for h in (draw_part(rng), 2, 0.0, -draw_part(rng)):
         words, p = a_particle(x, v, a, damping=damping)
-        call = f"{words}; p.drift({h})"
-        cause = "p' = p + v h, also where h is negative: then the particle goes back"
+        about.call = f"{words}; p.drift({h})"
+        about.cause = "p' = p + v h, also where h is negative: then the particle goes back"
         p.drift(h)
         got = xyz(p.position)
         mistakes = [
@@ -53,19 +53,18 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
             ),
             (x, "The position did not move: p' = p + v h."),
         ]
-        cause = cause_of(got, mistakes if h else [], cause)
+        blame(got, mistakes if h else [])
         wanted = tuple(x[i] + v[i] * h for i in range(3))
-        name = f"{call}; p.position"
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-        cause = "A drift changes the position and nothing else."
-        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
-        expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+        expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
+        about.cause = "A drift changes the position and nothing else."
+        expect_unchanged("p.velocity", xyz(p.velocity), v)
+        expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
 
 @pytest.mark.exercise("B3.4")
 def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
     x, v, a, drawn = components(rng), components(rng), components(rng), draw_part(rng)
-    read = "the docstring of kick"
+    about.read = "the docstring of kick"
     for h, damping, mass in (
         (draw_part(rng), drawn, 1.0),
         (2, drawn, 1.0),
@@ -77,8 +76,8 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         (0.0, 0.0, 1.0),
     ):
         words, p = a_particle(x, v, a, mass, damping)
-        call = f"{words}; p.kick({h})"
-        cause = "v' = (v + a h) d^h: the damping comes last, and h may be negative"
+        about.call = f"{words}; p.kick({h})"
+        about.cause = "v' = (v + a h) d^h: the damping comes last, and h may be negative"
         p.kick(h)
         got = xyz(p.velocity)
         keep = damping**h
@@ -105,58 +104,58 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             ),
             (v, "The acceleration was left out."),
         ]
-        cause = cause_of(got, mistakes if h and damping != 1.0 else [], cause)
+        blame(got, mistakes if h and damping != 1.0 else [])
         wanted = tuple((v[i] + a[i] * h) * keep for i in range(3))
-        name = f"{call}; p.velocity"
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-        cause = "A kick changes the velocity and nothing else."
-        expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
-        expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+        expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
+        about.cause = "A kick changes the velocity and nothing else."
+        expect_unchanged("p.position", xyz(p.position), x)
+        expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
 
 @pytest.mark.exercise("B3.4")
 def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     words, p = a_particle(x, v, a)
-    call = f"{words}; p.drift({h} / 2); p.kick({h}); p.drift({h} / 2)"
-    cause = "With half of the drift before the kick and half of it after, the mean velocity moves "
-    cause += "the particle. Under a constant acceleration that is exact: x + v h + a h^2 / 2."
-    read = "book 2.4, Eq. 2.9, and the docstrings of drift and kick"
+    about.call = f"{words}; p.drift({h} / 2); p.kick({h}); p.drift({h} / 2)"
+    about.cause = "With half of the drift before the kick and half of it after, the mean velocity "
+    about.cause += "moves the particle. Under a constant acceleration that is exact: x + v h + a "
+    about.cause += "h^2 / 2."
+    about.read = "book 2.4, Eq. 2.9, and the docstrings of drift and kick"
     p.drift(h / 2.0)
     p.kick(h)
     p.drift(h / 2.0)
     wanted = tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3))
     got = xyz(p.position)
-    expect_close(f"{call}; p.position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
     wanted = tuple(v[i] + a[i] * h for i in range(3))
     got = xyz(p.velocity)
-    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B3.4")
 def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
-    cause = "Nothing moves this particle. Ask for the inverse mass before you change anything."
+    about.cause = "Nothing moves this particle. Ask for the inverse mass before you change "
+    about.cause += "anything."
     for move in ("drift", "kick"):
         words, p = a_particle(x, v, a, math.inf, 0.5)
-        call = f"{words}; p.{move}({h})"
-        read = f"the docstring of {move}"
+        about(f"{words}; p.{move}({h})", read=f"the docstring of {move}")
         getattr(p, move)(h)
-        expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
-        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+        expect_unchanged("p.position", xyz(p.position), x)
+        expect_unchanged("p.velocity", xyz(p.velocity), v)
     words, p = a_particle(x, v, a, math.inf)
-    call = f"{words}; p.mass = 2.0; p.drift({h}); p.kick({h})"
-    read = "the docstrings of drift and kick"
-    cause = "Now the particle has a finite mass, so both moves change it."
+    about.call = f"{words}; p.mass = 2.0; p.drift({h}); p.kick({h})"
+    about.read = "the docstrings of drift and kick"
+    about.cause = "Now the particle has a finite mass, so both moves change it."
     p.mass = 2.0
     p.drift(h)
     p.kick(h)
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     got = xyz(p.position)
-    expect_close(f"{call}; p.position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
     wanted = tuple(v[i] + a[i] * h for i in range(3))
     got = xyz(p.velocity)
-    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B3.4")
@@ -164,25 +163,23 @@ def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
 @pytest.mark.parametrize("duration", BAD)
 @pytest.mark.parametrize("move", ["drift", "kick"])
 def test_a_move_takes_a_finite_duration(move: str, duration: float) -> None:
-    read = f"the docstring of {move}"
+    about.read = f"the docstring of {move}"
     x, v, a = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)
     for mass in (1.0, math.inf):
         words, p = a_particle(x, v, a, mass)
-        call = f"{words}; p.{move}({duration})"
-        cause = "finite of arguments.py refuses it. Negative durations and 0 are allowed here."
+        about.call = f"{words}; p.{move}({duration})"
+        about.cause = "finite of arguments.py refuses it. Negative durations and 0 are allowed "
+        about.cause += "here."
         if mass == math.inf:
-            cause = "A bad duration is refused where nothing moves, too, so check it first."
+            about.cause = "A bad duration is refused where nothing moves, too, so check it first."
         expect_error(
-            call,
             lambda p=p: getattr(p, move)(duration),
             ValueError,
             allowed=lambda: getattr(Particle(), move)(-0.5),
-            cause=cause,
-            read=read,
         )
-        cause = "Refuse the duration before anything is changed."
-        expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
-        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+        about.cause = "Refuse the duration before anything is changed."
+        expect_unchanged("p.position", xyz(p.position), x)
+        expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
 @pytest.mark.exercise("B3.4")
@@ -190,9 +187,9 @@ def test_a_move_takes_a_finite_duration(move: str, duration: float) -> None:
 @pytest.mark.parametrize("move", ["drift", "kick"])
 def test_a_move_takes_no_text(move: str) -> None:
     expect_error(
-        f'Particle().{move}("0.5")',
         lambda: getattr(Particle(), move)("0.5"),
         TypeError,
+        call=f'Particle().{move}("0.5")',
         allowed=lambda: getattr(Particle(), move)(0.5),
         cause="finite of arguments.py raises the TypeError for you",
         read=f"the docstring of {move}",

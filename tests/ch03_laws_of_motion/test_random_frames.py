@@ -9,110 +9,112 @@ from typing import Any
 import pytest
 
 from ch03_laws_of_motion import exercises
-from expect import expect_close, expect_error, expect_exactly
+from expect import about, expect_close, expect_error, expect_exactly, scoped
 
 
+@scoped
 def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float]:
     """Return the frames as plain floats."""
-    call = f"random_frames({mean}, {jitter}, {total}, {seed})"
-    cause = "a list of durations, each a float"
-    read = "the docstring of random_frames"
+    about.call = f"random_frames({mean}, {jitter}, {total}, {seed})"
+    about(cause="a list of durations, each a float", read="the docstring of random_frames")
     frames: Any = exercises.random_frames(mean, jitter, total, seed)
     plain = isinstance(frames, (list, tuple)) and all(type(frame) is float for frame in frames)
-    expect_exactly(f"are all of {call} floats?", plain, True, cause=cause, read=read)
+    expect_exactly(plain, True, call=f"are all of {about.call} floats?")
     return list(frames)
 
 
 @pytest.mark.exercise("3.5a")
 def test_the_frames_fill_the_total_time(rng: Random) -> None:
-    cause = "the last frame is cut to what is left of the total"
-    read = "the docstring of random_frames"
+    about.cause = "the last frame is cut to what is left of the total"
+    about.read = "the docstring of random_frames"
     for mean, total in ((round(rng.uniform(0.01, 0.03), 4), 2.0), (0.1, 1.0), (0.3, 0.2)):
         seed = rng.randrange(1000)
-        call = f"sum(random_frames({mean}, 0.4, {total}, {seed}))"
+        about.call = f"sum(random_frames({mean}, 0.4, {total}, {seed}))"
         frames = frames_of(mean, 0.4, total, seed)
         # Some 200 additions, each rounded.
         got = math.fsum(frames)
-        expect_close(call, got, total, cause=cause, read=read, tolerance=1e-11)
+        expect_close(got, total, tolerance=1e-11)
 
 
 @pytest.mark.exercise("3.5a")
 def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
     seed, mean = rng.randrange(1000), 0.02
-    read = "the docstring of random_frames"
+    about.read = "the docstring of random_frames"
     for jitter in (round(rng.uniform(0.2, 0.8), 3), 0.95):
         *frames, last = frames_of(mean, jitter, 8.0, seed)
-        call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
-        cause = "from mean (1 - jitter) to mean (1 + jitter)"
+        about.call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
+        about.cause = "from mean (1 - jitter) to mean (1 + jitter)"
         within = all(abs(frame / mean - 1.0) <= jitter + 1e-9 for frame in frames)
-        name = f"is every frame but the last of {call} within the jitter?"
-        expect_exactly(name, within, True, cause=cause, read=read)
-        cause = "the last frame is what is left: not more than a frame can be, and not zero"
+        name = f"is every frame but the last of {about.call} within the jitter?"
+        expect_exactly(within, True, call=name)
+        about.cause = "the last frame is what is left: not more than a frame can be, and not zero"
         short = 0.0 < last <= mean * (1.0 + jitter) + 1e-9
-        expect_exactly(f"is the last frame of {call} one?", short, True, cause=cause, read=read)
+        expect_exactly(short, True, call=f"is the last frame of {about.call} one?")
 
 
 @pytest.mark.exercise("3.5a")
 def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     seed, mean, jitter = rng.randrange(1000), 0.02, 0.5
-    read = "the docstring of random_frames"
+    about.read = "the docstring of random_frames"
     frames = frames_of(mean, jitter, 20.0, seed)[:-1]
-    call = f"random_frames({mean}, {jitter}, 20.0, {seed})"
-    cause = "an even draw from the whole range, both below and above the mean"
+    about.call = f"random_frames({mean}, {jitter}, 20.0, {seed})"
+    about.cause = "an even draw from the whole range, both below and above the mean"
     # About 1000 even draws: their mean is within 6 of its own deviations, and the chance that a
     # tenth of the range stays empty is 0.9^1000.
     average = math.fsum(frames) / len(frames)
     six_sigma = 6.0 * mean * jitter / math.sqrt(3.0 * 900.0)
-    name = f"the mean of {call}"
-    expect_close(name, average, mean, cause=cause, read=read, tolerance=six_sigma)
+    name = f"the mean of {about.call}"
+    expect_close(average, mean, call=name, tolerance=six_sigma)
     reach = (min(frames), max(frames))
     wanted = (mean * (1.0 - jitter), mean * (1.0 + jitter))
-    name = f"the shortest and longest of {call}"
-    expect_close(name, reach, wanted, cause=cause, read=read, tolerance=0.2 * mean * jitter)
+    name = f"the shortest and longest of {about.call}"
+    expect_close(reach, wanted, call=name, tolerance=0.2 * mean * jitter)
     # A quarter of the draws lies in each quarter of the range, give or take 6 deviations.
     inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
-    name = f"the share of {call} nearer to the mean than half the jitter"
+    name = f"the share of {about.call} nearer to the mean than half the jitter"
     if inner > 0.5:
-        cause = "too many are near the mean: each is one even draw, no mean or sum of several"
-    expect_close(name, inner, 0.5, cause=cause, read=read, tolerance=six_sigma)
+        about.cause = "too many are near the mean: each is one even draw, no mean or sum of several"
+    expect_close(inner, 0.5, call=name, tolerance=six_sigma)
 
 
 @pytest.mark.exercise("3.5a")
 def test_without_jitter_all_frames_are_equal() -> None:
-    cause = "a jitter of 0 leaves the mean; what rounding leaves over, some 1e-16 s, is no frame"
-    read = "the docstring of random_frames"
+    about.cause = "a jitter of 0 leaves the mean; what rounding leaves over, some 1e-16 s, is no "
+    about.cause += "frame"
+    about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):
-        call = f"random_frames({mean}, 0.0, 1.0, 3)"
+        about.call = f"random_frames({mean}, 0.0, 1.0, 3)"
         got = frames_of(mean, 0.0, 1.0, 3)
-        expect_close(call, got, [mean] * count, cause=cause, read=read, tolerance=1e-11)
-    cause = "a tenth of a microsecond is a thousand million times what rounding leaves"
-    call = "random_frames(0.25, 0.0, 0.5000001, 3)"
+        expect_close(got, [mean] * count, tolerance=1e-11)
+    about.cause = "a tenth of a microsecond is a thousand million times what rounding leaves"
+    about.call = "random_frames(0.25, 0.0, 0.5000001, 3)"
     got = frames_of(0.25, 0.0, 0.5000001, 3)
-    expect_close(call, got, [0.25, 0.25, 1e-7], cause=cause, read=read, tolerance=1e-12)
-    cause = "rounding is a share of the total: what is left here is a hundredth of it, and a frame"
-    call = "random_frames(4e-06, 0.0, 8.05e-06, 3)"
+    expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)
+    about.cause = "rounding is a share of the total: what is left here is a hundredth of it, and a "
+    about.cause += "frame"
+    about.call = "random_frames(4e-06, 0.0, 8.05e-06, 3)"
     got = frames_of(4e-6, 0.0, 8.05e-6, 3)
-    expect_close(call, got, [4e-6, 4e-6, 5e-8], cause=cause, read=read, tolerance=1e-17)
+    expect_close(got, [4e-6, 4e-6, 5e-8], tolerance=1e-17)
 
 
 @pytest.mark.exercise("3.5a")
 def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None:
     seed = rng.randrange(1000)
-    call = f"random_frames(0.02, 0.5, 1.0, {seed})"
-    cause = "random.Random(seed) inside the function: its numbers depend on the seed alone"
-    read = "the docstring of random_frames"
+    about.call = f"random_frames(0.02, 0.5, 1.0, {seed})"
+    about.cause = "random.Random(seed) inside the function: its numbers depend on the seed alone"
+    about.read = "the docstring of random_frames"
     first = frames_of(0.02, 0.5, 1.0, seed)
     others = [frames_of(0.02, 0.5, 1.0, seed + i) for i in (1, 2)]
     again = frames_of(0.02, 0.5, 1.0, seed)
-    expect_exactly(f"{call}, twice: the same?", again == first, True, cause=cause, read=read)
+    expect_exactly(again == first, True, then=", twice: the same?")
     for i, other in enumerate(others, 1):
-        name = f"{call}, and with seed {seed + i}: the same first frame?"
-        expect_exactly(name, other[0] == first[0], False, cause=cause, read=read)
-    name = f"does {call} go up or down all the time?"
-    cause = "the frames come as they are drawn, not sorted"
+        name = f"{about.call}, and with seed {seed + i}: the same first frame?"
+        expect_exactly(other[0] == first[0], False, call=name)
+    name = f"does {about.call} go up or down all the time?"
+    about.cause = "the frames come as they are drawn, not sorted"
     in_order = first[:-1] in (sorted(first[:-1]), sorted(first[:-1], reverse=True))
-    expect_exactly(name, in_order, False, cause=cause, read=read)
+    expect_exactly(in_order, False, call=name)
 
 
 @pytest.mark.exercise("3.5a")
@@ -135,17 +137,14 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
 )
 def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
     arguments: dict[str, Any] = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
-    cause = "such frames never fill a total: refuse what is not positive and finite, and jitters "
-    cause += "that are not from 0 to below 1, before the first is drawn"
-    read = "the docstring of random_frames"
+    about.cause = "such frames never fill a total: refuse what is not positive and finite, and "
+    about.cause += "jitters that are not from 0 to below 1, before the first is drawn"
+    about.read = "the docstring of random_frames"
     for value in (bad, 1.5) if bad == 1.0 else (bad,):  # at a limit, and beyond it
         bad_ones = arguments | {name: value}
-        call = "random_frames({mean}, {jitter}, {total}, {seed})".format(**bad_ones)
+        about.call = "random_frames({mean}, {jitter}, {total}, {seed})".format(**bad_ones)
         expect_error(
-            call,
             lambda bad_ones=bad_ones: exercises.random_frames(**bad_ones),
             ValueError,
             allowed=lambda: exercises.random_frames(**arguments),
-            cause=cause,
-            read=read,
         )

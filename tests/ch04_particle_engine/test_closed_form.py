@@ -14,7 +14,8 @@ from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import closed_form, probes
 from draw import Components, components, number
 from expect import (
-    cause_of,
+    about,
+    blame,
     expect_close,
     expect_error,
     expect_unchanged,
@@ -46,18 +47,18 @@ def by_series(damping: float, time: float) -> tuple[float, float, float]:
 
 @pytest.mark.exercise("B4.8")
 def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
-    read = FACTORS
+    about.read = FACTORS
     for damping, time in (
         (0.5, 1.0),
         (round(rng.uniform(0.1, 0.3), 3), round(rng.uniform(5.0, 9.0), 3)),  # too far for a series
         (1.5, round(rng.uniform(1.0, 3.0), 3)),  # above 1 it gains speed, by the same formula
         (0.9999, 3000.0),  # what counts as small is k t, not k
     ):
-        call = f"kept, gone and fallen of drag_factors({damping}, {time})"
+        about.call = f"kept, gone and fallen of drag_factors({damping}, {time})"
         k = -math.log(damping)
         gone = -math.expm1(-k * time) / k
         wanted = (math.exp(-k * time), gone, (time - gone) / k)
-        cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k, with k = -ln d"
+        about.cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k, with k = -ln d"
         got = closed_form.drag_factors(damping, time)
         size = max(1.0, *wanted)
         undamped = "damping was left out"
@@ -76,89 +77,85 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
             ),
             ((1.0, time, time * time / 2.0), undamped),
         ]
-        cause = cause_of(got, mistakes, cause)
+        blame(got, mistakes)
         # Nine digits are promised: where a series begins, and where it is cut, is left open.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9 * size)
+        expect_close(got, wanted, tolerance=1e-9 * size)
 
 
 @pytest.mark.exercise("B4.8")
 def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
     time = round(rng.uniform(1.0, 9.0), 3)
-    read = FACTORS
+    about.read = FACTORS
     for damping, t, wanted, cause in (
         (1.0, time, (1.0, time, time * time / 2.0), "without damping: 1, t and t^2 / 2; k is 0"),
         (0.0, time, (0.0, 0.0, 0.0), "a damping of 0 stops everything at once; ln 0 is no number"),
         (0.5, 0.0, (1.0, 0.0, 0.0), "no time, no change"),
         (0.0, 0.0, (1.0, 0.0, 0.0), "no time, no change, whatever the damping"),
     ):
-        call = f"kept, gone and fallen of drag_factors({damping}, {t})"
+        about(f"kept, gone and fallen of drag_factors({damping}, {t})", cause=cause)
         got = closed_form.drag_factors(damping, t)
-        expect_close(call, got, wanted, cause=cause, read=read)
+        expect_close(got, wanted)
 
 
 @pytest.mark.exercise("B4.8")
 @pytest.mark.parametrize("away", [1e-13, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2])
 def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> None:
-    cause = (
-        "for small k t, 1 - d^t and t - gone are differences of numbers that are nearly equal, and "
-        "lose their digits: math.expm1 and a few terms of the series do not"
-    )
-    read = FACTORS
+    about.cause = "for small k t, 1 - d^t and t - gone are differences of numbers that are nearly "
+    about.cause += "equal, and lose their digits: math.expm1 and a few terms of the series do not"
+    about.read = FACTORS
     # The formulas lose 1e-8 of short times, but for luck; a drag of nothing is seen in long ones.
     for damping, most in itertools.product((1.0 - away, 1.0 + away), (2.0, 2.0, 9.0)):
         t = round(rng.uniform(most - 1.0, most), 3)
-        call = f"kept, gone and fallen of drag_factors({damping!r}, {t})"
+        about.call = f"kept, gone and fallen of drag_factors({damping!r}, {t})"
         got = closed_form.drag_factors(damping, t)
         # A series that is cut early, or that begins elsewhere, may be as far off as 1e-9.
         wanted = by_series(damping, t)
         size = wanted[2]
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9 * max(1.0, size))
+        expect_close(got, wanted, tolerance=1e-9 * max(1.0, size))
 
 
 @pytest.mark.exercise("B4.8")
 def test_the_factors_hold_for_short_times(rng: Random) -> None:
-    cause = "however short the time, something is lost, gone and fallen"
-    read = FACTORS
+    about(cause="however short the time, something is lost, gone and fallen", read=FACTORS)
     damping = round(rng.uniform(0.3, 0.9), 3)
     for t in (1.0 / 60.0, 1e-6):
-        call = f"kept, gone and fallen of drag_factors({damping}, {t})"
+        about.call = f"kept, gone and fallen of drag_factors({damping}, {t})"
         wanted = by_series(damping, t)
         got = closed_form.drag_factors(damping, t)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-13)
+        expect_close(got, wanted, tolerance=1e-13)
         name = f"drag_factors({damping}, {t})[2] / t^2"
         share = got[2] / (t * t)
-        expect_close(name, share, wanted[2] / (t * t), cause=cause, read=read, tolerance=1e-8)
+        expect_close(share, wanted[2] / (t * t), call=name, tolerance=1e-8)
 
 
 @pytest.mark.exercise("B4.8")
 def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
-    cause = "v(t) = v kept + a gone and p(t) = p + v gone + a fallen, axis by axis, in no steps"
-    read = STATE
+    about.cause = "v(t) = v kept + a gone and p(t) = p + v gone + a fallen, axis by axis, in no "
+    about.cause += "steps"
+    about.read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
     for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
         words, p = particle_of(x, v, a, damping)
-        call = f"{words}; state_after(p, {time})[0]"
+        about.call = f"{words}; state_after(p, {time})[0]"
         position, _ = closed_form.state_after(p, time)
         # The times are known to 5e-8 s, and the shell has up to 50 m/s.
-        got = expect_vector(call, position, cause=cause, read=read)
-        expect_close(call, got, (0.0, 0.0, reach), cause=cause, read=read, tolerance=1e-5)
+        got = expect_vector(position)
+        expect_close(got, (0.0, 0.0, reach), tolerance=1e-5)
 
 
 @pytest.mark.exercise("B4.8")
 def test_without_damping_it_is_the_parabola(rng: Random) -> None:
     x, v, a, t = components(rng), components(rng), components(rng), round(rng.uniform(2, 9), 3)
     words, p = particle_of(x, v, a, 1.0)
-    call = f"{words}; state_after(p, {t})"
-    cause = "p + v t + a t^2 / 2 and v + a t"
-    read = STATE
+    about(f"{words}; state_after(p, {t})", cause="p + v t + a t^2 / 2 and v + a t", read=STATE)
     position, velocity = closed_form.state_after(p, t)
     wanted = tuple(x[i] + v[i] * t + a[i] * t * t / 2.0 for i in range(3))
     # Rounding of numbers up to 500.
     got = xyz(position)
-    expect_close(f"{call}[0]", got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, wanted, then="[0]", tolerance=1e-11)
     wanted = tuple(v[i] + a[i] * t for i in range(3))
     got = xyz(velocity)
-    expect_close(f"{call}[1]", got, wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, wanted, then="[1]", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B4.8")
@@ -166,29 +163,28 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
     words, p = particle_of(x, v, a, damping)
-    call = f"{words}; state_after(p, {first}), and from there {second} s more"
-    cause = "the state after a + b seconds is that b seconds after the one after a"
-    read = STATE
+    about.call = f"{words}; state_after(p, {first}), and from there {second} s more"
+    about(cause="the state after a + b seconds is that b seconds after the one after a", read=STATE)
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
-        cause = "state_after has moved the particle itself: return new vectors"
+        about.cause = "state_after has moved the particle itself: return new vectors"
     undamped = "the velocity itself is not damped: v kept + a gone"
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))
-    cause = cause_of(xyz(middle[1]), [(gain, undamped)], cause)
+    blame(xyz(middle[1]), [(gain, undamped)])
     _, q = particle_of(xyz(middle[0]), xyz(middle[1]), a, damping)
     later, at_once = closed_form.state_after(q, second), closed_form.state_after(p, first + second)
     for i in range(2):
         got, wanted = xyz(later[i]), xyz(at_once[i])
-        expect_close(f"{call}, [{i}]", got, wanted, cause=cause, read=read, tolerance=1e-11)
-    call = f"{words}; state_after(p, {first})[1]"
-    cause = "its velocity must be the change of its position: dp/dt = v"
+        expect_close(got, wanted, then=f", [{i}]", tolerance=1e-11)
+    about.call = f"{words}; state_after(p, {first})[1]"
+    about.cause = "its velocity must be the change of its position: dp/dt = v"
     step = 1e-4
     around = [closed_form.state_after(p, first + s)[0] for s in (-step, step)]
     low, high = (xyz(position) for position in around)
     slope = tuple((high[i] - low[i]) / (2.0 * step) for i in range(3))
     # The central difference errs by h^2 / 6 times the third derivative, some 30 m/s^3.
-    expect_close(call, xyz(middle[1]), slope, cause=cause, read=read, tolerance=1e-6)
+    expect_close(xyz(middle[1]), slope, tolerance=1e-6)
 
 
 @pytest.mark.exercise("B4.8")
@@ -196,59 +192,57 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
     x, v, a = components(rng), components(rng), (number(rng), -9.81, number(rng))
     damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
     words, p = particle_of(x, v, a, damping)
-    cause = "half the frame, half the error: integrate is of first order, and this is its limit"
-    read = f"{STATE}; chapter 3's integrate"
-    call = f"{words}; state_after(p, {t})"
+    about.cause = "half the frame, half the error: integrate is of first order, and this is its "
+    about.cause += "limit"
+    about(f"{words}; state_after(p, {t})", read=f"{STATE}; chapter 3's integrate")
     exact = [xyz(vector) for vector in closed_form.state_after(p, t)]
     for i, name in enumerate(("position", "velocity")):
         errors = []
         for frames in (2000, 4000):
             stepped = probes.stepped(x, v, a, damping, t / frames, frames)
             errors.append(math.dist(stepped[i], exact[i]))
-        call = f"{words}; error of the {name} after {t} s in 2000 frames over that in 4000"
+        about.call = f"{words}; error of the {name} after {t} s in 2000 frames over that in 4000"
         # Each error is of the order of 10 / 2000; the next order bends the ratio by as little.
         ratio = errors[0] / max(errors[1], 1e-300)
-        expect_close(call, ratio, 2.0, cause=cause, read=read, tolerance=0.02)
+        expect_close(ratio, 2.0, tolerance=0.02)
 
 
 @pytest.mark.exercise("B4.8")
 def test_the_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5)
-    call = f"{words}; position, velocity = state_after(p, t); position.x = velocity.x = 99"
-    cause = "return new vectors: the state of the particle is still needed"
-    read = STATE
+    about.call = f"{words}; position, velocity = state_after(p, t); position.x = velocity.x = 99"
+    about(cause="return new vectors: the state of the particle is still needed", read=STATE)
     for t in (2.0, 0.0):
         state = closed_form.state_after(p, t)
         state[0].x = state[1].x = 99.0
-        expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
-        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
-        expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+        expect_unchanged("p.position", xyz(p.position), x)
+        expect_unchanged("p.velocity", xyz(p.velocity), v)
+        expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
 
 @pytest.mark.exercise("B4.8")
 def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5, mass=math.inf)
-    call = f"{words}; p.mass = math.inf; position, velocity = state_after(p, 3)"
-    cause = "integrate leaves it as it is, so it is there at any time"
-    read = STATE
+    about.call = f"{words}; p.mass = math.inf; position, velocity = state_after(p, 3)"
+    about(cause="integrate leaves it as it is, so it is there at any time", read=STATE)
     position, velocity = closed_form.state_after(p, 3.0)
-    expect_close(f"{call}; position", xyz(position), x, cause=cause, read=read)
-    expect_close(f"{call}; velocity", xyz(velocity), v, cause=cause, read=read)
+    expect_close(xyz(position), x, then="; position")
+    expect_close(xyz(velocity), v, then="; velocity")
     position.x = velocity.x = 99.0
-    call += "; position.x = velocity.x = 99"
-    cause = "return new vectors"
-    expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+    about.call += "; position.x = velocity.x = 99"
+    about.cause = "return new vectors"
+    expect_unchanged("p.position", xyz(p.position), x)
+    expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
 @pytest.mark.exercise("B4.8")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
-    cause = "not_negative of arguments.py, in chapter 2, refuses it in one line"
-    read = f"{FACTORS}, and of state_after"
+    about.cause = "not_negative of arguments.py, in chapter 2, refuses it in one line"
+    about.read = f"{FACTORS}, and of state_after"
     for call, attempt in (
         (f"drag_factors({bad}, 1)", lambda: closed_form.drag_factors(bad, 1.0)),
         (f"drag_factors(0.5, {bad})", lambda: closed_form.drag_factors(0.5, bad)),
@@ -259,16 +253,14 @@ def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
             lambda: closed_form.state_after(Particle(mass=math.inf), bad),
         ),
     ):
+        about.call = call
         expect_error(
-            call,
             attempt,
             ValueError,
             allowed=lambda: (
                 closed_form.drag_factors(0.5, 0.0),
                 closed_form.state_after(Particle(), 0.0),
             ),
-            cause=cause,
-            read=read,
         )
 
 
@@ -281,10 +273,11 @@ BURST = "the docstring of burst_positions"
 def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     start, a = number(rng), number(rng)
     speeds = [number(rng) for _ in range(5)]
-    cause = "start + speed x gone + acceleration x fallen, one after the other as they were given"
-    read = BURST
+    about.cause = "start + speed x gone + acceleration x fallen, one after the other as they were "
+    about.cause += "given"
+    about.read = BURST
     t = round(rng.uniform(1.0, 3.0), 3)
-    call = f"burst_positions({start}, {speeds}, {a}, 1.0, {t})"
+    about.call = f"burst_positions({start}, {speeds}, {a}, 1.0, {t})"
     got = closed_form.burst_positions(start, speeds, a, 1.0, t)
     wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     mistakes = [
@@ -292,65 +285,62 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
         ([start + speed * t for speed in speeds], "the acceleration x fallen is missing"),
         (sorted(wanted), "they were sorted: the order is that of the speeds"),
     ]
-    cause = cause_of(got, mistakes, cause)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    blame(got, mistakes)
+    expect_close(got, wanted, tolerance=1e-12)
     given = probes.speeds_after(start, list(speeds), a, 0.5, t)
-    cause = "the list of speeds is the caller's: leave it as it is"
-    expect_unchanged(call, "the list of speeds", given, speeds, cause=cause, read=read)
-    cause = "start + speed x gone + acceleration x fallen, one after the other as they were given"
+    about.cause = "the list of speeds is the caller's: leave it as it is"
+    expect_unchanged("the list of speeds", given, speeds)
+    about.cause = "start + speed x gone + acceleration x fallen, one after the other as they were "
+    about.cause += "given"
     damping = round(rng.uniform(0.2, 0.8), 3)
     k = -math.log(damping)
     gone = -math.expm1(-k * t) / k
-    call = f"burst_positions({start}, {speeds}, {a}, {damping}, {t})"
+    about.call = f"burst_positions({start}, {speeds}, {a}, {damping}, {t})"
     got = closed_form.burst_positions(start, speeds, a, damping, t)
     without = [start + speed * t + a * t * t / 2.0 for speed in speeds]
-    cause = cause_of(got, [(without, "damping was left out: gone and fallen are less")], cause)
+    blame(got, [(without, "damping was left out: gone and fallen are less")])
     wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, wanted, tolerance=1e-11)
 
 
 @pytest.mark.exercise("B4.9")
 def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
-    call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
-    cause = "the factors do not depend on the speed: call drag_factors before the loop"
-    read = BURST
+    about.call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
+    about.cause = "the factors do not depend on the speed: call drag_factors before the loop"
+    about.read = BURST
     positions, calls = probes.calls_of_drag_factors(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
-    expect_close(f"{call} beyond one", max(0, calls - 1), 0, cause=cause, read=read)
-    cause = "50 sparks have 50 positions"
+    expect_close(max(0, calls - 1), 0, then=" beyond one")
+    about.cause = "50 sparks have 50 positions"
     name = "burst_positions(1, [2.0] * 50, -10, 0.5, 1), how many"
-    expect_close(name, len(positions), 50, cause=cause, read=read)
+    expect_close(len(positions), 50, call=name)
 
 
 @pytest.mark.exercise("B4.9")
 def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     start = number(rng)
-    read = BURST
-    call = f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)"
-    cause = "at the time 0 all sparks are where they started"
+    about(f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)", read=BURST)
+    about.cause = "at the time 0 all sparks are where they started"
     got = closed_form.burst_positions(start, [3.0, -4.0], -10.0, 0.5, 0.0)
-    expect_close(call, got, [start, start], cause=cause, read=read)
-    call = f"burst_positions({start}, [], -10.0, 0.5, 1.0), how many"
-    cause = "no sparks, no positions"
+    expect_close(got, [start, start])
+    about.call = f"burst_positions({start}, [], -10.0, 0.5, 1.0), how many"
+    about.cause = "no sparks, no positions"
     got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
-    expect_close(call, got, 0, cause=cause, read=read)
+    expect_close(got, 0)
 
 
 @pytest.mark.exercise("B4.9")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_burst_starts_somewhere(bad: float) -> None:
-    cause = "finite of arguments.py refuses it in one line; the rest drag_factors refuses"
-    read = BURST
+    about.cause = "finite of arguments.py refuses it in one line; the rest drag_factors refuses"
+    about.read = BURST
     good = (1.0, [2.0], -10.0, 0.5, 1.0)
     empty = (1.0, [], -10.0, 0.5, 1.0)
     for i, of in ((0, good), (2, good), (3, good), (4, good), (0, empty)):
         data = (*of[:i], bad, *of[i + 1 :])
-        call = f"burst_positions{data}"
+        about.call = f"burst_positions{data}"
         expect_error(
-            call,
             lambda data=data: closed_form.burst_positions(*data),
             ValueError,
             allowed=lambda: closed_form.burst_positions(*good),
-            cause=cause,
-            read=read,
         )

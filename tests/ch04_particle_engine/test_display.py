@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import display, probes
 from draw import number
-from expect import expect_close, expect_exactly
+from expect import about, expect_close, expect_exactly
 
 STILL = (0.0, 0.0, 0.0)
 # Type 1 is a rocket that leaves three sparks of type 2; type 3 is another rocket.
@@ -37,155 +37,157 @@ def types(of: Any) -> list[int]:
 @pytest.mark.exercise("P4.1")
 def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
-    read = "the docstring of find_rocket"
-    cause = "the smallest distance to the click, not the first rocket in the list"
-    call = f"rockets at ({x} - 2, {y}), ({x} + 1, {y}) and ({x}, {y} + 1.5); "
-    call += f"find_rocket(display, {x}, {y})"
+    about.read = "the docstring of find_rocket"
+    about.cause = "the smallest distance to the click, not the first rocket in the list"
+    about.call = f"rockets at ({x} - 2, {y}), ({x} + 1, {y}) and ({x}, {y} + 1.5); "
+    about.call += f"find_rocket(display, {x}, {y})"
     found = display.find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
-    expect_exactly(f"{call} is None", found is None, False, cause=cause, read=read)
+    expect_exactly(found is None, False, then=" is None")
     what = None if found is None else found.type
-    expect_exactly(f"{call}, its type", what, 3, cause=cause, read=read)
+    expect_exactly(what, 3, then=", its type")
     for away, reached in ((2.4, True), (2.6, False)):
-        cause = "REACH is 2.5 m: the distance in the plane, the root of both squared coordinates"
+        about.cause = "REACH is 2.5 m: the distance in the plane, the root of both squared "
+        about.cause += "coordinates"
         place = (x + away * 0.6, y - away * 0.8)
-        call = f"one rocket, {away} m from the click; find_rocket(display, {x}, {y}) is None"
+        about.call = f"one rocket, {away} m from the click; find_rocket(display, {x}, {y}) is None"
         found = display.find_rocket(game((1, *place)), x, y)
-        expect_exactly(call, found is None, not reached, cause=cause, read=read)
+        expect_exactly(found is None, not reached)
 
 
 @pytest.mark.exercise("P4.1")
 def test_a_rocket_at_exactly_the_reach_is_found() -> None:
-    read = "the docstring of find_rocket"
-    cause = "at exactly REACH it is still found"
+    about(cause="at exactly REACH it is still found", read="the docstring of find_rocket")
     for place in ((2.5, 20.0), (-1.5, 22.0)):
-        call = f"one rocket at {place}; find_rocket(display, 0, 20) is None"
+        about.call = f"one rocket at {place}; find_rocket(display, 0, 20) is None"
         found = display.find_rocket(game((1, *place)), 0.0, 20.0)
-        expect_exactly(call, found is None, False, cause=cause, read=read)
+        expect_exactly(found is None, False)
 
 
 @pytest.mark.exercise("P4.1")
 def test_what_lies_behind_on_the_screen_is_found_too(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
-    call = f"one rocket at ({x}, {y}, 40); find_rocket(display, {x}, {y}) is None"
-    cause = "a screen shows X and Y: z does not count"
-    read = "the docstring of find_rocket"
+    about.call = f"one rocket at ({x}, {y}, 40); find_rocket(display, {x}, {y}) is None"
+    about(cause="a screen shows X and Y: z does not count", read="the docstring of find_rocket")
     found = display.find_rocket(game((1, x, y), z=40.0), x, y)
-    expect_exactly(call, found is None, False, cause=cause, read=read)
+    expect_exactly(found is None, False)
 
 
 @pytest.mark.exercise("P4.1")
 def test_sparks_are_no_rockets() -> None:
-    call = "a spark at (0, 20), a rocket at (2, 20); find_rocket(display, 0, 20), its type"
-    cause = "rockets are the fireworks whose rule has payloads"
-    read = "the docstring of find_rocket"
+    about.call = "a spark at (0, 20), a rocket at (2, 20); find_rocket(display, 0, 20), its type"
+    about.cause = "rockets are the fireworks whose rule has payloads"
+    about.read = "the docstring of find_rocket"
     found = display.find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
     what = found is not None and found.type
-    expect_exactly(call, what, 1, cause=cause, read=read)
-    call = "a spark at (0, 20); find_rocket(display, 0, 20) is None"
+    expect_exactly(what, 1)
+    about.call = "a spark at (0, 20); find_rocket(display, 0, 20) is None"
     found = display.find_rocket(game((2, 0.0, 20.0)), 0.0, 20.0)
-    expect_exactly(call, found is None, True, cause=cause, read=read)
+    expect_exactly(found is None, True)
 
 
 @pytest.mark.exercise("P4.1")
 def test_a_rocket_without_a_fuse_is_past_saving() -> None:
-    read = "the docstring of find_rocket"
+    about.read = "the docstring of find_rocket"
     for age, cause in (
         (0.0, "an age of 0 bursts in the next update: it could be clicked on twice otherwise"),
         (-0.5, "below 0 there is no fuse left either: an age of 0 or less is past saving"),
     ):
-        call = f"rockets at (0, 20) with the age {age} and at (2, 20); find_rocket(display, 0, 20)"
+        about.cause = cause
+        about.call = f"rockets at (0, 20) with the age {age} and at (2, 20); find_rocket(display, "
+        about.call += "0, 20)"
         a_game = game((1, 0.0, 20.0), (3, 2.0, 20.0))
         a_game.show.fireworks[0].age = age
         found = display.find_rocket(a_game, 0.0, 20.0)
         what = found is not None and found.type
-        expect_exactly(f"{call}, its type", what, 3, cause=cause, read=read)
+        expect_exactly(what, 3, then=", its type")
 
 
 @pytest.mark.exercise("P4.1")
 def test_a_click_bursts_the_rocket_and_launches_another() -> None:
-    call = "rockets of types 1 and 3 at (0, 20) and (9, 20); click(display, 9, 20)"
-    read = "the docstring of click"
+    about.call = "rockets of types 1 and 3 at (0, 20) and (9, 20); click(display, 9, 20)"
+    about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
-    cause = "it hit a rocket"
+    about.cause = "it hit a rocket"
     hit = display.click(a_game, 9.0, 20.0)
-    expect_exactly(call, hit, True, cause=cause, read=read)
-    cause = "another rocket of the same type is launched, and the one that was hit still burns"
-    expect_exactly(f"{call}; types in the show", types(a_game), [1, 3, 3], cause=cause, read=read)
-    cause = "its age is 0: it bursts in the next update, by the show's own rule"
+    expect_exactly(hit, True)
+    about.cause = "another rocket of the same type is launched, and the one that was hit still "
+    about.cause += "burns"
+    expect_exactly(types(a_game), [1, 3, 3], then="; types in the show")
+    about.cause = "its age is 0: it bursts in the next update, by the show's own rule"
     ages = tuple(firework.age for firework in a_game.show.fireworks)
-    expect_close(f"{call}; ages", ages, (2.0, 0.0, 1.0), cause=cause, read=read)
+    expect_close(ages, (2.0, 0.0, 1.0), then="; ages")
     height = a_game.show.fireworks[2].particle.position.y
-    cause = "it starts from the ground: show.launch"
-    expect_close(f"{call}; height of the new one", height, 0.0, cause=cause, read=read)
+    about.cause = "it starts from the ground: show.launch"
+    expect_close(height, 0.0, then="; height of the new one")
     a_game.show.update(0.001)
-    cause = "the rocket that was hit has left its payload, of type 2"
-    name = f"{call}; show.update(0.001); how many of type 2"
-    expect_exactly(name, types(a_game).count(2), 1, cause=cause, read=read)
+    about.cause = "the rocket that was hit has left its payload, of type 2"
+    expect_exactly(types(a_game).count(2), 1, then="; show.update(0.001); how many of type 2")
 
 
 @pytest.mark.exercise("P4.1")
 def test_a_late_click_scores_more() -> None:
-    read = "the docstring of click"
+    about.read = "the docstring of click"
     for fuse, score, cause in (
         (1.5, 1, "a fuse of 1.5 s is not late, and scores 1: look at it before it is set to 0"),
         (0.4, 1, "a fuse of 0.4 s is not shorter than LATE, 0.4 s"),
         (0.39, 3, "a fuse shorter than LATE scores 3: look at it before it is set to 0"),
     ):
-        call = f"a rocket at (0, 20) with {fuse} s of fuse; click(display, 0, 20); display.score"
+        about(f"a rocket at (0, 20) with {fuse} s of fuse; click(display, 0, 20); ", cause=cause)
+        about.call += "display.score"
         a_game = game((1, 0.0, 20.0))
         a_game.show.fireworks[0].age = fuse
         display.click(a_game, 0.0, 20.0)
-        expect_exactly(call, a_game.score, score, cause=cause, read=read)
-        cause = "a hit is no miss"
-        name = call.replace("display.score", "display.misses")
-        expect_exactly(name, a_game.misses, 0, cause=cause, read=read)
-    call = "two rockets; click(display, 0, 20); click(display, 9, 20); display.score"
-    cause = "each hit adds to the score"
+        expect_exactly(a_game.score, score)
+        about.cause = "a hit is no miss"
+        name = about.call.replace("display.score", "display.misses")
+        expect_exactly(a_game.misses, 0, call=name)
+    about.call = "two rockets; click(display, 0, 20); click(display, 9, 20); display.score"
+    about.cause = "each hit adds to the score"
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
     display.click(a_game, 0.0, 20.0)
     display.click(a_game, 9.0, 20.0)
-    expect_exactly(call, a_game.score, 2, cause=cause, read=read)
+    expect_exactly(a_game.score, 2)
 
 
 @pytest.mark.exercise("P4.1")
 def test_a_click_into_the_dark_is_a_miss() -> None:
-    call = "a rocket at (0, 20); click(display, 30, 20)"
-    cause = "no rocket is within reach: the misses grow by 1, and nothing else changes"
-    read = "the docstring of click"
+    about.call = "a rocket at (0, 20); click(display, 30, 20)"
+    about.cause = "no rocket is within reach: the misses grow by 1, and nothing else changes"
+    about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
     hit = display.click(a_game, 30.0, 20.0)
-    expect_exactly(call, hit, False, cause=cause, read=read)
+    expect_exactly(hit, False)
     counted = (a_game.misses, a_game.score)
-    expect_exactly(f"{call}; misses and score", counted, (1, 0), cause=cause, read=read)
-    expect_exactly(f"{call}; types in the show", types(a_game), [1], cause=cause, read=read)
-    call = "two rockets; click on one, beside, on the other, beside: misses and score"
-    cause = "each hit adds to the score and each miss to the misses, whatever came before"
+    expect_exactly(counted, (1, 0), then="; misses and score")
+    expect_exactly(types(a_game), [1], then="; types in the show")
+    about.call = "two rockets; click on one, beside, on the other, beside: misses and score"
+    about.cause = "each hit adds to the score and each miss to the misses, whatever came before"
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
     for x in (0.0, 30.0, 9.0, 30.0):
         display.click(a_game, x, 20.0)
     counted = (a_game.misses, a_game.score)
-    expect_exactly(call, counted, (2, 2), cause=cause, read=read)
+    expect_exactly(counted, (2, 2))
 
 
 @pytest.mark.exercise("P4.1")
 def test_a_click_in_a_full_show_counts_too() -> None:
-    call = "a show of one slot, a rocket at (0, 20); click(display, 0, 20)"
-    cause = "the rocket bursts and the click scores, though the show has no room for another"
-    read = "the docstring of click"
+    about.call = "a show of one slot, a rocket at (0, 20); click(display, 0, 20)"
+    about.cause = "the rocket bursts and the click scores, though the show has no room for another"
+    about.read = "the docstring of click"
     show = probes.show_of(RULES, 1, "keep_old", 1)
     show.light([(1, 1, Particle(Vector3(0.0, 20.0, 0.0)))])
     a_game = display.Display(show)
     hit = display.click(a_game, 0.0, 20.0)
-    expect_exactly(call, hit, True, cause=cause, read=read)
+    expect_exactly(hit, True)
     counted = (a_game.score, types(a_game))
-    expect_exactly(f"{call}; score and types", counted, (1, [1]), cause=cause, read=read)
+    expect_exactly(counted, (1, [1]), then="; score and types")
     age = show.fireworks[0].age
-    expect_close(f"{call}; its age", age, 0.0, cause=cause, read=read, tolerance=0.0)
+    expect_close(age, 0.0, then="; its age", tolerance=0.0)
 
 
 @pytest.mark.exercise("P4.1")
 def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
-    read = "the docstring of is_over"
+    about.read = "the docstring of is_over"
     rocket, spark = (1, 0.0, 20.0), (2, 0.0, 20.0)
     for lit, misses, over, cause in (
         ((rocket,), 0, False, "a rocket burns"),
@@ -194,35 +196,34 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         ((spark, spark), 0, True, "sparks alone do not keep the display alive"),
         ((), 0, True, "nothing burns"),
     ):
-        call = f"fireworks of types {[type for type, *_ in lit]}, of which only 1 has a payload; "
-        call += f"{misses} misses; is_over(display)"
+        about.cause = cause
+        about.call = f"fireworks of types {[type for type, *_ in lit]}, of which only 1 has a "
+        about.call += f"payload; {misses} misses; is_over(display)"
         a_game = game(*lit)
         a_game.misses = misses
-        expect_exactly(call, display.is_over(a_game), over, cause=cause, read=read)
-    call = "one rocket, whose age is 0; is_over(display)"
-    cause = "a rocket counts until it has burst"
+        expect_exactly(display.is_over(a_game), over)
+    about.call = "one rocket, whose age is 0; is_over(display)"
+    about.cause = "a rocket counts until it has burst"
     a_game = game(rocket)
     a_game.show.fireworks[0].age = 0.0
-    expect_exactly(call, display.is_over(a_game), False, cause=cause, read=read)
+    expect_exactly(display.is_over(a_game), False)
 
 
 @pytest.mark.exercise("P4.1")
 def test_a_click_after_the_end_does_nothing() -> None:
-    call = "a rocket at (0, 20), 6 misses; click(display, 0, 20)"
-    cause = "ask is_over first"
-    read = "the docstring of click"
+    about("a rocket at (0, 20), 6 misses; click(display, 0, 20)", cause="ask is_over first")
+    about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
     a_game.misses = 6
     hit = display.click(a_game, 0.0, 20.0)
-    expect_exactly(call, hit, False, cause=cause, read=read)
+    expect_exactly(hit, False)
     display.click(a_game, 30.0, 20.0)
     counted = (a_game.misses, a_game.score)
-    name = f"{call}; click(display, 30, 20); misses and score"
-    expect_exactly(name, counted, (6, 0), cause=cause, read=read)
-    expect_exactly(f"{call}; types in the show", types(a_game), [1], cause=cause, read=read)
-    call = "only a spark burns; click(display, 0, 20)"
-    cause = "without rockets it is over too: ask is_over first, not the misses alone"
+    expect_exactly(counted, (6, 0), then="; click(display, 30, 20); misses and score")
+    expect_exactly(types(a_game), [1], then="; types in the show")
+    about.call = "only a spark burns; click(display, 0, 20)"
+    about.cause = "without rockets it is over too: ask is_over first, not the misses alone"
     a_game = game((2, 0.0, 20.0))
     hit = display.click(a_game, 0.0, 20.0)
-    expect_exactly(call, hit, False, cause=cause, read=read)
-    expect_exactly(f"{call}; misses", a_game.misses, 0, cause=cause, read=read)
+    expect_exactly(hit, False)
+    expect_exactly(a_game.misses, 0, then="; misses")

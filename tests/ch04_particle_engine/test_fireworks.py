@@ -14,7 +14,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import probes
 from draw import components
-from expect import expect_close, expect_error, expect_exactly
+from expect import about, expect_close, expect_error, expect_exactly, scoped
 
 # The book's first rule, but for its payload.
 FIRST: probes.RuleData = (
@@ -40,30 +40,30 @@ def burning(a_show: Any) -> list[int]:
     return [firework.type for firework in a_show.fireworks]
 
 
-def expect_even(
-    call: str, drawn: list[float], low: float, high: float, *, cause: str, read: str
-) -> None:
+@scoped
+def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
     """Expect numbers drawn evenly between two limits."""
+    about.call = call
     __tracebackhide__ = True
     outside = sum(not low <= number <= high for number in drawn)
-    name = f"{call}, how many outside {low} to {high}"
-    expect_exactly(name, outside, 0, cause=cause, read=read)
+    name = f"{about.call}, how many outside {low} to {high}"
+    expect_exactly(outside, 0, call=name)
     # The standard deviation of the mean of n even draws is their range / sqrt(12 n).
     tolerance = 5.0 * (high - low) / math.sqrt(12.0 * len(drawn))
-    name = f"{call}, the mean of {len(drawn)}"
+    name = f"{about.call}, the mean of {len(drawn)}"
     middle = (low + high) / 2.0
     mean = math.fsum(drawn) / len(drawn)
-    expect_close(name, mean, middle, cause=cause, read=read, tolerance=tolerance)
+    expect_close(mean, middle, call=name, tolerance=tolerance)
     # A quarter of even draws lies in each outer quarter; the deviation is sqrt(n 3 / 16).
     quarter = (high - low) / 4.0
     for part, inside in (
         ("lowest", sum(number < low + quarter for number in drawn)),
         ("highest", sum(number > high - quarter for number in drawn)),
     ):
-        name = f"{call}, how many of {len(drawn)} in the {part} quarter"
+        name = f"{about.call}, how many of {len(drawn)} in the {part} quarter"
         spread = 5.0 * math.sqrt(len(drawn) * 3.0 / 16.0)
         wanted = len(drawn) / 4.0
-        expect_close(name, inside, wanted, cause=cause, read=read, tolerance=spread)
+        expect_close(inside, wanted, call=name, tolerance=spread)
 
 
 # B4.4 A firework from its rule
@@ -72,100 +72,102 @@ def expect_even(
 @pytest.mark.exercise("B4.4")
 def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
-    call = f"make_firework(rule, Random({seed})).age, min_age=0.5, max_age=1.4"
-    cause = "random.uniform(min_age, max_age), anew for each firework"
-    read = "the docstring of make_firework; book 4.2.1"
+    about.call = f"make_firework(rule, Random({seed})).age, min_age=0.5, max_age=1.4"
+    about.cause = "random.uniform(min_age, max_age), anew for each firework"
+    about.read = "the docstring of make_firework; book 4.2.1"
     ages = [firework[1] for firework in probes.lit(FIRST, seed, MANY)]
-    expect_even(call, ages, 0.5, 1.4, cause=cause, read=read)
+    expect_even(about.call, ages, 0.5, 1.4)
 
 
 @pytest.mark.exercise("B4.4")
 def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None:
     seed = rng.randrange(10**6)
     low, high = FIRST[3], FIRST[4]
-    call = f"make_firework(rule, Random({seed})).particle.velocity, from {low} to {high}"
-    read = "the docstring of make_firework; book 4.2.1"
+    about.call = f"make_firework(rule, Random({seed})).particle.velocity, from {low} to {high}"
+    about.read = "the docstring of make_firework; book 4.2.1"
     made = probes.lit(FIRST, seed, MANY)
     columns = {}
     for i, axis in enumerate("XYZ"):
-        cause = "random.uniform of the smallest and the largest on this axis"
+        about.cause = "random.uniform of the smallest and the largest on this axis"
         columns[axis] = [firework[5 + i] for firework in made]
-        expect_even(f"{call}, on {axis}", columns[axis], low[i], high[i], cause=cause, read=read)
+        expect_even(f"{about.call}, on {axis}", columns[axis], low[i], high[i])
     ages = [firework[1] for firework in made]
     if min(ages) < max(ages):  # a check of their own says whether they are drawn
         columns["the age"] = ages
-    cause = "one number drawn for all three axes sends every spark along one line: draw three"
+    about.cause = "one number drawn for all three axes sends every spark along one line: draw three"
     for one, other in itertools.combinations(columns, 2):
-        name = f"{call}, correlation of {one} and {other}"
+        name = f"{about.call}, correlation of {one} and {other}"
         correlation = statistics.correlation(columns[one], columns[other])
         # The deviation of the correlation of n independent pairs is 1 / sqrt(n).
         tolerance = 5.0 / math.sqrt(MANY)
-        expect_close(name, correlation, 0.0, cause=cause, read=read, tolerance=tolerance)
+        expect_close(correlation, 0.0, call=name, tolerance=tolerance)
 
 
 @pytest.mark.exercise("B4.4")
 def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Random) -> None:
     seed = rng.randrange(10**6)
-    call = f"make_firework(rule, Random({seed})).particle.position"
-    cause = "LAUNCH_PLACES along X, -5, 0 and 5, each as often as the others; y and z are 0"
-    read = "the docstring of make_firework; book 4.2.3"
+    about.call = f"make_firework(rule, Random({seed})).particle.position"
+    about.cause = "LAUNCH_PLACES along X, -5, 0 and 5, each as often as the others; y and z are 0"
+    about.read = "the docstring of make_firework; book 4.2.3"
     places = [tuple(firework[2:5]) for firework in probes.lit(FIRST, seed, MANY)]
     for x in (-5.0, 0.0, 5.0):
-        name = f"{call}, how many of {MANY} at ({x}, 0, 0)"
+        name = f"{about.call}, how many of {MANY} at ({x}, 0, 0)"
         # A third of them; five times the deviation sqrt(n 2 / 9).
         spread = 5.0 * math.sqrt(MANY * 2.0 / 9.0)
         found = places.count((x, 0.0, 0.0))
-        expect_close(name, found, MANY / 3.0, cause=cause, read=read, tolerance=spread)
+        expect_close(found, MANY / 3.0, call=name, tolerance=spread)
 
 
 @pytest.mark.exercise("B4.4")
 def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
     seed, x, v, own = rng.randrange(10**6), components(rng), components(rng), components(rng)
     data: probes.RuleData = (3, 1.0, 1.0, own, own, 0.5, ())
-    call = f"make_firework(rule, random, Particle(Vector3{x}, Vector3{v})), velocities of {own}"
-    read = "the docstring of make_firework; book 4.2.3"
+    about.call = f"make_firework(rule, random, Particle(Vector3{x}, Vector3{v})), velocities of "
+    about.call += f"{own}"
+    about.read = "the docstring of make_firework; book 4.2.3"
     (firework,) = probes.lit(data, seed, 1, (x, v))
-    cause = "it starts where its parent is"
-    expect_close(f"{call}.particle.position", firework[2:5], x, cause=cause, read=read)
-    cause = "its velocity is the drawn one plus that of its parent"
+    about.cause = "it starts where its parent is"
+    expect_close(firework[2:5], x, then=".particle.position")
+    about.cause = "its velocity is the drawn one plus that of its parent"
     wanted = tuple(a + b for a, b in zip(v, own, strict=True))
-    expect_close(f"{call}.particle.velocity", firework[5:8], wanted, cause=cause, read=read)
-    cause = "one parent has many children: it must stay as it is"
+    expect_close(firework[5:8], wanted, then=".particle.velocity")
+    about.cause = "one parent has many children: it must stay as it is"
     family = probes.lit(data, seed, 3, (x, v))
-    expect_close(f"{call}, the third", family[2][5:8], wanted, cause=cause, read=read)
+    expect_close(family[2][5:8], wanted, then=", the third")
 
 
 @pytest.mark.exercise("B4.4")
 def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng: Random) -> None:
     type, damping = rng.randrange(1, 10), round(rng.uniform(0.1, 0.9), 3)
     data: probes.RuleData = (type, 1.0, 2.0, STILL, STILL, damping, ())
-    call = f"make_firework(rule, random), type {type} and damping {damping}"
-    read = "the docstring of make_firework"
+    about.call = f"make_firework(rule, random), type {type} and damping {damping}"
+    about.read = "the docstring of make_firework"
     for parent in (None, (components(rng), components(rng))):
         (firework,) = probes.lit(data, 1, 1, parent, parent_mass=4.0)
-        cause = "the type and the damping of the rule"
-        expect_close(f"{call}; its type", firework[0], type, cause=cause, read=read)
-        expect_close(f"{call}; its damping", firework[12], damping, cause=cause, read=read)
-        cause = "every firework has the mass 1 and falls with GRAVITY, (0, -9.81, 0)"
+        about.cause = "the type and the damping of the rule"
+        expect_close(firework[0], type, then="; its type")
+        expect_close(firework[12], damping, then="; its damping")
+        about.cause = "every firework has the mass 1 and falls with GRAVITY, (0, -9.81, 0)"
         gravity = (0.0, -9.81, 0.0)
-        expect_close(f"{call}; acceleration", firework[8:11], gravity, cause=cause, read=read)
-        expect_close(f"{call}; its mass", firework[11], 1.0, cause=cause, read=read)
+        expect_close(firework[8:11], gravity, then="; acceleration")
+        expect_close(firework[11], 1.0, then="; its mass")
 
 
 @pytest.mark.exercise("B4.4")
 def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> None:
     seed = rng.randrange(10**6)
-    call = f"make_firework(rule, Random({seed})) 5 times, and the same once more"
-    cause = "draw from the argument random, not from the module: the same seed, the same show"
-    read = "the docstring of make_firework"
+    about.call = f"make_firework(rule, Random({seed})) 5 times, and the same once more"
+    about.cause = "draw from the argument random, not from the module: the same seed, the same show"
+    about.read = "the docstring of make_firework"
     once, again = (probes.lit(FIRST, seed, 5) for _ in range(2))
     differ = sum(a != b for a, b in zip(once, again, strict=True))
-    expect_exactly(f"{call}: fireworks that differ", differ, 0, cause=cause, read=read)
-    call = f"make_firework(rule, Random({seed})) and with Random({seed + 1}): velocities that agree"
-    cause = "another seed gives other numbers"
+    expect_exactly(differ, 0, then=": fireworks that differ")
+    about.call = f"make_firework(rule, Random({seed})) and with Random({seed + 1}): velocities "
+    about.call += "that agree"
+    about.cause = "another seed gives other numbers"
     other = probes.lit(FIRST, seed + 1, 5)
     same = sum(a[5:8] == b[5:8] for a, b in zip(once, other, strict=True))
-    expect_exactly(call, same, 0, cause=cause, read=read)
+    expect_exactly(same, 0)
 
 
 # B4.5 Slots, and what happens when they are full
@@ -174,65 +176,64 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
 @pytest.mark.exercise("B4.5")
 def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     type = rng.randrange(1, 5)
-    call = f"show.launch({type}); the types of show.fireworks"
-    cause = "one birth of that type, without a parent"
-    read = "the docstring of launch"
+    about.call = f"show.launch({type}); the types of show.fireworks"
+    about(cause="one birth of that type, without a parent", read="the docstring of launch")
     a_show = show(9, "keep_old")
     a_show.launch(type)
-    expect_exactly(call, burning(a_show), [type], cause=cause, read=read)
-    call = f"show.launch({type}) 80 times; the x and y that occur"
-    cause = "without a parent make_firework chooses one of three places on the ground"
+    expect_exactly(burning(a_show), [type])
+    about.call = f"show.launch({type}) 80 times; the x and y that occur"
+    about.cause = "without a parent make_firework chooses one of three places on the ground"
     places = probes.places_of_launches(simple(type), type, 80)
     if len(places) == 1:
-        cause = "always the same place: make_firework wants no parent here, and self.random, which "
-        cause += "goes on from call to call, as a Random made anew does not"
+        about.cause = "always the same place: make_firework wants no parent here, and self.random, "
+        about.cause += "which goes on from call to call, as a Random made anew does not"
     wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]
-    expect_exactly(call, places, wanted, cause=cause, read=read)
+    expect_exactly(places, wanted)
 
 
 @pytest.mark.exercise("B4.5")
 def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> None:
     order = rng.sample([1, 2, 3, 4], 4)
-    call = f"launch {', '.join(map(str, order))}; the types of show.fireworks"
-    cause = "each is lit behind those that burn already: the oldest is the first"
-    read = "the docstrings of FireworksShow and launch"
+    about.call = f"launch {', '.join(map(str, order))}; the types of show.fireworks"
+    about.cause = "each is lit behind those that burn already: the oldest is the first"
+    about.read = "the docstrings of FireworksShow and launch"
     for when_full in ("keep_old", "drop_oldest"):
         a_show = show(9, when_full)
         for type in order:
             a_show.launch(type)
-        expect_exactly(call, burning(a_show), order, cause=cause, read=read)
+        expect_exactly(burning(a_show), order)
         nobody = "dropped counts those without a slot, and here all have one"
-        expect_exactly(f"{call}; show.dropped", a_show.dropped, 0, cause=nobody, read=read)
+        expect_exactly(a_show.dropped, 0, then="; show.dropped", cause=nobody)
 
 
 @pytest.mark.exercise("B4.5")
 def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
-    call = 'capacity 3, "keep_old"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
-    cause = "those that burn keep their slots, as the book's text says (E-20)"
-    read = "the docstring of FireworksShow; errata.md"
+    about.call = 'capacity 3, "keep_old"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
+    about.cause = "those that burn keep their slots, as the book's text says (E-20)"
+    about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "keep_old")
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
     lit = burning(a_show)
     if len(lit) == 3 and 4 in lit:
-        cause = "the oldest were put out, as in the book's listing: keep_old is its text, in which "
-        cause += "they keep their slots (E-20)"
-    expect_exactly(call, lit, [1, 2, 3], cause=cause, read=read)
-    cause = "dropped counts those that were not lit"
-    expect_exactly(f"{call}; show.dropped", a_show.dropped, 2, cause=cause, read=read)
+        about.cause = "the oldest were put out, as in the book's listing: keep_old is its text, in "
+        about.cause += "which they keep their slots (E-20)"
+    expect_exactly(lit, [1, 2, 3])
+    about.cause = "dropped counts those that were not lit"
+    expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
 @pytest.mark.exercise("B4.5")
 def test_drop_oldest_puts_out_the_oldest() -> None:
-    call = 'capacity 3, "drop_oldest"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
-    cause = "the oldest makes room for each new one, as in the book's listing (E-20)"
-    read = "the docstring of FireworksShow; errata.md"
+    about.call = 'capacity 3, "drop_oldest"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
+    about.cause = "the oldest makes room for each new one, as in the book's listing (E-20)"
+    about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "drop_oldest")
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
-    expect_exactly(call, burning(a_show), [3, 4, 1], cause=cause, read=read)
-    cause = "dropped counts those that were put out"
-    expect_exactly(f"{call}; show.dropped", a_show.dropped, 2, cause=cause, read=read)
+    expect_exactly(burning(a_show), [3, 4, 1])
+    about.cause = "dropped counts those that were put out"
+    expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
 @pytest.mark.exercise("B4.5")
@@ -244,110 +245,103 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
     ],
 )
 def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], cause: str) -> None:
+    about.cause = cause
     births = [(2, 2, None), (3, 4, None), (4, 1, None)]
-    call = f'capacity 4, "{when_full}"; launch 1; show.light({births}); the types'
-    read = "the docstring of light"
+    about.call = f'capacity 4, "{when_full}"; launch 1; show.light({births}); the types'
+    about.read = "the docstring of light"
     a_show = show(4, when_full)
     a_show.launch(1)
     a_show.light(births)
-    expect_exactly(call, burning(a_show), wanted, cause=cause, read=read)
-    cause = "8 were asked for and 4 burn: dropped counts the other 4, however they were lost"
-    expect_exactly(f"{call}; show.dropped", a_show.dropped, 4, cause=cause, read=read)
+    expect_exactly(burning(a_show), wanted)
+    about.cause = "8 were asked for and 4 burn: dropped counts the other 4, however they were lost"
+    expect_exactly(a_show.dropped, 4, then="; show.dropped")
 
 
 @pytest.mark.exercise("B4.5")
 def test_births_have_their_own_parents(rng: Random) -> None:
     x, v = components(rng), components(rng)
-    call = f"show.light([(1, 2, Particle(Vector3{x}, Vector3{v})), (2, 1, None)]); positions"
-    cause = "give each birth's parent to make_firework"
-    read = "the docstring of light"
+    about.call = f"show.light([(1, 2, Particle(Vector3{x}, Vector3{v})), (2, 1, None)]); positions"
+    about(cause="give each birth's parent to make_firework", read="the docstring of light")
     a_show = show(9, "keep_old")
     a_show.light([(1, 2, Particle(Vector3(*x), Vector3(*v))), (2, 1, None)])
-    expect_exactly(f"{call}: types", burning(a_show), [1, 1, 2], cause=cause, read=read)
+    expect_exactly(burning(a_show), [1, 1, 2], then=": types")
     lit = a_show.fireworks
     places = [lit[i].particle.position for i in (0, 1, 2)]
     got = [place.x for place in places[:2]] + [place.y for place in places]
     wanted = [x[0], x[0], x[1], x[1], 0.0]
-    expect_close(f"{call}: x of two and y of three", got, wanted, cause=cause, read=read)
+    expect_close(got, wanted, then=": x of two and y of three")
     places[0].x = 99.0
-    cause = "each is made anew: a list of one firework many times is one firework"
-    name = f"{call}; the first one's x = 99; that of the second one"
-    expect_close(name, places[1].x, x[0], cause=cause, read=read)
-    call = "births = [(1, 2, None), (2, 3, None)]; show.light(births); births"
-    cause = "the list is the caller's: go through it, and leave it as it is"
+    about.cause = "each is made anew: a list of one firework many times is one firework"
+    expect_close(places[1].x, x[0], then="; the first one's x = 99; that of the second one")
+    about.call = "births = [(1, 2, None), (2, 3, None)]; show.light(births); births"
+    about.cause = "the list is the caller's: go through it, and leave it as it is"
     for when_full in ("keep_old", "drop_oldest"):
         left = probes.births_after(simple(1), simple(2), when_full)
-        expect_exactly(call, left, [(1, 2), (2, 3)], cause=cause, read=read)
+        expect_exactly(left, [(1, 2), (2, 3)])
 
 
 @pytest.mark.exercise("B4.5")
 @pytest.mark.parametrize("when_full", ["keep_old", "drop_oldest"])
 def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str) -> None:
-    call = f'capacity 2000, "{when_full}"; show.light() of 1000 births of 50 each; fireworks made'
-    cause = (
-        "work out how many have room before any is made, and of which births: what would be put "
-        "out at once is not made at all"
+    about.call = (
+        f'capacity 2000, "{when_full}"; show.light() of 1000 births of 50 each; fireworks made'
     )
-    read = "the docstring of light"
+    about.cause = "work out how many have room before any is made, and of which births: what would "
+    about.cause += "be put out at once is not made at all"
+    about.read = "the docstring of light"
     _, _, made = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 50)
-    expect_exactly(f"{call}, beyond 2000", max(0, made - 2000), 0, cause=cause, read=read)
-    call = f'capacity 2000, "{when_full}"; show.light() of 1000 births, each of 10**9'
+    expect_exactly(max(0, made - 2000), 0, then=", beyond 2000")
+    about.call = f'capacity 2000, "{when_full}"; show.light() of 1000 births, each of 10**9'
     lit, dropped, _ = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 10**9)
     wanted = [2000, 0] if when_full == "keep_old" else [0, 2000]
-    name = f"{call}, the first of type 1 and the last of type 2; how many burn of types 1 and 2"
-    expect_exactly(name, lit, wanted, cause=cause, read=read)
-    cause = "all others found no room: dropped counts those of every birth"
-    name = f"{call}; show.dropped"
-    expect_exactly(name, dropped, 1000 * 10**9 - 2000, cause=cause, read=read)
+    name = (
+        f"{about.call}, the first of type 1 and the last of type 2; how many burn of types 1 and 2"
+    )
+    expect_exactly(lit, wanted, call=name)
+    about.cause = "all others found no room: dropped counts those of every birth"
+    expect_exactly(dropped, 1000 * 10**9 - 2000, then="; show.dropped")
 
 
 @pytest.mark.exercise("B4.5")
 def test_the_same_seed_launches_the_same(rng: Random) -> None:
     seed = rng.randrange(10**6)
     rules = [FIRST]
-    call = f"two shows with the seed {seed}: launch 1 three times"
-    cause = "draw from self.random, which the seed has made"
-    read = "the docstring of FireworksShow"
+    about.call = f"two shows with the seed {seed}: launch 1 three times"
+    about.cause = "draw from self.random, which the seed has made"
+    about.read = "the docstring of FireworksShow"
     runs = [probes.show_after(rules, [1, 1, 1], s, 0.01, 0) for s in (seed, seed, seed + 1)]
-    expect_exactly(f"{call}, how many burn", len(runs[0]), 3, cause=cause, read=read)
+    expect_exactly(len(runs[0]), 3, then=", how many burn")
     differ = sum(a != b for a, b in zip(runs[0], runs[1], strict=True))
-    expect_exactly(f"{call}: fireworks that differ", differ, 0, cause=cause, read=read)
-    cause = "another seed gives another show"
+    expect_exactly(differ, 0, then=": fireworks that differ")
+    about.cause = "another seed gives another show"
     same = sum(a == b for a, b in zip(runs[0], runs[2], strict=True))
-    call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
-    expect_exactly(call, same, 0, cause=cause, read=read)
+    about.call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
+    expect_exactly(same, 0)
 
 
 @pytest.mark.exercise("B4.5")
 @pytest.mark.robust
 def test_births_that_mean_nothing_are_refused() -> None:
-    call = "show.launch(7), rules for 1 to 4"
-    cause = "look for the type first, and name it in the ValueError"
-    read = "the docstring of launch"
+    about.call = "show.launch(7), rules for 1 to 4"
+    about.cause = "look for the type first, and name it in the ValueError"
+    about.read = "the docstring of launch"
     a_show = show(9, "keep_old")
     expect_error(
-        call,
-        lambda: a_show.launch(7),
-        ValueError,
-        allowed=lambda: show(9, "keep_old").launch(4),
-        cause=cause,
-        read=read,
+        lambda: a_show.launch(7), ValueError, allowed=lambda: show(9, "keep_old").launch(4)
     )
-    expect_exactly(f"{call}; how many burn", len(a_show.fireworks), 0, cause=cause, read=read)
-    cause = "look at all births before the first is lit"
+    expect_exactly(len(a_show.fireworks), 0, then="; how many burn")
+    about.cause = "look at all births before the first is lit"
     for bad, births in (
         ("a type without a rule", [(1, 2, None), (7, 1, None)]),
         ("a negative count", [(1, 2, None), (2, -3, None)]),
         ("a negative count", [(1, 2, None), (2, -1, None)]),
     ):
-        call = f"show.light({births}), {bad}"
+        about.call = f"show.light({births}), {bad}"
         expect_error(
-            call,
             lambda births=births: a_show.light(births),
             ValueError,
             allowed=lambda: show(9, "keep_old").light([(4, 0, None), (4, 1, None)]),
-            cause=cause,
             read="the docstring of light",
         )
         now = (len(a_show.fireworks), a_show.dropped)
-        expect_exactly(f"{call}; burning and dropped", now, (0, 0), cause=cause, read=read)
+        expect_exactly(now, (0, 0), then="; burning and dropped")

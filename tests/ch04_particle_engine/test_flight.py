@@ -11,7 +11,15 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import ballistics, probes
 from ch04_particle_engine.ballistics import BallisticRange
-from expect import cause_of, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import (
+    about,
+    cause_of,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    xyz,
+)
 
 Numbers = tuple[float, ...]
 
@@ -33,7 +41,7 @@ def by_the_law(
 
 @pytest.mark.exercise("B4.3")
 def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> None:
-    read = "the docstring of is_spent; book 4.1.2, the listing"
+    about.read = "the docstring of is_spent; book 4.1.2, the listing"
     for position, age, spent, cause in (
         ((0.0, 1.5, 100.0), 4.0, False, "nothing is wrong with it"),
         ((0.0, 0.0, 100.0), 4.0, False, "on the ground it is not below it: y < 0"),
@@ -45,63 +53,64 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
         ((0.0, 1.5, 200.001), 4.0, True, "it is past the end of the range"),
         ((300.0, 300.0, -300.0), 0.0, False, "x, height and what lies behind have no limit"),
     ):
-        call = f'shot = Shot("pistol", Particle(Vector3{position})); shot.age = {age}; '
-        call += "is_spent(shot)"
+        about.cause = cause
+        about.call = f'shot = Shot("pistol", Particle(Vector3{position})); shot.age = {age}; '
+        about.call += "is_spent(shot)"
         shot = ballistics.Shot("pistol", Particle(Vector3(*position)))
         shot.age = age
         got = ballistics.is_spent(shot)
-        expect_exactly(call, got, spent, cause=cause, read=read)
+        expect_exactly(got, spent)
 
 
 @pytest.mark.exercise("B4.3")
 def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     h = round(rng.uniform(0.05, 0.2), 3)
-    call = f'r.fire("pistol"); r.fire("artillery"); r.fire("pistol"); r.update({h}); r.shots'
-    cause = "integrate each shot's particle once, by the duration of the frame"
-    read = "the docstring of update"
+    about.call = f'r.fire("pistol"); r.fire("artillery"); r.fire("pistol"); r.update({h}); r.shots'
+    about.cause = "integrate each shot's particle once, by the duration of the frame"
+    about.read = "the docstring of update"
     at = BallisticRange()
     at.fire("pistol")
     at.fire("artillery")
     at.fire("pistol")
     at.update(h)
-    expect_exactly(f"{call}, how many", len(at.shots), 3, cause=cause, read=read)
+    expect_exactly(len(at.shots), 3, then=", how many")
     for i, (vy, vz) in enumerate(((0.0, 35.0), (30.0, 40.0), (0.0, 35.0))):
         got = xyz(at.shots[i].particle.position)
         wanted = (0.0, 1.5 + vy * h, vz * h)
-        expect_close(f"{call}[{i}].particle.position", got, wanted, cause=cause, read=read)
+        expect_close(got, wanted, then=f"[{i}].particle.position")
     mistakes = [
         (1.0, "that is the number of frames: the age grows by the duration, in seconds"),
         (0.0, "the shot gets no older: the age grows by the duration"),
     ]
-    cause = cause_of(at.shots[1].age, mistakes, "the age grows by the duration, once a frame")
-    expect_close(f"{call}[1].age", at.shots[1].age, h, cause=cause, read=read)
+    about.cause = cause_of(at.shots[1].age, mistakes, "the age grows by the duration, once a frame")
+    expect_close(at.shots[1].age, h, then="[1].age")
 
 
 @pytest.mark.exercise("B4.3")
 def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
     frames = rng.randrange(20, 80)
     h = 1.0 / 60.0
-    read = "the docstring of update; chapter 3's integrate"
+    about.read = "the docstring of update; chapter 3's integrate"
     for name, speeds, a, damping in (
         ("pistol", (0.0, 0.0, 35.0), -1.0, 0.99),
         ("artillery", (0.0, 30.0, 40.0), -20.0, 0.99),
         ("fireball", (0.0, 0.0, 10.0), 0.6, 0.9),
     ):
-        call = f'r.fire("{name}"); r.update(1/60) {frames} times; r.shots[0].particle'
-        cause = "each frame is one step of integrate, p + v h and then (v + a h) d^h: no more"
+        about.call = f'r.fire("{name}"); r.update(1/60) {frames} times; r.shots[0].particle'
+        about.cause = "each frame is one step of integrate, p + v h and then (v + a h) d^h: no more"
         position, velocity = probes.shot_after(name, h, frames)
         axes = zip((0.0, 1.5, 0.0), speeds, (0.0, a, 0.0), strict=True)
         law = [by_the_law(p, v, a, damping, h, frames) for p, v, a in axes]
         # Up to 80 roundings of numbers up to 60, and the law's own: (1 - D) has lost four digits.
         wanted = tuple(p for p, _ in law)
-        expect_close(f"{call}.position", position, wanted, cause=cause, read=read, tolerance=1e-9)
+        expect_close(position, wanted, then=".position", tolerance=1e-9)
         wanted = tuple(v for _, v in law)
-        expect_close(f"{call}.velocity", velocity, wanted, cause=cause, read=read, tolerance=1e-9)
+        expect_close(velocity, wanted, then=".velocity", tolerance=1e-9)
 
 
 @pytest.mark.exercise("B4.3")
 def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
-    read = "the docstring of update; book 4.1.2"
+    about.read = "the docstring of update; book 4.1.2"
     h = 1.0 / 32.0
     flight = [by_the_law(1.5, 30.0, -20.0, 0.99, h, n)[0] for n in range(200)]
     landed = next(n for n, y in enumerate(flight) if y < 0.0)
@@ -118,68 +127,61 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
         # 40 frames are 5 s exactly, which is not older than 5 s.
         ("fireball", 1.0 / 8.0, 41, "it is dropped in the frame in which it gets older than 5 s"),
     ):
-        call = f'r.fire("{name}"); r.update({frame}) until r.shots is empty: how many updates'
+        about.cause = cause
+        about.call = f'r.fire("{name}"); r.update({frame}) until r.shots is empty: how many updates'
         got = probes.frames_in_flight(name, frame, 200)
-        expect_exactly(call, got, wanted, cause=cause, read=read)
+        expect_exactly(got, wanted)
 
 
 @pytest.mark.exercise("B4.3")
 def test_neighbours_that_are_spent_together_are_dropped_together() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
-    call = f"fire {', '.join(names)}; r.update(0.5) 5 times; the types of r.shots after each"
-    cause = (
-        "removing from the list that a loop runs over skips the next one: make a new list of "
-        "those that stay"
-    )
-    read = "the docstring of update"
+    about.call = f"fire {', '.join(names)}; r.update(0.5) 5 times; the types of r.shots after each"
+    about.cause = "removing from the list that a loop runs over skips the next one: make a new "
+    about.cause += "list of those that stay"
+    about.read = "the docstring of update"
     seen = probes.shots_over(names, 0.5, 5)
     flying = [", ".join(types) for types in seen]
     for i, wanted in enumerate([", ".join(names)] * 4 + ["fireball, fireball"]):
-        expect_exactly(f"{call}: {i + 1}", flying[i], wanted, cause=cause, read=read)
+        expect_exactly(flying[i], wanted, then=f": {i + 1}")
 
 
 @pytest.mark.exercise("B4.3")
 def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short() -> None:
     # With damping .99 as drag, exactly: 3.0347583 s and 119.557788 m.
     wanted = (3.0347583, 119.557788)
-    read = "the docstring of update; chapter 3's integrate"
+    about.read = "the docstring of update; chapter 3's integrate"
     errors = []
     for h in (1.0 / 500.0, 1.0 / 1000.0):
-        call = f'r.fire("artillery"); r.update({h}) until it lands: time in s and z in m'
-        cause = "at 1/1000 s the step is 0.001 s and 0.04 m off: more is another motion"
+        about.call = f'r.fire("artillery"); r.update({h}) until it lands: time in s and z in m'
+        about.cause = "at 1/1000 s the step is 0.001 s and 0.04 m off: more is another motion"
         got = probes.landing("artillery", h)
         # The step is a t h / 2 too high: 0.06 m at 1/500 s, which it falls in 0.002 s.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=2.0 * 50.0 * h)
+        expect_close(got, wanted, tolerance=2.0 * 50.0 * h)
         errors.append(got[0] - wanted[0])
-    call = "the same: error of the time at 1/500 s over that at 1/1000 s"
-    cause = "half the frame, half the error: the step is of first order"
+    about.call = "the same: error of the time at 1/500 s over that at 1/1000 s"
+    about.cause = "half the frame, half the error: the step is of first order"
     # The next order bends the ratio by h / t, and the time is known to 5e-8 s of 1e-3 s.
-    expect_close(call, errors[0] / errors[1], 2.0, cause=cause, read=read, tolerance=0.01)
+    expect_close(errors[0] / errors[1], 2.0, tolerance=0.01)
 
 
 @pytest.mark.exercise("B4.3")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_is_positive_and_finite_and_a_refused_one_moves_nothing(bad: float) -> None:
-    cause = "look at the duration first, whether or not there are shots"
-    read = "the docstring of update"
+    about.cause = "look at the duration first, whether or not there are shots"
+    about.read = "the docstring of update"
     empty, at = BallisticRange(), BallisticRange()
     at.fire("pistol")
     for call, attempt in (
         (f"BallisticRange().update({bad})", lambda: empty.update(bad)),
         (f'r.fire("pistol"); r.update({bad})', lambda: at.update(bad)),
     ):
-        expect_error(
-            call,
-            attempt,
-            ValueError,
-            allowed=lambda: BallisticRange().update(0.5),
-            cause=cause,
-            read=read,
-        )
-    call = f'r.fire("pistol"); r.update({bad})'
+        about.call = call
+        expect_error(attempt, ValueError, allowed=lambda: BallisticRange().update(0.5))
+    about.call = f'r.fire("pistol"); r.update({bad})'
     shot = at.shots[0]
     start = (0.0, 1.5, 0.0)
     now = xyz(shot.particle.position)
-    expect_unchanged(call, "r.shots[0].particle.position", now, start, cause=cause, read=read)
-    expect_unchanged(call, "r.shots[0].age", (shot.age,), (0.0,), cause=cause, read=read)
+    expect_unchanged("r.shots[0].particle.position", now, start)
+    expect_unchanged("r.shots[0].age", (shot.age,), (0.0,))

@@ -9,7 +9,7 @@ import pytest
 
 from ch04_particle_engine import screen_rotation
 from draw import number
-from expect import cause_of, expect_close, expect_error
+from expect import about, blame, expect_close, expect_error
 
 ANGLE, CORNERS = "the docstring of screen_angle", "the docstring of screen_corners"
 
@@ -18,11 +18,11 @@ ROUNDED = 1e-12  # some roundings of numbers up to 10, and of a sine
 
 @pytest.mark.exercise("G4.1")
 def test_the_angle_grows_by_the_rate(rng: Random) -> None:
-    read = ANGLE
+    about.read = ANGLE
     start, rate = round(rng.uniform(-0.5, 0.5), 3), round(rng.uniform(0.85, 1.0), 3)
     for turning in (rate, -rate):
-        call = f"screen_angle({start}, {turning}, 2.5)"
-        cause = "start + rate x time, from -pi to pi: a turn backwards makes it negative"
+        about.call = f"screen_angle({start}, {turning}, 2.5)"
+        about.cause = "start + rate x time, from -pi to pi: a turn backwards makes it negative"
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
@@ -31,35 +31,34 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
             (angle + math.pi, "half a turn was added: leave out whole turns, 2 pi, alone"),
             (angle - math.pi, "half a turn was taken away: leave out whole turns, 2 pi, alone"),
         ]
-        cause = cause_of(got, mistakes, cause)
-        expect_close(call, got, start + 2.5 * turning, cause=cause, read=read, tolerance=1e-14)
+        blame(got, mistakes)
+        expect_close(got, start + 2.5 * turning, tolerance=1e-14)
 
 
 @pytest.mark.exercise("G4.1")
 def test_whole_turns_are_left_out(rng: Random) -> None:
-    read = ANGLE
+    about.read = ANGLE
     turns = rng.randint(10, 25)
     beyond = rng.uniform(0.3, 1.2), rng.uniform(3.5, 4.5)  # to either side of half a turn
     for angle in (way * (turns * 2.0 * math.pi + part) for way in (1.0, -1.0) for part in beyond):
         rate = round((angle - 0.5) / 20.0, 3)
-        call = f"screen_angle(0.5, {rate}, 20)"
-        cause = "from -pi to pi: what is beyond has whole turns in it"
+        about.call = f"screen_angle(0.5, {rate}, 20)"
+        about.cause = "from -pi to pi: what is beyond has whole turns in it"
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
-        name = f"{call}, size"
+        name = f"{about.call}, size"
         most = min(abs(got), math.pi)
-        expect_close(name, abs(got), most, cause=cause, read=read, tolerance=1e-9)
-        cause = "only whole turns: the direction is that of start + rate x time"
+        expect_close(abs(got), most, call=name, tolerance=1e-9)
+        about.cause = "only whole turns: the direction is that of start + rate x time"
         direction = (math.cos(got), math.sin(got))
         angle = 0.5 + 20.0 * rate
         wanted = (math.cos(angle), math.sin(angle))
-        name = f"{call}, its cosine and sine"
-        expect_close(name, direction, wanted, cause=cause, read=read, tolerance=ROUNDED)
+        name = f"{about.call}, its cosine and sine"
+        expect_close(direction, wanted, call=name, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("G4.1")
 def test_angles_just_beyond_half_a_turn() -> None:
-    read = ANGLE
-    cause = "more than half a turn one way is less than half a turn the other way"
+    about(cause="more than half a turn one way is less than half a turn the other way", read=ANGLE)
     turn = 2.0 * math.pi
     for start, rate, time, wanted in (
         (0.0, 1.0, 4.0, 4.0 - turn),
@@ -70,23 +69,23 @@ def test_angles_just_beyond_half_a_turn() -> None:
         (0.0, -1.0, 10.0, 2.0 * turn - 10.0),
         (0.5, 1.0, -0.25, 0.25),  # a negative time was before
     ):
-        call = f"screen_angle({start}, {rate}, {time})"
+        about.call = f"screen_angle({start}, {rate}, {time})"
         got = screen_rotation.screen_angle(start, rate, time)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-14)
+        expect_close(got, wanted, tolerance=1e-14)
 
 
 @pytest.mark.exercise("G4.1")
 def test_the_corners_of_a_square(rng: Random) -> None:
     x, y, size = number(rng), number(rng), round(rng.uniform(0.5, 3.0), 3)
     angle = round(rng.uniform(0.2, 1.2), 3)
-    read = CORNERS
+    about.read = CORNERS
     half = size / 2.0
     for turned, cause in (
         (0.0, "half a side to the right and half a side up, and on from there, X towards Y"),
         (math.pi / 2.0, "after a quarter of a turn each corner is where the next one was"),
         (angle, "turn each corner about the center: (a cos t - b sin t, a sin t + b cos t)"),
     ):
-        call = f"screen_corners(({x}, {y}), {size}, {turned})"
+        about(f"screen_corners(({x}, {y}), {size}, {turned})", cause=cause)
         corners = screen_rotation.screen_corners((x, y), size, turned)
         got = [coordinate for corner in corners for coordinate in corner]
         wanted = []
@@ -104,16 +103,16 @@ def test_the_corners_of_a_square(rng: Random) -> None:
                 "the corners go the other way round: from X towards Y",
             ),
         ]
-        cause = cause_of(got, mistakes, cause)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+        blame(got, mistakes)
+        expect_close(got, wanted, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("G4.1")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_what_is_drawn_is_finite(bad: float) -> None:
-    cause = "finite and positive of arguments.py, in chapter 2, refuse it in one line"
-    read = f"{ANGLE}, and of screen_corners"
+    about.cause = "finite and positive of arguments.py, in chapter 2, refuse it in one line"
+    about.read = f"{ANGLE}, and of screen_corners"
     for call, attempt in (
         (f"screen_angle({bad}, 1, 1)", lambda: screen_rotation.screen_angle(bad, 1.0, 1.0)),
         (f"screen_angle(1, {bad}, 1)", lambda: screen_rotation.screen_angle(1.0, bad, 1.0)),
@@ -143,14 +142,12 @@ def test_what_is_drawn_is_finite(bad: float) -> None:
             lambda: screen_rotation.screen_corners((0.0, 0.0), 1.0, bad),
         ),
     ):
+        about.call = call
         expect_error(
-            call,
             attempt,
             ValueError,
             allowed=lambda: (
                 screen_rotation.screen_angle(0.0, 0.0, 0.0),
                 screen_rotation.screen_corners((0.0, 0.0), 1.0, 0.0),
             ),
-            cause=cause,
-            read=read,
         )

@@ -12,7 +12,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import probes
 from draw import components
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import about, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 READ = "the docstring of update; book 4.2.3"
 UP, STILL = (0.0, 9.0, 0.0), (0.0, 0.0, 0.0)
@@ -48,123 +48,124 @@ def types(a_show: Any) -> list[int]:
 @pytest.mark.exercise("B4.6")
 def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -> None:
     h, v = round(rng.uniform(0.1, 0.4), 3), components(rng)
-    call = f"two fireworks at (0, 20, 0) with the velocity {v} and 3 s of fuse; show.update({h})"
-    cause = "integrate each particle once: p + v h, and then the velocity with gravity"
+    about.call = f"two fireworks at (0, 20, 0) with the velocity {v} and 3 s of fuse; "
+    about.call += f"show.update({h})"
+    about.cause = "integrate each particle once: p + v h, and then the velocity with gravity"
     a_show = show_with([fixed(1, 3.0, v)], [(1, 2, at((0.0, 20.0, 0.0)))])
     a_show.update(h)
-    expect_exactly(f"{call}, how many", len(a_show.fireworks), 2, cause=cause, read=READ)
+    expect_exactly(len(a_show.fireworks), 2, then=", how many", read=READ)
     for firework in a_show.fireworks:
         wanted = (v[0] * h, 20.0 + v[1] * h, v[2] * h)
         got = xyz(firework.particle.position)
-        expect_close(f"{call}, a position", got, wanted, cause=cause, read=READ, tolerance=1e-13)
+        expect_close(got, wanted, then=", a position", read=READ, tolerance=1e-13)
         got = xyz(firework.particle.velocity)
         wanted = (v[0], v[1] - 9.81 * h, v[2])
-        expect_close(f"{call}, a velocity", got, wanted, cause=cause, read=READ, tolerance=1e-13)
-        cause = "the age is the fuse that is left: it shrinks by the duration"
+        expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
+        about.cause = "the age is the fuse that is left: it shrinks by the duration"
         age = firework.age
-        expect_close(f"{call}, an age", age, 3.0 - h, cause=cause, read=READ, tolerance=1e-13)
+        expect_close(age, 3.0 - h, then=", an age", read=READ, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
-    call = "0.5 s of fuse; show.update(0.125) 4 times and once more; how many burn after each"
-    cause = "at 0 it still burns, below 0 it is burnt out"
+    about.call = "0.5 s of fuse; show.update(0.125) 4 times and once more; how many burn after each"
+    about.cause = "at 0 it still burns, below 0 it is burnt out"
     seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
     counts = [len(types) for types in seen]
-    expect_exactly(call, counts, [1, 1, 1, 1, 0], cause=cause, read=READ)
+    expect_exactly(counts, [1, 1, 1, 1, 0], read=READ)
 
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
-    call = "one at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); show.update(0.001)"
-    cause = "y < 0 ends it, however much fuse is left, and its payload is lit all the same"
+    about.call = "one at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
+    about.call += "show.update(0.001)"
+    about.cause = "y < 0 ends it, however much fuse is left, and its payload is lit all the same"
     rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
     a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
     a_show.update(0.0625)
-    name = f"{call.replace('0.001', '0.0625')}, types"
+    name = f"{about.call.replace('0.001', '0.0625')}, types"
     on_ground = "at y = 0 it is on the ground, not below it"
-    expect_exactly(name, types(a_show), [1], cause=on_ground, read=READ)
+    expect_exactly(types(a_show), [1], call=name, cause=on_ground, read=READ)
     a_show.update(0.001)
     left = types(a_show)
     if left == []:
-        cause = "y < 0 ends it, and its payload is lit all the same, behind those that burn on: "
-        cause += "when their list is made, and to be moved from the next frame on"
+        about.cause = "y < 0 ends it, and its payload is lit all the same, behind those that burn "
+        about.cause += "on: when their list is made, and to be moved from the next frame on"
     if left == [2]:
-        cause = "(2, 3) is three fireworks of type 2: one birth with that count"
-    expect_exactly(f"{call}, types", left, [2, 2, 2], cause=cause, read=READ)
-    cause = "at the place of the one that burnt out, although that is below the ground"
+        about.cause = "(2, 3) is three fireworks of type 2: one birth with that count"
+    expect_exactly(left, [2, 2, 2], then=", types", read=READ)
+    about.cause = "at the place of the one that burnt out, although that is below the ground"
     height = a_show.fireworks[0].particle.position.y
     wanted = (-8.0 - 9.81 * 0.0625) * 0.001
     if height == 0.0:
-        cause = "it starts on the ground, as without a parent: the burnt-out one is its parent"
-    expect_close(f"{call}, a height", height, wanted, cause=cause, read=READ)
+        about.cause = "it starts on the ground, as without a parent: the burnt-out one is its "
+        about.cause += "parent"
+    expect_close(height, wanted, then=", a height", read=READ)
 
 
 @pytest.mark.exercise("B4.6")
 def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Random) -> None:
     v, own = components(rng), components(rng)
-    call = f"one at (0, 20, 0) with velocity {v} and 0.1 s of fuse, payload (2, 2) with {own} of "
-    call += "its own; show.update(0.25)"
+    about.call = f"one at (0, 20, 0) with velocity {v} and 0.1 s of fuse, payload (2, 2) with "
+    about.call += f"{own} of its own; show.update(0.25)"
     a_show = show_with([fixed(1, 0.1, v, (2, 2)), fixed(2, 1.5, own)], [(1, 1, at((0, 20, 0)))])
     a_show.update(0.25)
-    cause = "a payload of two is two fireworks"
-    expect_exactly(f"{call}, types", types(a_show), [2, 2], cause=cause, read=READ)
+    about.cause = "a payload of two is two fireworks"
+    expect_exactly(types(a_show), [2, 2], then=", types", read=READ)
     for firework in a_show.fireworks:
-        cause = "it starts at the place after the last step, and moves from the next frame on"
+        about.cause = "it starts at the place after the last step, and moves from the next frame on"
         wanted = (v[0] * 0.25, 20.0 + v[1] * 0.25, v[2] * 0.25)
         got = xyz(firework.particle.position)
-        expect_close(f"{call}, a position", got, wanted, cause=cause, read=READ, tolerance=1e-13)
-        cause = "its velocity is its own plus that of the burnt-out one, gravity and all"
+        expect_close(got, wanted, then=", a position", read=READ, tolerance=1e-13)
+        about.cause = "its velocity is its own plus that of the burnt-out one, gravity and all"
         wanted = (v[0] + own[0], v[1] - 9.81 * 0.25 + own[1], v[2] + own[2])
         got = xyz(firework.particle.velocity)
-        expect_close(f"{call}, a velocity", got, wanted, cause=cause, read=READ, tolerance=1e-13)
-        cause = "its fuse is whole: it burns from the next frame on"
-        expect_close(f"{call}, an age", firework.age, 1.5, cause=cause, read=READ)
+        expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
+        about.cause = "its fuse is whole: it burns from the next frame on"
+        expect_close(firework.age, 1.5, then=", an age", read=READ)
 
 
 @pytest.mark.exercise("B4.6")
 def test_neighbours_that_burn_out_together_are_all_removed() -> None:
     rules = [fixed(1, 0.1), fixed(2, 5.0)]
-    call = "types 1 1 2 1 1 2 1, type 1 with 0.1 s of fuse; show.update(0.25)"
-    cause = (
-        "removing from the list that a loop runs over skips the next one: make a new list of "
-        "those that burn on"
-    )
+    about.call = "types 1 1 2 1 1 2 1, type 1 with 0.1 s of fuse; show.update(0.25)"
+    about.cause = "removing from the list that a loop runs over skips the next one: make a new "
+    about.cause += "list of those that burn on"
     a_show = show_with(
         rules, [(1, 2, None), (2, 1, None), (1, 2, None), (2, 1, None), (1, 1, None)]
     )
     a_show.update(0.25)
-    expect_exactly(f"{call}; types", types(a_show), [2, 2], cause=cause, read=READ)
+    expect_exactly(types(a_show), [2, 2], then="; types", read=READ)
     ages = [firework.age for firework in a_show.fireworks]
-    cause = "each moves on exactly once a frame"
-    expect_close(f"{call}; ages", ages, [4.75, 4.75], cause=cause, read=READ)
+    about.cause = "each moves on exactly once a frame"
+    expect_close(ages, [4.75, 4.75], then="; ages", read=READ)
 
 
 @pytest.mark.exercise("B4.6")
 def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
     rules = [fixed(1, 0.1, UP, (3, 2)), fixed(2, 0.1, UP, (4, 2)), fixed(3, 5.0), fixed(4, 5.0)]
-    call = (
+    about.call = (
         'capacity 3, "keep_old"; types 1 2 2 burn out together, payloads (3, 2) and (4, 2); types'
     )
-    cause = "remove all that have burnt out, and only then light: three slots are free"
+    about.cause = "remove all that have burnt out, and only then light: three slots are free"
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
-    expect_exactly(call, types(a_show), [3, 3, 4], cause=cause, read=READ)
-    cause = "six were asked for, and three had no room"
-    expect_exactly(f"{call}; show.dropped", a_show.dropped, 3, cause=cause, read=READ)
+    expect_exactly(types(a_show), [3, 3, 4], read=READ)
+    about.cause = "six were asked for, and three had no room"
+    expect_exactly(a_show.dropped, 3, then="; show.dropped", read=READ)
 
 
 @pytest.mark.exercise("B4.6")
 def test_payloads_follow_the_policy_too() -> None:
     rules = [fixed(1, 0.1, UP, (3, 3)), fixed(2, 5.0), fixed(3, 5.0)]
-    read = "the docstrings of FireworksShow and update"
+    about.read = "the docstrings of FireworksShow and update"
     for when_full, wanted in (("keep_old", [2, 2, 3, 3]), ("drop_oldest", [2, 3, 3, 3])):
-        call = f'capacity 4, "{when_full}"; types 1 2 2; 1 burns out, payload (3, 3); types'
-        cause = "payloads are lit as any births are: by light, which knows the policy"
+        about.call = f'capacity 4, "{when_full}"; types 1 2 2; 1 burns out, payload (3, 3); types'
+        about.cause = "payloads are lit as any births are: by light, which knows the policy"
         births = [(1, 1, at((0.0, 20.0, 0.0))), (2, 2, None)]
         a_show = show_with(rules, births, 4, when_full)
         a_show.update(0.25)
-        expect_exactly(call, types(a_show), wanted, cause=cause, read=read)
+        expect_exactly(types(a_show), wanted)
 
 
 @pytest.mark.exercise("B4.6")
@@ -177,11 +178,9 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
         fixed(5, 9.0),
         fixed(6, 9.0),
     ]
-    call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each"
-    cause = (
-        "the payloads of the oldest come first, each in the order of its rule, and all of them "
-        "behind what burns already"
-    )
+    about.call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each"
+    about.cause = "the payloads of the oldest come first, each in the order of its rule, and all "
+    about.cause += "of them behind what burns already"
     seen = probes.sparks(rules, [1, 2, 1], 50, "keep_old", 1, 0.25, 4)
     wanted = [
         "1 1 5",
@@ -190,7 +189,7 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
         "5 3 3 3 3 6 6",
     ]
     got = [" ".join(str(type) for type in types) for types in seen]
-    expect_exactly(call, got, wanted, cause=cause, read=READ)
+    expect_exactly(got, wanted, read=READ)
 
 
 @pytest.mark.exercise("B4.6")
@@ -201,29 +200,31 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
         (3, 0.5, 1.5, (-1.0, 5.0, -1.0), (1.0, 9.0, 1.0), 0.1, ((5, 3),)),
         (5, 4.5, 4.5, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.001, ()),
     ]
-    call = f"type 1 leaves {many} of 3 and 2 of 5, type 3 leaves 3 of 5; launch 1 twice; "
-    call += "show.update(0.05) 80 times; how many of each type burn"
-    cause = "every payload of everyone that burns out, and none twice"
+    about.call = f"type 1 leaves {many} of 3 and 2 of 5, type 3 leaves 3 of 5; launch 1 twice; "
+    about.call += "show.update(0.05) 80 times; how many of each type burn"
+    about.cause = "every payload of everyone that burns out, and none twice"
     seen = probes.sparks(rules, [1, 1], 500, "keep_old", rng.randrange(10**6), 0.05, 80)
     last = seen[-1]
     got = {type: last.count(type) for type in (1, 3, 5)}
     wanted = {1: 0, 3: 0, 5: 2 * (2 + 3 * many)}
-    expect_exactly(call, got, wanted, cause=cause, read=READ)
+    expect_exactly(got, wanted, read=READ)
 
 
 @pytest.mark.exercise("B4.6")
 def test_rules_without_an_end_stay_within_the_capacity() -> None:
     rules = [fixed(1, 0.1, UP, (1, 10))]
-    cause = "each leaves ten of its own kind: light keeps the number within the capacity"
-    read = "the docstring of FireworksShow"
+    about.cause = "each leaves ten of its own kind: light keeps the number within the capacity"
+    about.read = "the docstring of FireworksShow"
     for when_full in ("keep_old", "drop_oldest"):
-        call = f'capacity 50, "{when_full}", type 1 leaves 10 of type 1; launch 1; show.update(0.2)'
-        call += " 30 times; the number that burns"
+        about.call = (
+            f'capacity 50, "{when_full}", type 1 leaves 10 of type 1; launch 1; show.update(0.2)'
+        )
+        about.call += " 30 times; the number that burns"
         seen = probes.sparks(rules, [1], 50, when_full, 1, 0.2, 30)
         counts = [len(types) for types in seen]
         most = max(counts)
-        expect_exactly(f"{call}, at most", most, 50, cause=cause, read=read)
-        expect_exactly(f"{call}, after 3", counts[:3], [10, 50, 50], cause=cause, read=read)
+        expect_exactly(most, 50, then=", at most")
+        expect_exactly(counts[:3], [10, 50, 50], then=", after 3")
 
 
 @pytest.mark.exercise("B4.6")
@@ -233,39 +234,35 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
         (1, 0.1, 0.4, (-5.0, 5.0, -5.0), (5.0, 8.0, 5.0), 0.1, ((3, 5),)),
         (3, 0.7, 2.5, (-5.0, 5.0, -5.0), (5.0, 9.0, 5.0), 0.1, ()),
     ]
-    call = f"two shows with the seed {seed}: launch 1, 1, 3; show.update(0.05) 12 times"
-    cause = "nothing is drawn but from self.random, and in the same order each time"
-    read = "the docstring of FireworksShow"
+    about.call = f"two shows with the seed {seed}: launch 1, 1, 3; show.update(0.05) 12 times"
+    about.cause = "nothing is drawn but from self.random, and in the same order each time"
+    about.read = "the docstring of FireworksShow"
     once, again, other = (
         probes.show_after(rules, [1, 1, 3], s, 0.05, 12) for s in (seed, seed, seed + 1)
     )
     many = len(once) > 0
-    expect_exactly(f"{call}; something burns", many, True, cause=cause, read=read)
+    expect_exactly(many, True, then="; something burns")
     differ = abs(len(once) - len(again)) + sum(a != b for a, b in zip(once, again, strict=False))
-    expect_exactly(f"{call}: fireworks that differ", differ, 0, cause=cause, read=read)
-    cause = "another seed gives another show"
+    expect_exactly(differ, 0, then=": fireworks that differ")
+    about.cause = "another seed gives another show"
     same = sum(firework in once for firework in other)
-    call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
-    expect_exactly(call, same, 0, cause=cause, read=read)
+    about.call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
+    expect_exactly(same, 0)
 
 
 @pytest.mark.exercise("B4.6")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_of_a_show_is_positive_and_finite(bad: float) -> None:
-    call = f"show.update({bad})"
-    cause = "look at the duration first, whether or not anything burns"
-    read = "the docstring of update"
+    about(f"show.update({bad})", cause="look at the duration first, whether or not anything burns")
+    about.read = "the docstring of update"
     rules = [fixed(1, 2.0)]
     for births in ([], [(1, 1, None)]):
         a_show = show_with(rules, births)
         expect_error(
-            call,
             lambda a_show=a_show: a_show.update(bad),
             ValueError,
             allowed=lambda: show_with(rules, [(1, 1, None)]).update(0.5),
-            cause=cause,
-            read=read,
         )
     now = (a_show.fireworks[0].age, a_show.fireworks[0].particle.position.y)
-    expect_unchanged(call, "its age and its height", now, (2.0, 0.0), cause=cause, read=read)
+    expect_unchanged("its age and its height", now, (2.0, 0.0))

@@ -12,7 +12,7 @@ from ch04_particle_engine import targets
 from ch04_particle_engine.ballistics import BallisticRange
 from ch04_particle_engine.targets import TargetBlock
 from draw import Components, components, number
-from expect import cause_of, expect_close, expect_exactly, expect_unchanged, xyz
+from expect import about, blame, expect_close, expect_exactly, expect_unchanged, xyz
 
 READ = "the docstring of hit_fraction"
 # A box from (1, 2, 3) to (3, 6, 9): numbers that are exact in binary.
@@ -35,27 +35,26 @@ def fraction(start: Components, end: Components) -> float | None:
 @pytest.mark.exercise("4.3b")
 def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     z = round(rng.uniform(10.2, 11.4), 3)
-    call = (
-        f"block 1 cm thick at z = {z}; hit_fraction(Vector3(0, 1, 10), Vector3(0.1, 1.1, 11.67), "
-    )
-    call += "block)"
-    cause = "neither end is inside, and yet the way goes through: ask for the way, not its ends"
+    about.call = f"block 1 cm thick at z = {z}; hit_fraction(Vector3(0, 1, 10), Vector3(0.1, 1.1, "
+    about.call += "11.67), block)"
+    about.cause = "neither end is inside, and yet the way goes through: ask for the way, not its "
+    about.cause += "ends"
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
-    expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
+    expect_exactly(got is None, False, then=" is None", read=READ)
     wanted = (z - 0.005 - 10.0) / 1.67
-    cause = "the fraction of the way at which the face z = middle - half the thickness is crossed"
+    about.cause = "the fraction of the way at which the face z = middle - half the thickness is "
+    about.cause += "crossed"
     whole = "the sizes are those of whole sides: half of each lies on either side of the middle"
-    cause = cause_of(got, [((z - 0.01 - 10.0) / 1.67, whole)], cause)
-    expect_close(call, got, wanted, cause=cause, read=READ, tolerance=ROUNDED)
+    blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
+    expect_close(got, wanted, read=READ, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
-    cause = (
-        "on each axis there is a stretch of the way between the two faces, whose beginning is the "
-        "smaller fraction; the box is entered at the latest of the three beginnings"
-    )
+    about.cause = "on each axis there is a stretch of the way between the two faces, whose "
+    about.cause += "beginning is the smaller fraction; the box is entered at the latest of the "
+    about.cause += "three beginnings"
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
         ((1.5, 3.0, 17.0), (2.5, 5.0, 1.0), 0.5),
@@ -65,35 +64,31 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
         ((0.0, 3.0, 0.0), (4.0, 5.0, 16.0), 0.25),
         ((4.0, 5.0, 16.0), (0.0, 3.0, 0.0), 0.4375),
     ):
-        call = words(start, end)
+        about.call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
-        expect_close(call, got, wanted, cause=cause, read=READ)
+        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_close(got, wanted, read=READ)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
-    cause = (
-        "along an axis on which the way does not move there is nothing to divide by: it is between "
-        "those two faces all the way, or never"
-    )
+    about.cause = "along an axis on which the way does not move there is nothing to divide by: it "
+    about.cause += "is between those two faces all the way, or never"
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
         ((2.0, 4.0, 17.0), (2.0, 4.0, 1.0), 0.5),
         ((-1.0, 4.0, 6.0), (7.0, 4.0, 6.0), 0.25),
     ):
-        call = words(start, end)
+        about.call = words(start, end)
         got = fraction(start, end)
-        expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
-        expect_close(call, got, wanted, cause=cause, read=READ)
+        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_close(got, wanted, read=READ)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: Random) -> None:
-    cause = (
-        "on each axis alone there is a stretch between the two faces: the box is entered at the "
-        "latest of their beginnings, not at the first"
-    )
+    about.cause = "on each axis alone there is a stretch between the two faces: the box is entered "
+    about.cause += "at the latest of their beginnings, not at the first"
     # From outside on all axes to the middle of the box: entered at the greatest of the three.
     sizes = tuple(round(rng.uniform(1.0, 3.0), 3) for _ in range(3))
     center = components(rng)
@@ -101,36 +96,36 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
     for sign, turn in ((1.0, 0), (-1.0, 0), (1.0, 1), (1.0, 2)):  # the last face on each axis
         sizes, away = sizes[turn:] + sizes[:turn], away[turn:] + away[:turn]
         start = tuple(c + sign * a for c, a in zip(center, away, strict=True))
-        call = f"hit_fraction(Vector3{start}, Vector3{center}, block), "
-        call += f"block = TargetBlock(Vector3{center}, {sizes}, mass=10)"
+        about.call = f"hit_fraction(Vector3{start}, Vector3{center}, block), block = "
+        about.call += f"TargetBlock(Vector3{center}, {sizes}, mass=10)"
         block = TargetBlock(Vector3(*center), sizes, mass=10.0)
         got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
-        expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
+        expect_exactly(got is None, False, then=" is None", read=READ)
         wanted = max(1.0 - side / 2.0 / abs(a) for side, a in zip(sizes, away, strict=True))
-        expect_close(call, got, wanted, cause=cause, read=READ, tolerance=ROUNDED)
+        expect_close(got, wanted, read=READ, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.3b")
 def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     start, end, center = components(rng), components(rng), components(rng)
-    call = f"hit_fraction(start, end, block), start = Vector3{start}, end = Vector3{end}"
+    about.call = f"hit_fraction(start, end, block), start = Vector3{start}, end = Vector3{end}"
     first, last = Vector3(*start), Vector3(*end)
     block = TargetBlock(Vector3(*center), (1.0, 2.0, 3.0), mass=10.0)
-    cause = "work on numbers, or on vectors of your own"
-    read = READ
+    about(cause="work on numbers, or on vectors of your own", read=READ)
     targets.hit_fraction(first, last, block)
-    expect_unchanged(call, "start", xyz(first), start, cause=cause, read=read)
-    expect_unchanged(call, "end", xyz(last), end, cause=cause, read=read)
+    expect_unchanged("start", xyz(first), start)
+    expect_unchanged("end", xyz(last), end)
     now = xyz(block.particle.position)
-    expect_unchanged(call, "block.particle.position", now, center, cause=cause, read=read)
+    expect_unchanged("block.particle.position", now, center)
     # Where the first answer counts, so that this is no check of doing nothing.
     inside = Vector3(*center)
-    call = f"hit_fraction(middle, end, block), middle = Vector3{center}, twice, and the other way"
+    about.call = f"hit_fraction(middle, end, block), middle = Vector3{center}, twice, and the "
+    about.call += "other way"
     other = Vector3(*(2.0 * c - e for c, e in zip(center, end, strict=True)))
     answers = [targets.hit_fraction(inside, there, block) for there in (last, last, other)]
-    cause = "a way that starts inside hits at once: 0, and never before its start"
-    expect_exactly(f"{call} is None", answers[0] is None, False, cause=cause, read=read)
-    expect_close(call, answers, (0.0, 0.0, 0.0), cause=cause, read=read, tolerance=0.0)
+    about.cause = "a way that starts inside hits at once: 0, and never before its start"
+    expect_exactly(answers[0] is None, False, then=" is None")
+    expect_close(answers, (0.0, 0.0, 0.0), tolerance=0.0)
 
 
 @pytest.mark.exercise("4.3b")
@@ -144,9 +139,9 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
         ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), True, "it starts behind the box: fractions begin at 0"),
         ((2.0, 4.0, -1.0), (2.0, 4.0, -9.0), True, "it goes away from the box"),
     ):
-        call = words(start, end)
+        about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(f"{call} is None", got is None, missed, cause=cause, read=READ)
+        expect_exactly(got is None, missed, then=" is None", read=READ)
 
 
 @pytest.mark.exercise("4.3b")
@@ -158,9 +153,9 @@ def test_a_way_that_cuts_the_corner_misses() -> None:
         ((0.0, 4.0, 4.0), (4.0, 4.0, 8.0), False, through),
         ((4.0, 4.0, 4.0), (2.0, 4.0, 1.0), True, beside),
     ):
-        call = words(start, end)
+        about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(f"{call} is None", got is None, missed, cause=cause, read=READ)
+        expect_exactly(got is None, missed, then=" is None", read=READ)
 
 
 @pytest.mark.exercise("4.3b")
@@ -174,14 +169,13 @@ def test_touching_counts_and_so_does_a_start_inside() -> None:
         ((2.0, 4.0, 5.0), (2.5, 5.0, 7.0), 0.0, "it starts and ends inside"),
         ((2.0, 4.0, 5.0), (2.0, 4.0, 5.0), 0.0, "no way at all, but inside"),
     ):
-        call = words(start, end)
+        about(words(start, end), cause=cause)
         got = fraction(start, end)
-        expect_exactly(f"{call} is None", got is None, False, cause=cause, read=READ)
-        expect_close(call, got, wanted, cause=cause, read=READ, tolerance=0.0)
-    cause = "no way at all, and outside"
-    call = words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0))
+        expect_exactly(got is None, False, then=" is None", read=READ)
+        expect_close(got, wanted, read=READ, tolerance=0.0)
+    about(words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0)), cause="no way at all, and outside")
     got = fraction((2.0, 4.0, 2.0), (2.0, 4.0, 2.0))
-    expect_exactly(call, got, None, cause=cause, read=READ)
+    expect_exactly(got, None, read=READ)
 
 
 # 4.3c Blocks of several masses
@@ -193,9 +187,9 @@ STRIKE = "the docstring of strike_first"
 def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> None:
     v, mass, block_mass = components(rng), round(rng.uniform(0.5, 2.0), 3), 8.0
     before = (number(rng), 1.5, number(rng))
-    call = f"strike_first(start, p, [block]), p with mass {mass} and velocity {v}, block with mass "
-    call += f"8 and velocity {before}"
-    cause = "v' = v + m v_shot / M along X and Z; the ground takes what is along Y"
+    about.call = f"strike_first(start, p, [block]), p with mass {mass} and velocity {v}, block "
+    about.call += f"with mass 8 and velocity {before}"
+    about.cause = "v' = v + m v_shot / M along X and Z; the ground takes what is along Y"
     block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=block_mass)
     block.particle.velocity = Vector3(*before)
     p = Particle(Vector3(0.0, 1.0, 5.0), Vector3(*v), mass=mass)
@@ -207,7 +201,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
         before[2] + mass * v[2] / block_mass,
     )
     # A rounding or two of numbers up to 20.
-    name = f"{call}; block.particle.velocity"
+    name = f"{about.call}; block.particle.velocity"
     gained = tuple(mass * n / block_mass for n in v)
     mistakes = [
         ((gained[0], 0.0, gained[2]), "the velocity was replaced: add to what the block has"),
@@ -220,133 +214,136 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
             "the shot's whole velocity was added: m v / M of it, with M the mass of the block",
         ),
     ]
-    cause = cause_of(got, mistakes, cause)
-    expect_close(name, got, wanted, cause=cause, read=STRIKE, tolerance=1e-13)
-    cause = "each hit is counted once, and the block that was hit comes back"
-    expect_exactly(f"{call}; block.hits", block.hits, 1, cause=cause, read=STRIKE)
-    call += ", what comes back: its hits and mass"
+    blame(got, mistakes)
+    expect_close(got, wanted, call=name, read=STRIKE, tolerance=1e-13)
+    about.cause = "each hit is counted once, and the block that was hit comes back"
+    expect_exactly(block.hits, 1, then="; block.hits", read=STRIKE)
+    about.call += ", what comes back: its hits and mass"
     struck_is = None if struck is None else (struck.hits, struck.particle.mass)
-    expect_exactly(call, struck_is, (1, 8.0), cause=cause, read=STRIKE)
+    expect_exactly(struck_is, (1, 8.0), read=STRIKE)
 
 
 @pytest.mark.exercise("4.3c")
 def test_a_block_that_nothing_moves_is_hit_and_stays(rng: Random) -> None:
     v = components(rng)
-    call = f"strike_first(start, p, [block]), p with velocity {v}, block with mass math.inf"
-    cause = "its inverse mass is 0, so it gains no velocity: no division by an infinite mass"
+    about.call = f"strike_first(start, p, [block]), p with velocity {v}, block with mass math.inf"
+    about.cause = "its inverse mass is 0, so it gains no velocity: no division by an infinite mass"
     block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=float("inf"))
     p = Particle(Vector3(0.0, 1.0, 5.0), Vector3(*v), mass=3.0)
     targets.strike_first(Vector3(0.0, 1.0, 3.0), p, [block])
     got = xyz(block.particle.velocity)
-    expect_close(f"{call}; block.particle.velocity", got, (0.0, 0.0, 0.0), cause=cause, read=STRIKE)
-    cause = "a hit is a hit, whether or not the block moves"
-    expect_exactly(f"{call}; block.hits", block.hits, 1, cause=cause, read=STRIKE)
+    expect_close(got, (0.0, 0.0, 0.0), then="; block.particle.velocity", read=STRIKE)
+    about.cause = "a hit is a hit, whether or not the block moves"
+    expect_exactly(block.hits, 1, then="; block.hits", read=STRIKE)
 
 
 @pytest.mark.exercise("4.3c")
 def test_only_the_first_block_on_the_way_is_hit() -> None:
-    call = "strike_first(Vector3(0, 1, 0), p at z = 20, blocks at z = 15, 5 and 10), their hits"
-    cause = "the smallest fraction of the way, not the first in the list, and no other block"
+    about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, blocks at z = 15, 5 and 10), their "
+    about.call += "hits"
+    about.cause = "the smallest fraction of the way, not the first in the list, and no other block"
     blocks = [
         TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (15.0, 5.0, 10.0)
     ]
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, blocks)
     hits = tuple(block.hits for block in blocks)
-    expect_exactly(call, hits, (0, 1, 0), cause=cause, read=STRIKE)
+    expect_exactly(hits, (0, 1, 0), read=STRIKE)
     speeds = tuple(block.particle.velocity.z for block in blocks)
-    call = call.replace("their hits", "their speeds along Z")
-    expect_close(call, speeds, (0.0, 10.0, 0.0), cause=cause, read=STRIKE)
+    about.call = about.call.replace("their hits", "their speeds along Z")
+    expect_close(speeds, (0.0, 10.0, 0.0), read=STRIKE)
 
 
 @pytest.mark.exercise("4.3c")
 def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
-    cause = "hit_fraction tells how far along the way each is touched; distances do not"
-    read = STRIKE
-    call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block from z = 4 to 16 and a thin one at "
-    call += "z = 9), their hits"
+    about.cause = "hit_fraction tells how far along the way each is touched; distances do not"
+    about.read = STRIKE
+    about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block from z = 4 to 16 and a thin "
+    about.call += "one at z = 9), their hits"
     long = TargetBlock(Vector3(0.0, 1.0, 10.0), (2.0, 2.0, 12.0), mass=5.0)
     thin = TargetBlock(Vector3(0.0, 1.0, 9.0), (2.0, 2.0, 0.1), mass=5.0)
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [thin, long])
     hits = (thin.hits, long.hits)
-    expect_exactly(f"{call}, thin one and long one", hits, (0, 1), cause=cause, read=read)
-    call = "two blocks with one and the same face; strike_first(...), their hits"
-    cause = "of two that are touched at once the earlier in the list is hit"
+    expect_exactly(hits, (0, 1), then=", thin one and long one")
+    about.call = "two blocks with one and the same face; strike_first(...), their hits"
+    about.cause = "of two that are touched at once the earlier in the list is hit"
     pair = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 2 * z - 8.0), mass=5.0) for z in (5, 6)]
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, pair)
     hits = tuple(block.hits for block in pair)
-    expect_exactly(call, hits, (1, 0), cause=cause, read=read)
+    expect_exactly(hits, (1, 0))
 
 
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
-    call = "strike_first(Vector3(0, 1, 5), p at z = 20, blocks at z = 10 and 5), their hits"
-    cause = "a fraction of 0 is a hit: ask `is None`, since 0 counts as false"
+    about.call = "strike_first(Vector3(0, 1, 5), p at z = 20, blocks at z = 10 and 5), their hits"
+    about.cause = "a fraction of 0 is a hit: ask `is None`, since 0 counts as false"
     blocks = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (10.0, 5.0)]
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     targets.strike_first(Vector3(0.0, 1.0, 5.0), p, blocks)
     hits = tuple(block.hits for block in blocks)
-    expect_exactly(call, hits, (0, 1), cause=cause, read=STRIKE)
+    expect_exactly(hits, (0, 1), read=STRIKE)
 
 
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_hits_nothing_changes_nothing() -> None:
-    call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block at x = 9)"
-    cause = "None is on the way, so None comes back, and no block has a hit"
+    about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block at x = 9)"
+    about.cause = "None is on the way, so None comes back, and no block has a hit"
     block = TargetBlock(Vector3(9.0, 1.0, 5.0), (2.0, 2.0, 1.0), mass=5.0)
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
-    expect_exactly(f"{call} is None", got is None, True, cause=cause, read=STRIKE)
-    expect_exactly(f"{call}; block.hits", block.hits, 0, cause=cause, read=STRIKE)
+    expect_exactly(got is None, True, then=" is None", read=STRIKE)
+    expect_exactly(block.hits, 0, then="; block.hits", read=STRIKE)
     now = xyz(block.particle.velocity)
-    expect_unchanged(call, "its velocity", now, (0.0, 0.0, 0.0), cause=cause, read=STRIKE)
-    call = "strike_first(Vector3(0, 1, 0), p, [])"
+    expect_unchanged("its velocity", now, (0.0, 0.0, 0.0), read=STRIKE)
+    about.call = "strike_first(Vector3(0, 1, 0), p, [])"
     got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [])
-    expect_exactly(f"{call} is None", got is None, True, cause=cause, read=STRIKE)
-    call = "the block is moved to x = 0; strike_first(Vector3(0, 1, 0), p, [block]); block.hits"
-    cause = "now it is on the way"
+    expect_exactly(got is None, True, then=" is None", read=STRIKE)
+    about.call = "the block is moved to x = 0; strike_first(Vector3(0, 1, 0), p, [block]); "
+    about.call += "block.hits"
+    about.cause = "now it is on the way"
     block.particle.position.x = 0.0
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
-    expect_exactly(call, block.hits, 1, cause=cause, read=STRIKE)
+    expect_exactly(block.hits, 1, read=STRIKE)
 
 
 @pytest.mark.exercise("4.3c")
 def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
-    call = 'a block of 35 kg, 2 cm thick, at z = 20; r.fire("laser"); r.update(0.05) 5 times; '
-    cause = (
-        "in update the place before the step must be a copy, or it moves along with the shot; what "
-        "has hit is gone"
+    about.call = (
+        'a block of 35 kg, 2 cm thick, at z = 20; r.fire("laser"); r.update(0.05) 5 times; '
     )
-    read = "the docstring of update"
+    about.cause = "in update the place before the step must be a copy, or it moves along with the "
+    about.cause += "shot; what has hit is gone"
+    about.read = "the docstring of update"
     block = TargetBlock(Vector3(0.0, 1.5, 20.0), (2.0, 2.0, 0.02), mass=35.0, damping=1.0)
     at = BallisticRange([block])
     at.fire("laser")
     for _ in range(3):
         at.update(0.05)
-    name = f"{call.replace('5 times', '3 times')}shots in flight"
-    expect_exactly(name, len(at.shots), 1, cause="it is not there yet", read=read)
+    name = f"{about.call.replace('5 times', '3 times')}shots in flight"
+    expect_exactly(len(at.shots), 1, call=name, cause="it is not there yet")
     for _ in range(2):
         at.update(0.05)
-    expect_exactly(f"{call}block.hits", block.hits, 1, cause=cause, read=read)
-    expect_exactly(f"{call}shots in flight", len(at.shots), 0, cause=cause, read=read)
-    cause = "it gets the momentum that the shot has after its step"
+    expect_exactly(block.hits, 1, then="block.hits")
+    expect_exactly(len(at.shots), 0, then="shots in flight")
+    about.cause = "it gets the momentum that the shot has after its step"
     speed = block.particle.velocity.z
     wanted = 0.1 * 100.0 * 0.99**0.25 / 35.0
-    expect_close(f"{call}its speed", speed, wanted, cause=cause, read=read)
+    expect_close(speed, wanted, then="its speed")
     at.update(0.5)
-    cause = "first the targets move, then the shots: a block moves from the frame after the hit on"
+    about.cause = "first the targets move, then the shots: a block moves from the frame after the "
+    about.cause += "hit on"
     moved = block.particle.position.z
-    name = f"{call}r.update(0.5); where it is"
-    expect_close(name, moved, 20.0 + 0.5 * wanted, cause=cause, read=read)
+    name = f"{about.call}r.update(0.5); where it is"
+    expect_close(moved, 20.0 + 0.5 * wanted, call=name)
 
 
 @pytest.mark.exercise("4.3c")
 def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
-    call = "blocks aside, at z = 12 and at z = 8; fire a laser, a fireball to the side and another "
-    call += "laser; r.update(0.1)"
-    cause = "every shot asks all targets, hits one at most, and the others fly on"
-    read = "the docstring of update"
+    about.call = "blocks aside, at z = 12 and at z = 8; fire a laser, a fireball to the side and "
+    about.call += "another laser; r.update(0.1)"
+    about.cause = "every shot asks all targets, hits one at most, and the others fly on"
+    about.read = "the docstring of update"
     blocks = [
         TargetBlock(Vector3(x, 1.5, z), (2.0, 2.0, 0.5), mass=35.0)
         for x, z in ((9.0, 5.0), (0.0, 12.0), (0.0, 8.0))
@@ -357,27 +354,30 @@ def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
     at.fire("laser")
     at.update(0.1)
     hits = tuple(block.hits for block in blocks)
-    expect_exactly(f"{call}; hits", hits, (0, 0, 2), cause=cause, read=read)
+    expect_exactly(hits, (0, 0, 2), then="; hits")
     flying = [shot.type for shot in at.shots]
-    expect_exactly(f"{call}; types in flight", flying, ["fireball"], cause=cause, read=read)
+    expect_exactly(flying, ["fireball"], then="; types in flight")
 
 
 @pytest.mark.exercise("4.3c")
 def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
-    read = "the docstring of update"
-    cause = "the shot hits on its way, before it gets where it is spent: strike_first comes first"
-    call = 'a block at z = 8; r.fire("laser", elevation=-0.1); r.update(0.5), which ends below 0'
+    about.read = "the docstring of update"
+    about.cause = "the shot hits on its way, before it gets where it is spent: strike_first comes "
+    about.cause += "first"
+    about.call = (
+        'a block at z = 8; r.fire("laser", elevation=-0.1); r.update(0.5), which ends below 0'
+    )
     block = TargetBlock(Vector3(0.0, 1.0, 8.0), (2.0, 2.0, 0.5), mass=35.0)
     at = BallisticRange([block])
     at.fire("laser", elevation=-0.1)
     at.update(0.5)
-    expect_exactly(f"{call}; block.hits", block.hits, 1, cause=cause, read=read)
-    cause = "a grenade is stopped by a block as any other shot is"
-    call = 'a block at z = 8; r.fire("grenade", elevation=0.0); r.update(0.5) twice'
+    expect_exactly(block.hits, 1, then="; block.hits")
+    about.cause = "a grenade is stopped by a block as any other shot is"
+    about.call = 'a block at z = 8; r.fire("grenade", elevation=0.0); r.update(0.5) twice'
     block = TargetBlock(Vector3(0.0, 1.0, 8.0), (2.0, 9.0, 0.5), mass=35.0)
     at = BallisticRange([block])
     at.fire("grenade", elevation=0.0)
     at.update(0.5)
     at.update(0.5)
-    expect_exactly(f"{call}; block.hits", block.hits, 1, cause=cause, read=read)
-    expect_exactly(f"{call}; shots in flight", len(at.shots), 0, cause=cause, read=read)
+    expect_exactly(block.hits, 1, then="; block.hits")
+    expect_exactly(len(at.shots), 0, then="; shots in flight")

@@ -12,7 +12,15 @@ from ch02_vectors.vector import Vector3
 from ch04_particle_engine import probes
 from ch04_particle_engine.catherine_wheel import CatherineWheel
 from draw import Components, components
-from expect import cause_of, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import (
+    about,
+    blame,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    xyz,
+)
 
 STILL = (0.0, 0.0, 0.0)
 SPARK: probes.RuleData = (7, 9.0, 9.0, STILL, STILL, 1.0, ())
@@ -35,20 +43,20 @@ def wheel_of(
 
 @pytest.mark.exercise("4.4")
 def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
-    center, read = components(rng), "the docstring of nozzle"
+    center, about.read = components(rng), "the docstring of nozzle"
     radius, rate = round(rng.uniform(0.5, 3.0), 3), round(rng.uniform(1.0, 9.0), 3)
     _, wheel = wheel_of(center, radius, rate)
     for angle in (0.0, round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(2.0, 6.0), 3)):
-        call = f"wheel about {center}, radius {radius}, rate {rate}; wheel.angle = {angle}; "
-        call += "wheel.nozzle()"
+        about.call = f"wheel about {center}, radius {radius}, rate {rate}; wheel.angle = {angle}; "
+        about.call += "wheel.nozzle()"
         wheel.angle = angle
         nozzle = wheel.nozzle()
         x, y = math.cos(angle), math.sin(angle)
-        cause = "center + radius (cos, sin, 0): the angle begins at the X axis"
+        about.cause = "center + radius (cos, sin, 0): the angle begins at the X axis"
         wanted = (center[0] + radius * x, center[1] + radius * y, center[2])
         got = xyz(nozzle.position)
-        expect_close(f"{call}.position", got, wanted, cause=cause, read=read, tolerance=1e-13)
-        cause = "at right angles to the spoke, rate x radius fast, from X towards Y"
+        expect_close(got, wanted, then=".position", tolerance=1e-13)
+        about.cause = "at right angles to the spoke, rate x radius fast, from X towards Y"
         speed = rate * radius
         wanted = (0.0 - speed * y, speed * x, 0.0)
         got = xyz(nozzle.velocity)
@@ -57,119 +65,117 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             ((speed * y, 0.0 - speed * x, 0.0), "the rim turns the other way: from X towards Y"),
             ((0.0 - rate * y, rate * x, 0.0), "that is the rate: the rim is rate x radius fast"),
         ]
-        cause = cause_of(got, mistakes, cause)
-        expect_close(f"{call}.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
-    cause = "a new particle each time"
+        blame(got, mistakes)
+        expect_close(got, wanted, then=".velocity", tolerance=ROUNDED)
+    about.call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
+    about.cause = "a new particle each time"
     one, other = wheel.nozzle(), wheel.nozzle()
     before = xyz(other.position)
     one.position.x = 99.0
-    expect_unchanged(call, "other.position", xyz(other.position), before, cause=cause, read=read)
+    expect_unchanged("other.position", xyz(other.position), before)
 
 
 @pytest.mark.exercise("4.4")
 def test_the_jet_goes_against_the_rim(rng: Random) -> None:
-    read = "the docstring of nozzle"
+    about.read = "the docstring of nozzle"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
-    call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}; wheel.nozzle().velocity"
-    cause = "rate x radius along the circle, less the jet: a fast jet goes backwards"
+    about.call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}; wheel.nozzle().velocity"
+    about.cause = "rate x radius along the circle, less the jet: a fast jet goes backwards"
     _, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, jet=jet)
     got = xyz(wheel.nozzle().velocity)
     mistakes = [
         ((0.0, 2.0 * rate + jet, 0.0), "the jet was added: it goes against the rim"),
         ((0.0, 2.0 * rate, 0.0), "the jet was left out"),
     ]
-    cause = cause_of(got, mistakes, cause)
-    expect_close(call, got, (0.0, 2.0 * rate - jet, 0.0), cause=cause, read=read, tolerance=ROUNDED)
+    blame(got, mistakes)
+    expect_close(got, (0.0, 2.0 * rate - jet, 0.0), tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.4")
 def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
-    read = "the docstring of update"
+    about.read = "the docstring of update"
     rate, h = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(0.1, 0.4), 3)
-    call = f"wheel with rate {rate}; wheel.update({h}) twice; wheel.nozzle().position"
-    cause = "the angle grows by rate x duration in each update"
+    about.call = f"wheel with rate {rate}; wheel.update({h}) twice; wheel.nozzle().position"
+    about.cause = "the angle grows by rate x duration in each update"
     _, wheel = wheel_of((0.0, 5.0, 0.0), 1.0, rate)
     wheel.update(h)
     wheel.update(h)
     angle = 2.0 * rate * h
     wanted = (math.cos(angle), 5.0 + math.sin(angle), 0.0)
     got = xyz(wheel.nozzle().position)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.4")
 def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
-    read = "the docstring of update"
+    about.read = "the docstring of update"
     per_second = rng.randrange(20, 60) + 0.37
     # Sums of frames that are exact in binary, so that no whole spark lies on a rounding.
     for h, frames in ((1.0 / 64.0, 128), (1.0 / 4.0, 8), (2.0, 1)):
-        call = f"wheel with {per_second} sparks a second; wheel.update({h}) {frames} times; sparks"
+        about.call = f"wheel with {per_second} sparks a second; wheel.update({h}) {frames} times; "
+        about.call += "sparks"
         counts = probes.sparks_of_a_wheel(per_second, h, frames)
-        cause = "the whole part of sparks_per_second x time, however long the frames are"
+        about.cause = "the whole part of sparks_per_second x time, however long the frames are"
         if counts[-1] == frames:
-            cause = "one spark a frame: sparks are due by the time, sparks_per_second x time"
+            about.cause = "one spark a frame: sparks are due by the time, sparks_per_second x time"
         if counts[-1] == 0:
-            cause = "no spark at all: what is less than one in each frame adds up over the frames"
-        expect_exactly(call, counts[-1], math.floor(per_second * 2.0), cause=cause, read=read)
-        cause = "parts of a spark are not lost from one frame to the next"
+            about.cause = "no spark at all: what is less than one in each frame adds up over the "
+            about.cause += "frames"
+        expect_exactly(counts[-1], math.floor(per_second * 2.0))
+        about.cause = "parts of a spark are not lost from one frame to the next"
         wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]
-        expect_exactly(f"{call} after each", counts, wanted, cause=cause, read=read)
+        expect_exactly(counts, wanted, then=" after each")
 
 
 @pytest.mark.exercise("4.4")
 def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
-    read = "the docstring of update"
+    about.read = "the docstring of update"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
-    call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}, 10.5 sparks a second; "
-    call += "wheel.update(0.25)"
-    cause = "the nozzle, where it is at the end of the frame, is the parent of the sparks"
+    about.call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}, 10.5 sparks a second; "
+    about.call += "wheel.update(0.25)"
+    about.cause = "the nozzle, where it is at the end of the frame, is the parent of the sparks"
     show, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, 10.5, jet)
     wheel.update(0.25)
-    expect_exactly(f"{call}, how many", len(show.fireworks), 2, cause=cause, read=read)
+    expect_exactly(len(show.fireworks), 2, then=", how many")
     x, y = math.cos(0.25 * rate), math.sin(0.25 * rate)
     speed = 2.0 * rate - jet
     for spark in show.fireworks:
-        expect_exactly(f"{call}, a type", spark.type, 7, cause=cause, read=read)
+        expect_exactly(spark.type, 7, then=", a type")
         got, wanted = xyz(spark.particle.position), (2.0 * x, 5.0 + 2.0 * y, 0.0)
         before = "it left before the wheel had turned: turn the wheel first"
-        cause = cause_of(got, [((2.0, 5.0, 0.0), before)], cause)
-        expect_close(f"{call}, a position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+        blame(got, [((2.0, 5.0, 0.0), before)])
+        expect_close(got, wanted, then=", a position", tolerance=ROUNDED)
         got, wanted = xyz(spark.particle.velocity), (-speed * y, speed * x, 0.0)
-        expect_close(f"{call}, a velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+        expect_close(got, wanted, then=", a velocity", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.4")
 def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
-    call = "a show of 3 slots, wheel with 10.5 sparks a second; wheel.update(1); "
-    call += "show.update(10), so that all go out; wheel.update(0.5); sparks"
-    cause = "those without room count as thrown: only the 5 of the last half second are due"
-    read = "the docstring of update"
+    about.call = "a show of 3 slots, wheel with 10.5 sparks a second; wheel.update(1); "
+    about.call += "show.update(10), so that all go out; wheel.update(0.5); sparks"
+    about.cause = "those without room count as thrown: only the 5 of the last half second are due"
+    about.read = "the docstring of update"
     show, wheel = wheel_of((0.0, 5.0, 0.0), capacity=3, sparks_per_second=10.5)
     wheel.update(1.0)
-    expect_exactly("the sparks after 1 s", len(show.fireworks), 3, cause=cause, read=read)
-    expect_exactly(f"{call}: wheel.thrown", wheel.thrown, 10, cause=cause, read=read)
+    expect_exactly(len(show.fireworks), 3, call="the sparks after 1 s")
+    expect_exactly(wheel.thrown, 10, then=": wheel.thrown")
     show.update(10.0)
     wheel.update(0.5)
-    expect_exactly(f"{call}: wheel.thrown", wheel.thrown, 15, cause=cause, read=read)
-    expect_exactly(f"{call}: show.dropped", show.dropped, 7 + 2, cause=cause, read=read)
+    expect_exactly(wheel.thrown, 15, then=": wheel.thrown")
+    expect_exactly(show.dropped, 7 + 2, then=": show.dropped")
 
 
 @pytest.mark.exercise("4.4")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_wheel_turns_for_a_positive_and_finite_time(bad: float) -> None:
-    call = f"wheel.update({bad})"
-    cause = "look at the duration first"
-    read = "the docstring of update"
+    about(f"wheel.update({bad})", cause="look at the duration first")
+    about.read = "the docstring of update"
     _, wheel = wheel_of((0.0, 5.0, 0.0))
     expect_error(
-        call,
         lambda: wheel.update(bad),
         ValueError,
         allowed=lambda: wheel_of((0.0, 5.0, 0.0))[1].update(0.5),
-        cause=cause,
-        read=read,
     )
     now = (wheel.angle, wheel.time)
-    expect_unchanged(call, "its angle and time", now, (0.0, 0.0), cause=cause, read=read)
+    expect_unchanged("its angle and time", now, (0.0, 0.0))

@@ -12,12 +12,15 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from draw import components
 from expect import (
+    UNCHANGED,
+    about,
+    blame,
     expect_close,
     expect_error,
     expect_exactly,
     expect_unchanged,
     expect_vector,
-    named,
+    scoped,
     xyz,
 )
 
@@ -26,15 +29,15 @@ ZERO = (0.0, 0.0, 0.0)
 ROUNDED = 1e-13
 
 
-def expect_unmoved(call: str, p: Particle, cause: str) -> None:
+@scoped
+def expect_unmoved(p: Particle, cause: str) -> None:
     """Expect the position, the velocity and the acceleration that the particle was made with."""
+    about.cause = cause
     state = (*xyz(p.position), *xyz(p.velocity), *xyz(p.acceleration))
     expect_unchanged(
-        call,
         "(x, y, z, vx, vy, vz, ax, ay, az)",
         state,
         (1, 2, 3, 4, 5, 6, 7, 8, 9),
-        cause=cause,
         read="the docstring of add_force",
     )
 
@@ -42,20 +45,18 @@ def expect_unmoved(call: str, p: Particle, cause: str) -> None:
 @pytest.mark.exercise("B5.1")
 def test_forces_add_up(rng: Random) -> None:
     forces = [components(rng) for _ in range(4)]
-    call = "p = Particle(mass=4.0)"
-    read = "book 5.1"
+    about("p = Particle(mass=4.0)", read="book 5.1")
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9), mass=4.0)
     total = [0.0, 0.0, 0.0]
     for force in forces:
-        cause = (
-            "each force is added to the sum, component by component; the mass does not matter yet"
-        )
-        call += f"; p.add_force(Vector3{force})"
+        about.cause = "each force is added to the sum, component by component; the mass does not "
+        about.cause += "matter yet"
+        about.call += f"; p.add_force(Vector3{force})"
         p.add_force(Vector3(*force))
         total = [total[i] + force[i] for i in range(3)]
         name = "p.force_accumulator, once a force was added"
         got = expect_vector(
-            name, p.force_accumulator, cause="it gives the sum back as a new Vector3", read=read
+            p.force_accumulator, call=name, cause="it gives the sum back as a new Vector3"
         )
         slips = {
             "the newest force alone, in the place of the others": force,
@@ -63,172 +64,162 @@ def test_forces_add_up(rng: Random) -> None:
             "minus the sum": [-part for part in total],
             "no force, as where the sum is not kept in self._forces[0], or not read there": ZERO,
         }
-        name = f"{call}; p.force_accumulator"
-        cause = named(got, cause, slips)
-        expect_close(name, got, total, cause=cause, read=read, tolerance=ROUNDED)
-        expect_unmoved(call, p, "the force waits for the next step, and changes nothing else yet")
+        name = f"{about.call}; p.force_accumulator"
+        blame(got, slips)
+        expect_close(got, total, call=name, tolerance=ROUNDED)
+        expect_unmoved(p, "the force waits for the next step, and changes nothing else yet")
 
 
 @pytest.mark.exercise("B5.1")
 def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     force = components(rng)
     opposite = (-force[0], -force[1], -force[2])
-    read = "the docstring of force_accumulator"
-    cause = "where no force was added the sum is Vector3(0, 0, 0), and not None"
-    call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator"
+    about.read = "the docstring of force_accumulator"
+    about.cause = "where no force was added the sum is Vector3(0, 0, 0), and not None"
+    about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator"
     p = Particle(acceleration=Vector3(0, -10, 0))
-    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
-    call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
-    cause = (
-        "two forces that cancel add up to zero, and no force of another particle is in the sum: "
-    )
-    cause += "keep it in self"
+    expect_close(xyz(p.force_accumulator), ZERO)
+    about.call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
+    about.cause = "two forces that cancel add up to zero, and no force of another particle is in "
+    about.cause += "the sum: keep it in self"
     p.add_force(Vector3(*force))
     first = xyz(p.force_accumulator)
     p.add_force(Vector3(*opposite))
-    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
-    call = f"p.add_force(Vector3{force}); p.force_accumulator"
-    cause = "the sum after the first force is that force"
-    expect_close(call, first, force, cause=cause, read=read)
+    expect_close(xyz(p.force_accumulator), ZERO)
+    about.call = f"p.add_force(Vector3{force}); p.force_accumulator"
+    about.cause = "the sum after the first force is that force"
+    expect_close(first, force)
 
 
 @pytest.mark.exercise("B5.1")
 def test_a_force_is_only_read(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    call = f"f = Vector3{first}; p.add_force(f)"
-    cause = "keep the numbers of the force and not the vector itself, which others may change"
-    read = "the docstring of add_force"
+    about.call = f"f = Vector3{first}; p.add_force(f)"
+    about.cause = "keep the numbers of the force and not the vector itself, which others may change"
+    about.read = "the docstring of add_force"
     p, f = Particle(), Vector3(*first)
     p.add_force(f)
     f.x = 99.0
-    name = f"{call}; f.x = 99.0; p.force_accumulator"
-    expect_close(name, xyz(p.force_accumulator), first, cause=cause, read=read)
-    call = f"p.add_force(Vector3{second}); f = Vector3{first}; p.add_force(f)"
+    name = f"{about.call}; f.x = 99.0; p.force_accumulator"
+    expect_close(xyz(p.force_accumulator), first, call=name)
+    about.call = f"p.add_force(Vector3{second}); f = Vector3{first}; p.add_force(f)"
     p, f = Particle(), Vector3(*first)
     p.add_force(Vector3(*second))
     p.add_force(f)
-    expect_unchanged(call, "f", xyz(f), first, read=read)
+    expect_unchanged("f", xyz(f), first, cause=UNCHANGED)
     wanted = tuple(first[i] + second[i] for i in range(3))
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, call=name, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.1")
 def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
     force = components(rng)
-    call = f"p.add_force(Vector3{force}); total = p.force_accumulator; total.x = 99.0"
-    cause = "what comes back is new: changing it changes nothing in the particle"
-    read = "the docstring of force_accumulator"
+    about.call = f"p.add_force(Vector3{force}); total = p.force_accumulator; total.x = 99.0"
+    about.cause = "what comes back is new: changing it changes nothing in the particle"
+    about.read = "the docstring of force_accumulator"
     p = Particle()
     p.add_force(Vector3(*force))
     total = p.force_accumulator
-    expect_close("p.force_accumulator", xyz(total), force, cause="the sum so far", read=read)
+    expect_close(xyz(total), force, call="p.force_accumulator", cause="the sum so far")
     total.x = 99.0
-    name = f"{call}; p.force_accumulator"
-    expect_close(name, xyz(p.force_accumulator), force, cause=cause, read=read)
+    expect_close(xyz(p.force_accumulator), force, then="; p.force_accumulator")
 
 
 @pytest.mark.exercise("B5.1")
 def test_two_particles_have_forces_of_their_own(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    call = f"p.add_force(Vector3{first}); q.add_force(Vector3{second})"
-    cause = "the sum belongs to one particle: keep it in self"
-    read = "the docstring of Particle"
+    about.call = f"p.add_force(Vector3{first}); q.add_force(Vector3{second})"
+    about.cause = "the sum belongs to one particle: keep it in self"
+    about.read = "the docstring of Particle"
     p, q = Particle(), Particle()
     p.add_force(Vector3(*first))
     q.add_force(Vector3(*second))
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, first, cause=cause, read=read)
+    expect_close(got, first, then="; p.force_accumulator")
     got = xyz(q.force_accumulator)
-    expect_close(f"{call}; q.force_accumulator", got, second, cause=cause, read=read)
+    expect_close(got, second, then="; q.force_accumulator")
 
 
 @pytest.mark.exercise("B5.1")
 def test_forces_can_be_dropped(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    call = f"p.add_force(Vector3{first}); p.clear_forces()"
-    cause = "afterwards no force is there"
-    read = "the docstring of clear_forces"
+    about(f"p.add_force(Vector3{first}); p.clear_forces()", cause="afterwards no force is there")
+    about.read = "the docstring of clear_forces"
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9))
     p.add_force(Vector3(*first))
     before = xyz(p.force_accumulator)
     p.clear_forces()
-    expect_close(
-        f"{call}; p.force_accumulator", xyz(p.force_accumulator), ZERO, cause=cause, read=read
-    )
+    expect_close(xyz(p.force_accumulator), ZERO, then="; p.force_accumulator")
     p.clear_forces()
     p.add_force(Vector3(*second))
-    call = f"{call}; p.clear_forces(); p.add_force(Vector3{second})"
-    cause = "to clear an empty sum is no error, and the next force is the first one again"
+    about.call = f"{about.call}; p.clear_forces(); p.add_force(Vector3{second})"
+    about.cause = "to clear an empty sum is no error, and the next force is the first one again"
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, second, cause=cause, read=read)
+    expect_close(got, second, then="; p.force_accumulator")
     name = f"p.add_force(Vector3{first}); p.force_accumulator"
-    expect_close(name, before, first, cause="the sum so far", read=read)
-    expect_unmoved(call, p, "forces are cleared, and nothing else")
+    expect_close(before, first, call=name, cause="the sum so far")
+    expect_unmoved(p, "forces are cleared, and nothing else")
 
 
+@scoped
 def expect_refusal(
-    so_far: tuple[float, float, float], call: str, bad: Any, error: type[Exception], cause: str
+    so_far: tuple[float, float, float], call: str, bad: Any, error: type[Exception]
 ) -> None:
     """Expect that a particle with this force refuses another one, and keeps its sum."""
-    read = "the docstring of add_force"
+    about(call, read="the docstring of add_force")
     p = Particle()
     p.add_force(Vector3(*so_far))
-    call = f"p.add_force(Vector3{so_far}); {call}"
+    about.call = f"p.add_force(Vector3{so_far}); {about.call}"
     expect_error(
-        call,
         lambda: p.add_force(bad),
         error,
-        # Its components are finite; that their sum is not does not matter to anybody.
         allowed=lambda: Particle().add_force(Vector3(1.5e308, 1.5e308, 1.0)),
-        cause=cause,
-        read=read,
     )
-    cause = "look at the force, and at the sum with it, before anything is kept"
+    about.cause = "look at the force, and at the sum with it, before anything is kept"
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, so_far, cause=cause, read=read)
+    expect_close(got, so_far, then="; p.force_accumulator")
 
 
 @pytest.mark.exercise("B5.1")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_force_must_be_finite(bad: float) -> None:
-    cause = "refuse it with ValueError: finite_vector of arguments.py does"
+    about.cause = "refuse it with ValueError: finite_vector of arguments.py does"
     for numbers in ((bad, 2.0, 3.0), (1.0, bad, 3.0), (1.0, 2.0, bad)):
-        call = f"p.add_force(Vector3{numbers})"
-        expect_refusal((4.0, 5.0, 6.0), call, Vector3(*numbers), ValueError, cause)
+        about.call = f"p.add_force(Vector3{numbers})"
+        expect_refusal((4.0, 5.0, 6.0), about.call, Vector3(*numbers), ValueError)
 
 
 @pytest.mark.exercise("B5.1")
 @pytest.mark.robust
 def test_the_sum_must_be_finite() -> None:
-    cause = "1e308 + 1e308 is too large for a float: look at the sum too, before it is kept"
+    about.cause = "1e308 + 1e308 is too large for a float: look at the sum too, before it is kept"
     for i in range(3):
         for large in (1e308, -1e308):
             force = tuple(large if i == j else 0.0 for j in range(3))
             so_far = (force[0] + 1.0, force[1] + 2.0, force[2] + 3.0)
-            call = f"p.add_force(Vector3{force})"
-            expect_refusal(so_far, call, Vector3(*force), ValueError, cause)
+            about.call = f"p.add_force(Vector3{force})"
+            expect_refusal(so_far, about.call, Vector3(*force), ValueError)
 
 
 @pytest.mark.exercise("B5.1")
 @pytest.mark.robust
 def test_a_force_must_be_a_vector() -> None:
-    cause = "refuse it with TypeError: finite_vector of arguments.py does"
+    about.cause = "refuse it with TypeError: finite_vector of arguments.py does"
     for bad in (3.0, (1.0, 2.0, 3.0), None, "up"):
-        expect_refusal((4.0, 5.0, 6.0), f"p.add_force({bad!r})", bad, TypeError, cause)
+        expect_refusal((4.0, 5.0, 6.0), f"p.add_force({bad!r})", bad, TypeError)
 
 
 @pytest.mark.exercise("B5.1", weight=0.5)
 def test_what_changes_the_sum_returns_nothing(rng: Random) -> None:
     force = components(rng)
-    call = f"p.add_force(Vector3{force})"
-    cause = "what works in place returns None"
-    read = "the docstrings of add_force and clear_forces"
+    about(f"p.add_force(Vector3{force})", cause="what works in place returns None")
+    about.read = "the docstrings of add_force and clear_forces"
     p = Particle()
     got = p.add_force(Vector3(*force))
-    expect_exactly(call, got, None, cause=cause, read=read)
+    expect_exactly(got, None)
     total = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", total, force, cause="the sum so far", read=read)
-    expect_exactly("p.clear_forces()", p.clear_forces(), None, cause=cause, read=read)
+    expect_close(total, force, then="; p.force_accumulator", cause="the sum so far")
+    expect_exactly(p.clear_forces(), None, call="p.clear_forces()")

@@ -12,7 +12,17 @@ from ch05_forces.forces import Airbrake
 from ch05_forces.particle import Particle
 from ch05_forces.probes import braked
 from draw import components
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, named, xyz
+from expect import (
+    UNCHANGED,
+    about,
+    blame,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    named,
+    xyz,
+)
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.2; the docstring of Airbrake"
@@ -26,10 +36,10 @@ def brake_of(k: float, *, on: bool) -> Airbrake:
 
 @pytest.mark.exercise("5.2")
 def test_a_brake_works_when_it_is_on(rng: Random) -> None:
-    read = READ
+    about.read = READ
     v, k = components(rng), round(rng.uniform(0.1, 0.9), 3)
     pulled = tuple(-k * v[i] for i in range(3))
-    call = f"p = Particle(velocity=Vector3{v}, mass=2.0); brake = Airbrake({k})"
+    about.call = f"p = Particle(velocity=Vector3{v}, mass=2.0); brake = Airbrake({k})"
     p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k)
     for on, wanted, cause in (
         (None, ZERO, "a new brake is off, and then it adds nothing"),
@@ -38,10 +48,11 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         (False, ZERO, "where the brake is off it adds nothing: look at self.on each time"),
         (True, pulled, "where the brake is on it adds -k v"),
     ):
+        about.cause = cause
         if on is not None:
             brake.on = on
-            call += f"; brake.on = {on}"
-        call += "; brake.update_force(p, 0.5)"
+            about.call += f"; brake.on = {on}"
+        about.call += "; brake.update_force(p, 0.5)"
         brake.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         if wanted is pulled:
@@ -52,23 +63,24 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
                 ],
                 "-k |v| v, which is quadratic drag": [part * math.hypot(*v) for part in pulled],
             }
-            cause = named(got, cause, slips)
-        expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=read)
+            blame(got, slips)
+        expect_close(got, wanted, then="; p.force_accumulator")
         p.clear_forces()
-        call += "; p.clear_forces()"
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, read=read)
+        about.call += "; p.clear_forces()"
+    expect_unchanged("p.velocity", xyz(p.velocity), v, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("5.2")
 def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
-    read = READ
+    about.read = READ
     v, f = components(rng), components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    cause = "while k h / m is below 1 the force is -k v, and nothing is cut off"
+    about.cause = "while k h / m is below 1 the force is -k v, and nothing is cut off"
     for share in (0.01, 0.5, 0.98):
         k = share * mass / h
-        call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
-        call += f"brake = Airbrake({k!r}), on; brake.update_force(p, {h}); p.force_accumulator"
+        about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
+        about.call += f"brake = Airbrake({k!r}), on; brake.update_force(p, {h}); "
+        about.call += "p.force_accumulator"
         p = Particle(velocity=Vector3(*v), mass=mass)
         p.add_force(Vector3(*f))
         brake_of(k, on=True).update_force(p, h)
@@ -84,26 +96,27 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
                 f[i] - 0.5 * v[i] * mass / h for i in range(3)
             ],
         }
-        why = named(got, cause, slips)
+        why = named(got, about.cause, slips)
         # A few roundings of numbers up to 900.
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-11)
+        expect_close(got, wanted, cause=why, tolerance=1e-11)
 
 
 @pytest.mark.exercise("5.2")
 def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -> None:
-    read = READ
+    about.read = READ
     v = components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    cause = "in a frame a force f changes the velocity by f h / m: never add more than -v m / h"
+    about.cause = "in a frame a force f changes the velocity by f h / m: never add more than -v m "
+    about.cause += "/ h"
     for share in (1.02, 2.02, 1e3, 1e12):
         k = share * mass / h
-        call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = Airbrake({k!r}), on; "
-        call += f"brake.update_force(p, {h}); p.integrate({h}); p.velocity"
+        about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = Airbrake({k!r}), "
+        about.call += f"on; brake.update_force(p, {h}); p.integrate({h}); p.velocity"
         p = Particle(velocity=Vector3(*v), mass=mass)
         brake_of(k, on=True).update_force(p, h)
         got = xyz(p.velocity)
         adds = "a generator adds a force, and leaves the velocity to the step"
-        expect_unchanged(call, "p.velocity before the step", got, v, cause=adds, read=read)
+        expect_unchanged("p.velocity before the step", got, v, cause=adds)
         p.integrate(h)
         got = xyz(p.velocity)
         slips = {
@@ -112,79 +125,74 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
             ],
             "the velocity as it was, as where too hard a brake is let go": v,
         }
-        why = named(got, cause, slips)
+        why = named(got, about.cause, slips)
         # What FULL, or rounding, leaves of 10 m/s.
-        expect_close(call, got, ZERO, cause=why, read=read, tolerance=1e-9)
+        expect_close(got, ZERO, cause=why, tolerance=1e-9)
 
 
 @pytest.mark.exercise("5.2")
 def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
-    read = READ
+    about.read = READ
     v, f, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
-    call = f"p = Particle(velocity=Vector3{v}, acceleration=Vector3(1, 2, 3), mass={mass}); "
-    call += f"p.add_force(Vector3{f}); brake = Airbrake(1e6), on; brake.update_force(p, 0.5)"
+    about.call = f"p = Particle(velocity=Vector3{v}, acceleration=Vector3(1, 2, 3), mass={mass}); "
+    about.call += f"p.add_force(Vector3{f}); brake = Airbrake(1e6), on; brake.update_force(p, 0.5)"
     vectors = {"velocity": Vector3(*v), "acceleration": Vector3(1, 2, 3)}
     p, brake = Particle(**vectors, mass=mass), brake_of(1e6, on=True)
     for h in (0.5, 0.25):
-        cause = "at its limit the brake adds -v m / h, and leaves the forces that are there"
+        about.cause = "at its limit the brake adds -v m / h, and leaves the forces that are there"
         p.clear_forces()
         p.add_force(Vector3(*f))
         brake.update_force(p, h)
         got = xyz(p.force_accumulator)
         wanted = tuple(f[i] - v[i] * mass / h for i in range(3))
         # Up to a part in 1e12 of 400 N, as FULL says.
-        expect_close(
-            f"{call}; p.force_accumulator", got, wanted, cause=cause, read=read, tolerance=1e-9
-        )
-        cause = "the next frame asks anew: brake.on and brake.k are the player's"
-        expect_exactly(
-            f"{call}; (brake.on, brake.k)", (brake.on, brake.k), (True, 1e6), cause=cause, read=read
-        )
-        call += "; in another frame, brake.update_force(p, 0.25)"
-    call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
-    call += "p.integrate(0.5)"
-    cause = "what is immovable is not stopped by any force, and that is no error"
+        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-9)
+        about.cause = "the next frame asks anew: brake.on and brake.k are the player's"
+        expect_exactly((brake.on, brake.k), (True, 1e6), then="; (brake.on, brake.k)")
+        about.call += "; in another frame, brake.update_force(p, 0.25)"
+    about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
+    about.call += "p.integrate(0.5)"
+    about.cause = "what is immovable is not stopped by any force, and that is no error"
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+    expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
 @pytest.mark.exercise("5.2")
 def test_no_brake_turns_any_motion_round(rng: Random) -> None:
-    read = READ
-    cause = "-v m / h can be a rounding too much: stay a little below it, as FULL says"
+    about.read = READ
+    about.cause = "-v m / h can be a rounding too much: stay a little below it, as FULL says"
     tries = 400
-    call = f"brake.update_force(p, h) in {tries} frames with k above m / h, each with another k, "
-    call += "mass, h and speed: the smallest share that is left of the velocity, from 0 to 1e-9"
+    about.call = f"brake.update_force(p, h) in {tries} frames with k above m / h, each with "
+    about.call += "another k, mass, h and speed: the smallest share that is left of the velocity, "
+    about.call += "from 0 to 1e-9"
     shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
     # A share from 0 to 1e-9: between 0 and twice the half of that.
-    expect_close(call, least, 5e-10, cause=cause, read=read, tolerance=5e-10)
-    cause = "a brake of this strength leaves nothing but a rounding"
-    name = call.replace("smallest", "largest")
-    expect_close(name, most, 5e-10, cause=cause, read=read, tolerance=5e-10)
-    expect_close("how many frames", len(shares), tries, cause="one for each try", read=read)
+    expect_close(least, 5e-10, tolerance=5e-10)
+    about.cause = "a brake of this strength leaves nothing but a rounding"
+    name = about.call.replace("smallest", "largest")
+    expect_close(most, 5e-10, call=name, tolerance=5e-10)
+    expect_close(len(shares), tries, call="how many frames", cause="one for each try")
 
 
 @pytest.mark.exercise("5.2")
 @pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
-    read = READ
+    about.read = READ
     for on in (True, False):
-        call = f"brake = Airbrake(2.0); brake.on = {on}; brake.update_force(p, {duration!r})"
-        cause = "positive of arguments.py raises the errors for you, whether the brake is on or off"
+        about.call = f"brake = Airbrake(2.0); brake.on = {on}; brake.update_force(p, {duration!r})"
+        about.cause = "positive of arguments.py raises the errors for you, whether the brake is on "
+        about.cause += "or off"
         p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=on)
         expect_error(
-            call,
             lambda brake=brake, p=p: brake.update_force(p, duration),
             TypeError if isinstance(duration, str) else ValueError,
             allowed=lambda brake=brake: brake.update_force(Particle(), 0.5),
-            cause=cause,
-            read=read,
         )
         got = xyz(p.force_accumulator)
-        cause = "look at the duration before a force is added"
-        expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
+        about.cause = "look at the duration before a force is added"
+        expect_close(got, ZERO, then="; p.force_accumulator")

@@ -10,7 +10,7 @@ import pytest
 
 from ch05_forces.closed_form import coasting_speed, quadratic_fall, terminal_speed
 from draw import positive_number
-from expect import expect_close, expect_exactly, named
+from expect import about, blame, expect_close, expect_exactly, named, scoped
 
 TERMINAL = "the docstring of terminal_speed"
 FALL = "the docstring of quadratic_fall"
@@ -24,9 +24,8 @@ ROUNDED = 1e-12
 
 @pytest.mark.exercise("B5.6")
 def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
-    read = TERMINAL
-    cause = "v = (-k1 + sqrt(k1^2 + 4 k2 W)) / (2 k2) solves k1 v + k2 v^2 = W"
-    call = "terminal_speed(2 * 9.81, 0.3, 0.05)"
+    about(cause="v = (-k1 + sqrt(k1^2 + 4 k2 W)) / (2 k2) solves k1 v + k2 v^2 = W", read=TERMINAL)
+    about.call = "terminal_speed(2 * 9.81, 0.3, 0.05)"
     got = terminal_speed(2 * 9.81, 0.3, 0.05)
     root, without_4 = math.sqrt(0.09 + 0.2 * 19.62), math.sqrt(0.09 + 0.05 * 19.62)
     slips = {
@@ -39,9 +38,9 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
         "sqrt(W / k2), as where there is no k1": math.sqrt(19.62 / 0.05),
         "W / k1, as where there is no k2": 19.62 / 0.3,
     }
-    cause = named(got, cause, slips)
+    blame(got, slips)
     # The last digit that is known of it.
-    expect_close(call, got, 17.0349694, cause=cause, read=read, tolerance=1e-7)
+    expect_close(got, 17.0349694, tolerance=1e-7)
     for weight, k1, k2 in (
         *(
             (positive_number(rng, 5.0, 900.0), positive_number(rng), positive_number(rng))
@@ -52,45 +51,46 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
         (1e9, 1e-3, 1e-13),
         (1e-9, 1e-3, 1e3),
     ):
-        cause = "v = (-k1 + sqrt(k1^2 + 4 k2 W)) / (2 k2) solves k1 v + k2 v^2 = W"
-        call = f"v = terminal_speed({weight}, {k1}, {k2}); k1 v + k2 v^2"
+        about.cause = "v = (-k1 + sqrt(k1^2 + 4 k2 W)) / (2 k2) solves k1 v + k2 v^2 = W"
+        about.call = f"v = terminal_speed({weight}, {k1}, {k2}); k1 v + k2 v^2"
         v = terminal_speed(weight, k1, k2)
         drag = k1 * v + k2 * v * v
         tolerance = ROUNDED * weight
-        expect_close(call, drag, weight, cause=cause, read=read, tolerance=tolerance)
-        call = f"terminal_speed({weight}, {k1}, {k2}) > 0"
-        cause = "a speed is positive: of the two roots, the positive one"
-        expect_exactly(call, v > 0.0, True, cause=cause, read=read)
+        expect_close(drag, weight, tolerance=tolerance)
+        about.call = f"terminal_speed({weight}, {k1}, {k2}) > 0"
+        about.cause = "a speed is positive: of the two roots, the positive one"
+        expect_exactly(v > 0.0, True)
 
 
 @pytest.mark.exercise("B5.6")
 def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
-    read = TERMINAL
+    about.read = TERMINAL
     weight, k = positive_number(rng, 5.0, 900.0), positive_number(rng)
-    cause = "with k2 = 0 it is W / k1: the formula divides by 2 k2, another form of it does not"
-    call = f"terminal_speed({weight}, {k}, 0.0)"
+    about.cause = "with k2 = 0 it is W / k1: the formula divides by 2 k2, another form of it does "
+    about.cause += "not"
+    about.call = f"terminal_speed({weight}, {k}, 0.0)"
     got = terminal_speed(weight, k, 0.0)
-    expect_close(call, got, weight / k, cause=cause, read=read, tolerance=ROUNDED * got)
-    cause = "with k1 = 0 it is sqrt(W / k2)"
-    call = f"terminal_speed({weight}, 0.0, {k})"
+    expect_close(got, weight / k, tolerance=ROUNDED * got)
+    about(f"terminal_speed({weight}, 0.0, {k})", cause="with k1 = 0 it is sqrt(W / k2)")
     got = terminal_speed(weight, 0.0, k)
     wanted = math.sqrt(weight / k)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * wanted)
+    expect_close(got, wanted, tolerance=ROUNDED * wanted)
 
 
 @pytest.mark.exercise("B5.6")
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
-    read = TERMINAL
+    about.read = TERMINAL
     weight, k1 = positive_number(rng, 5.0, 90.0), positive_number(rng, 2.0)
-    cause = "-k1 + root is the difference of two nearly equal numbers: 2 W / (k1 + root) is as much"
+    about.cause = "-k1 + root is the difference of two nearly equal numbers: 2 W / (k1 + root) is "
+    about.cause += "as much"
     for k2 in (1e-6, 1e-10, 1e-14):
-        call = f"terminal_speed({weight}, {k1}, {k2})"
+        about.call = f"terminal_speed({weight}, {k1}, {k2})"
         got = terminal_speed(weight, k1, k2)
         u = weight / k1
         # The series in e = k2 W / k1^2: u (1 - e + 2 e^2 - 5 e^3); the next term is below 1e-16.
         e = k2 * u / k1
         wanted = u * (1.0 - e + 2.0 * e * e - 5.0 * e**3)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * u)
+        expect_close(got, wanted, tolerance=ROUNDED * u)
 
 
 # B5.7 Falling and coasting without steps
@@ -98,11 +98,10 @@ def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_with_quadratic_drag(rng: Random) -> None:
-    read = FALL
-    cause = (
-        "the speed is u tanh(g t / u), the distance u^2 / g ln cosh(g t / u), u the terminal speed"
-    )
-    call = "quadratic_fall(2.0, 9.81, 0.05, 3.0)"
+    about.read = FALL
+    about.cause = "the speed is u tanh(g t / u), the distance u^2 / g ln cosh(g t / u), u the "
+    about.cause += "terminal speed"
+    about.call = "quadratic_fall(2.0, 9.81, 0.05, 3.0)"
     got = quadratic_fall(2.0, 9.81, 0.05, 3.0)
     wanted = (17.878238350449884, 33.699945475035044)  # worked out with 40 digits
     v, x = wanted
@@ -121,54 +120,53 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
             light * light / 9.81 * math.log(math.cosh(angle)),
         ),
     }
-    expect_close(call, got, wanted, cause=named(got, cause, slips), read=read)
+    expect_close(got, wanted, cause=named(got, about.cause, slips))
     for time in (0.5, 1.0, 30.0):
         mass, g, k2 = (
             positive_number(rng, 0.5),
             positive_number(rng, 1.0, 20.0),
             positive_number(rng, 0.01, 0.5),
         )
-        call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
+        about.call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
         speed, distance = quadratic_fall(mass, g, k2, time)
         u = math.sqrt(mass * g / k2)
         e = math.exp(-2.0 * g * time / u)
         wanted_speed = u * (1.0 - e) / (1.0 + e)
-        name = f"{call}, the speed"
+        name = f"{about.call}, the speed"
         tolerance = ROUNDED * u
-        expect_close(name, speed, wanted_speed, cause=cause, read=read, tolerance=tolerance)
+        expect_close(speed, wanted_speed, call=name, tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
-        name = f"{call} = (v, x); v^2 + u^2 e^(-2 k2 x / m)"
+        name = f"{about.call} = (v, x); v^2 + u^2 e^(-2 k2 x / m)"
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
-        cause = "of what it falls, the drag takes its part: speed and distance belong together"
-        expect_close(name, total, u * u, cause=cause, read=read, tolerance=ROUNDED * u * u)
-        name = f"{call}, the distance minus the exact one, by parts"
+        about.cause = "of what it falls, the drag takes its part: speed and distance belong "
+        about.cause += "together"
+        expect_close(total, u * u, call=name, tolerance=ROUNDED * u * u)
+        name = f"{about.call}, the distance minus the exact one, by parts"
         left = distance - u * u / g * (math.log1p(e) + g * time / u - math.log(2.0))
-        expect_close(name, left, 0.0, cause=cause, read=read, tolerance=ROUNDED * (distance + u))
+        expect_close(left, 0.0, call=name, tolerance=ROUNDED * (distance + u))
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_with_hardly_any_drag_is_a_free_fall(rng: Random) -> None:
-    read = FALL
+    about.read = FALL
     g, time = positive_number(rng, 1.0, 20.0), positive_number(rng, 0.5, 3.0)
-    cause = (
-        "for a small x the logarithm of cosh x loses its digits: ln(1 + 2 sinh(x / 2)^2) does not"
-    )
+    about.cause = "for a small x the logarithm of cosh x loses its digits: ln(1 + 2 sinh(x / 2)^2) "
+    about.cause += "does not"
     for k2 in (1e-8, 1e-12, 1e-15):
-        call = f"quadratic_fall(2.0, {g}, {k2}, {time})"
+        about.call = f"quadratic_fall(2.0, {g}, {k2}, {time})"
         got = quadratic_fall(2.0, g, k2, time)
         square = g * time * time * k2 / 2.0  # x^2, with x = g t / u
         # The series of tanh and of ln cosh; the next terms are below 1e-13.
         speed = g * time * (1.0 - square / 3.0 + 2.0 * square**2 / 15.0)
         distance = g * time * time / 2.0 * (1.0 - square / 6.0 + 2.0 * square**2 / 45.0)
-        expect_close(f"{call}, the speed", got[0], speed, cause=cause, read=read, tolerance=1e-11)
-        expect_close(
-            f"{call}, the distance", got[1], distance, cause=cause, read=read, tolerance=1e-11
-        )
+        expect_close(got[0], speed, then=", the speed", tolerance=1e-11)
+        expect_close(got[1], distance, then=", the distance", tolerance=1e-11)
 
 
-def expect_terminal_speed(rng: Random, angles: tuple[float, ...], cause: str) -> None:
+@scoped
+def expect_terminal_speed(rng: Random, angles: tuple[float, ...]) -> None:
     """Expect falls with these g t / u to end at the terminal speed u, at the distance it gives."""
-    read = FALL
+    about.read = FALL
     mass, g, k2 = (
         positive_number(rng, 0.5),
         positive_number(rng, 1.0, 20.0),
@@ -176,73 +174,68 @@ def expect_terminal_speed(rng: Random, angles: tuple[float, ...], cause: str) ->
     )
     u = math.sqrt(mass * g / k2)
     for time in (round(angle * u / g, 3) for angle in angles):
-        call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
+        about.call = f"quadratic_fall({mass}, {g}, {k2}, {time})"
         speed, distance = quadratic_fall(mass, g, k2, time)
         tolerance = ROUNDED * u
-        expect_close(f"{call}, the speed", speed, u, cause=cause, read=read, tolerance=tolerance)
+        expect_close(speed, u, then=", the speed", tolerance=tolerance)
         wanted = u * time - u * u / g * math.log(2.0)
         tolerance = ROUNDED * wanted
-        expect_close(
-            f"{call}, the distance", distance, wanted, cause=cause, read=read, tolerance=tolerance
-        )
+        expect_close(distance, wanted, then=", the distance", tolerance=tolerance)
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
-    cause = "after a long time the speed is u, and the distance u t - u^2 / g ln 2"
-    expect_terminal_speed(rng, (60.0, 600.0), cause)  # cosh of 711 is too large for a float
+    about.cause = "after a long time the speed is u, and the distance u t - u^2 / g ln 2"
+    expect_terminal_speed(rng, (60.0, 600.0))  # cosh of 711 is too large for a float
 
 
 @pytest.mark.exercise("B5.7")
 @pytest.mark.robust
 def test_a_fall_without_an_end_fits_in_a_float(rng: Random) -> None:
-    cause = "cosh of a large number does not fit in a float, but its logarithm, x - ln 2, does"
-    expect_terminal_speed(rng, (800.0, 1e6), cause)
+    about.cause = "cosh of a large number does not fit in a float, but its logarithm, x - ln 2, "
+    about.cause += "does"
+    expect_terminal_speed(rng, (800.0, 1e6))
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_of_any_length_keeps_its_digits() -> None:
     # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
-    read = FALL
-    cause = (
-        "whichever form of ln cosh x you take, it must hold to the last digits where you take it"
-    )
+    about.read = FALL
+    about.cause = "whichever form of ln cosh x you take, it must hold to the last digits where you "
+    about.cause += "take it"
     for text in ("0.001", "0.01", "0.05", "0.2", "1", "5", "12", "16", "20", "39", "41"):
-        call = f"quadratic_fall(2.0, 8.0, 0.25, {text})"
+        about.call = f"quadratic_fall(2.0, 8.0, 0.25, {text})"
         x = Decimal(text)
         cosh, sinh = (x.exp() + (-x).exp()) / 2, (x.exp() - (-x).exp()) / 2
         wanted = (float(8 * sinh / cosh), float(8 * cosh.ln()))
         speed, distance = quadratic_fall(2.0, 8.0, 0.25, float(text))
         for name, got, exact in (("speed", speed, wanted[0]), ("distance", distance, wanted[1])):
             tolerance = ROUNDED * exact
-            expect_close(
-                f"{call}, the {name}", got, exact, cause=cause, read=read, tolerance=tolerance
-            )
+            expect_close(got, exact, then=f", the {name}", tolerance=tolerance)
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_begins_at_rest() -> None:
-    read = FALL
-    cause = "at the time 0 there is no speed and no distance; a time of 0 is no error"
-    call = "quadratic_fall(2.0, 9.81, 0.05, 0.0)"
+    about.read = FALL
+    about.cause = "at the time 0 there is no speed and no distance; a time of 0 is no error"
+    about.call = "quadratic_fall(2.0, 9.81, 0.05, 0.0)"
     got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
-    expect_close(call, got, (0.0, 0.0), cause=cause, read=read)
-    cause = "after a short time t they are g t and g t^2 / 2"
-    call = "quadratic_fall(2.0, 10.0, 0.05, 1e-6)"
+    expect_close(got, (0.0, 0.0))
+    about.cause = "after a short time t they are g t and g t^2 / 2"
+    about.call = "quadratic_fall(2.0, 10.0, 0.05, 1e-6)"
     got = quadratic_fall(2.0, 10.0, 0.05, 1e-6)
     # What drag takes is a part in 1e12 of it.
-    expect_close(f"{call}, the speed", got[0], 1e-5, cause=cause, read=read, tolerance=1e-16)
-    expect_close(f"{call}, the distance", got[1], 5e-12, cause=cause, read=read, tolerance=1e-22)
+    expect_close(got[0], 1e-5, then=", the speed", tolerance=1e-16)
+    expect_close(got[1], 5e-12, then=", the distance", tolerance=1e-22)
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
-    read = COAST
-    cause = "v e^-s / (1 + k2 v (1 - e^-s) / k1), with s = k1 t / m"
+    about(cause="v e^-s / (1 + k2 v (1 - e^-s) / k1), with s = k1 t / m", read=COAST)
     for _ in range(3):
         v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
         mass, time = positive_number(rng), positive_number(rng, 0.2, 2.0)
-        call = f"coasting_speed({v}, {k1}, {k2}, {mass}, {time})"
+        about.call = f"coasting_speed({v}, {k1}, {k2}, {mass}, {time})"
         ratio = k2 / k1
         # From 1 / v + k2 / k1, which grows as e^(k1 t / m).
         wanted = 1.0 / ((1.0 / v + ratio) * math.exp(k1 * time / mass) - ratio)
@@ -260,19 +253,19 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
                 v * math.exp(-s) / (1.0 - k2 * v * math.expm1(-s))
             ),
         }
-        why = named(got, cause, slips)
+        why = named(got, about.cause, slips)
         # The difference below the line loses a digit or two.
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-10 * v)
+        expect_close(got, wanted, cause=why, tolerance=1e-10 * v)
     half = coasting_speed(v, k1, k2, mass, time / 2.0)
     name = f"the same in two halves of {time} s, the second from coasting_speed() of the first"
     got = coasting_speed(half, k1, k2, mass, time / 2.0)
-    cause = "how it came to its speed does not matter to what follows"
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-10 * v)
+    about.cause = "how it came to its speed does not matter to what follows"
+    expect_close(got, wanted, call=name, tolerance=1e-10 * v)
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
-    read = COAST
+    about.read = COAST
     v, k, mass = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
     time = positive_number(rng, 0.2, 2.0)
     tolerance = ROUNDED * v
@@ -287,44 +280,44 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
         ),
         (0.0, 0.0, v, "without drag the speed stays"),
     ):
-        call = f"coasting_speed({v}, {k1}, {k2}, {mass}, {time})"
+        about(f"coasting_speed({v}, {k1}, {k2}, {mass}, {time})", cause=cause)
         got = coasting_speed(v, k1, k2, mass, time)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=tolerance)
+        expect_close(got, wanted, tolerance=tolerance)
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_with_little_linear_drag_keeps_its_digits(rng: Random) -> None:
-    read = COAST
+    about.read = COAST
     v, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng)
-    cause = "1 - e^-s must keep its digits for every s: math.expm1 does"
+    about.cause = "1 - e^-s must keep its digits for every s: math.expm1 does"
     for power in range(1, 14):
         k1 = 10.0**-power
-        call = f"coasting_speed({v}, {k1}, {k2}, 1.0, 1.0)"
+        about.call = f"coasting_speed({v}, {k1}, {k2}, 1.0, 1.0)"
         # 1 / v + k2 / k1 grows as e^s: e^s / v + (k2 / k1) (e^s - 1) is 1 / v afterwards.
         wanted = 1.0 / (math.exp(k1) / v + k2 / k1 * math.expm1(k1))
         got = coasting_speed(v, k1, k2, 1.0, 1.0)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * wanted)
+        expect_close(got, wanted, tolerance=ROUNDED * wanted)
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_begins_with_its_speed_and_rest_stays_rest(rng: Random) -> None:
-    read = COAST
+    about.read = COAST
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
     for speed, time, wanted, cause in (
         (v, 0.0, v, "at the time 0 it is the speed itself"),
         (0.0, 2.0, 0.0, "what is at rest stays so"),
     ):
-        call = f"coasting_speed({speed}, {k1}, {k2}, 2.0, {time})"
+        about(f"coasting_speed({speed}, {k1}, {k2}, 2.0, {time})", cause=cause)
         got = coasting_speed(speed, k1, k2, 2.0, time)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED * speed)
+        expect_close(got, wanted, tolerance=ROUNDED * speed)
 
 
 @pytest.mark.exercise("B5.7")
 @pytest.mark.robust
 def test_coasting_for_ever_ends_in_rest(rng: Random) -> None:
-    read = COAST
+    about.read = COAST
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
-    cause = "in the end nothing is left, and e^s is too large a number"
-    call = f"coasting_speed({v}, {k1}, {k2}, 2.0, 1e9)"
+    about.cause = "in the end nothing is left, and e^s is too large a number"
+    about.call = f"coasting_speed({v}, {k1}, {k2}, 2.0, 1e9)"
     got = coasting_speed(v, k1, k2, 2.0, 1e9)
-    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=ROUNDED * v)
+    expect_close(got, 0.0, tolerance=ROUNDED * v)

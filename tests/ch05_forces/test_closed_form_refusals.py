@@ -7,7 +7,7 @@ import math
 import pytest
 
 from ch05_forces.closed_form import coasting_speed, quadratic_fall, terminal_speed
-from expect import expect_error
+from expect import about, expect_error
 
 pytestmark = pytest.mark.robust
 
@@ -21,7 +21,7 @@ def bad_numbers(good: tuple[float, ...]) -> list[tuple[float, ...]]:
 
 @pytest.mark.exercise("B5.6")
 def test_a_terminal_speed_needs_weight_and_drag() -> None:
-    read = "the docstring of terminal_speed"
+    about.read = "the docstring of terminal_speed"
     for bad in (
         (0.0, 0.3, 0.05),
         (-9.81, 0.3, 0.05),
@@ -30,21 +30,21 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
         (9.81, 0.0, 0.0),
         *bad_numbers((9.81, 0.3, 0.05)),
     ):
-        cause = "refuse what means nothing with ValueError; without any drag there is no such speed"
+        about.cause = "refuse what means nothing with ValueError; without any drag there is no "
+        about.cause += "such speed"
         expect_error(
-            f"terminal_speed{bad}",
             lambda bad=bad: terminal_speed(*bad),
             ValueError,
+            call=f"terminal_speed{bad}",
             allowed=lambda: terminal_speed(9.81, 0.3, 0.05),
-            cause=cause,
-            read=read,
         )
 
 
 @pytest.mark.exercise("B5.7")
 def test_a_fall_needs_numbers_that_mean_something() -> None:
-    read = "the docstring of quadratic_fall"
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    about.read = "the docstring of quadratic_fall"
+    about.cause = "refuse it with ValueError: the functions of arguments.py do, one for each "
+    about.cause += "argument"
     for bad in (
         (0.0, 9.81, 0.05, 3.0),
         (2.0, 0.0, 0.05, 3.0),
@@ -55,19 +55,18 @@ def test_a_fall_needs_numbers_that_mean_something() -> None:
         *bad_numbers((2.0, 9.81, 0.05, 3.0)),
     ):
         expect_error(
-            f"quadratic_fall{bad}",
             lambda bad=bad: quadratic_fall(*bad),
             ValueError,
+            call=f"quadratic_fall{bad}",
             allowed=lambda: quadratic_fall(2.0, 9.81, 0.05, 3.0),
-            cause=cause,
-            read=read,
         )
 
 
 @pytest.mark.exercise("B5.7")
 def test_coasting_needs_numbers_that_mean_something() -> None:
-    read = "the docstring of coasting_speed"
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    about.read = "the docstring of coasting_speed"
+    about.cause = "refuse it with ValueError: the functions of arguments.py do, one for each "
+    about.cause += "argument"
     for bad in (
         (-20.0, 0.3, 0.05, 2.0, 1.5),
         (20.0, -0.3, 0.05, 2.0, 1.5),
@@ -78,10 +77,8 @@ def test_coasting_needs_numbers_that_mean_something() -> None:
         *bad_numbers((20.0, 0.3, 0.05, 2.0, 1.5)),
     ):
         expect_error(
-            f"coasting_speed{bad}",
             lambda bad=bad: coasting_speed(*bad),
             ValueError,
+            call=f"coasting_speed{bad}",
             allowed=lambda: coasting_speed(20.0, 0.3, 0.05, 2.0, 1.5),
-            cause=cause,
-            read=read,
         )

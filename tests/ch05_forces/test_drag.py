@@ -12,7 +12,7 @@ from ch05_forces.forces import Drag, drag_force
 from ch05_forces.particle import Particle
 from ch05_forces.probes import with_drag
 from draw import Components, components
-from expect import expect_close, expect_unchanged, named, xyz
+from expect import about, blame, expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5.2.4, Eq. 5.1"
@@ -46,26 +46,26 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
 
 @pytest.mark.exercise("B5.5")
 def test_the_velocity_is_only_read(rng: Random) -> None:
-    read = READ
+    about.read = READ
     v = components(rng)
-    call = f"v = Vector3{v}; drag_force(v, 0.5, 0.25)"
-    cause = "normalize, invert and *= work in place: use normalized, - and *"
+    about.call = f"v = Vector3{v}; drag_force(v, 0.5, 0.25)"
+    about.cause = "normalize, invert and *= work in place: use normalized, - and *"
     velocity = Vector3(*v)
     got = xyz(drag_force(velocity, 0.5, 0.25))
-    expect_unchanged(call, "v", xyz(velocity), v, cause=cause, read=read)
+    expect_unchanged("v", xyz(velocity), v)
     wanted = tuple(-v[i] * (0.5 + 0.25 * math.hypot(*v)) for i in range(3))
-    cause = named(got, "the drag is -v (k1 + k2 |v|)", drag_slips(v, 0.5, 0.25))
-    expect_close(call, got, wanted, cause=cause, read=read)
-    cause = "a generator adds a force, and leaves the velocity to the step"
-    call = f"p = Particle(velocity=Vector3{v}); Drag(0.5, 0.25).update_force(p, 0.5)"
+    about.cause = named(got, "the drag is -v (k1 + k2 |v|)", drag_slips(v, 0.5, 0.25))
+    expect_close(got, wanted)
+    about.cause = "a generator adds a force, and leaves the velocity to the step"
+    about.call = f"p = Particle(velocity=Vector3{v}); Drag(0.5, 0.25).update_force(p, 0.5)"
     p = Particle(velocity=Vector3(*v))
     Drag(0.5, 0.25).update_force(p, 0.5)
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+    expect_unchanged("p.velocity", xyz(p.velocity), v)
 
 
 @pytest.mark.exercise("B5.5")
 def test_drag_points_against_the_motion(rng: Random) -> None:
-    read = READ
+    about.read = READ
     v = components(rng)
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
     speed = math.hypot(*v)
@@ -74,17 +74,17 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
         (0.0, k2, "k2 |v|^2 along -v^ is -k2 |v| v: only one |v| is left over"),
         (k1, k2, "both parts add up: -v (k1 + k2 |v|)"),
     ):
-        call = f"drag_force(Vector3{v}, {one}, {two})"
+        about(f"drag_force(Vector3{v}, {one}, {two})", cause=cause)
         wanted = tuple(-v[i] * (one + two * speed) for i in range(3))
         got = xyz(drag_force(Vector3(*v), one, two))
-        cause = named(got, cause, drag_slips(v, one, two))
-        expect_close(call, got, wanted, cause=cause, read=read)
+        blame(got, drag_slips(v, one, two))
+        expect_close(got, wanted)
 
 
 @pytest.mark.exercise("B5.5")
 def test_drag_grows_with_the_speed_and_with_its_square() -> None:
-    read = READ
-    cause = "k1 takes with the speed, k2 with its square: they must not be exchanged"
+    about.read = READ
+    about.cause = "k1 takes with the speed, k2 with its square: they must not be exchanged"
     for v, k1, k2, force in (
         ((0.0, 0.0, 2.0), 3.0, 0.0, -6.0),
         ((0.0, 0.0, -2.0), 3.0, 0.0, 6.0),
@@ -92,28 +92,28 @@ def test_drag_grows_with_the_speed_and_with_its_square() -> None:
         ((0.0, 0.0, -4.0), 0.0, 3.0, 48.0),
         ((0.0, 0.0, 0.5), 4.0, 8.0, -4.0),
     ):
-        call = f"drag_force(Vector3{v}, {k1}, {k2})"
+        about.call = f"drag_force(Vector3{v}, {k1}, {k2})"
         got = xyz(drag_force(Vector3(*v), k1, k2))
-        expect_close(call, got, (0.0, 0.0, force), cause=cause, read=read)
+        expect_close(got, (0.0, 0.0, force))
 
 
 @pytest.mark.exercise("B5.5")
 def test_at_rest_there_is_no_drag(rng: Random) -> None:
-    read = READ
+    about.read = READ
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
-    cause = "the zero vector has no direction: nothing may be divided by its length"
-    call = f"v = Vector3(); f = drag_force(v, {k1}, {k2})"
+    about.cause = "the zero vector has no direction: nothing may be divided by its length"
+    about.call = f"v = Vector3(); f = drag_force(v, {k1}, {k2})"
     v = Vector3()
     force = drag_force(v, k1, k2)
-    expect_close(call, xyz(force), ZERO, cause=cause, read=read)
+    expect_close(xyz(force), ZERO)
     force.x = 99.0
-    cause = "what comes back is new, at rest too"
-    expect_unchanged(f"{call}; f.x = 99.0", "v", xyz(v), ZERO, cause=cause, read=read)
-    call = f"drag_force(Vector3(0, 1e-9, 0), {k1}, {k2})"
-    cause = "slow motion is motion: the drag is small, and not zero"
+    about.cause = "what comes back is new, at rest too"
+    expect_unchanged("v", xyz(v), ZERO, then="; f.x = 99.0")
+    about.call = f"drag_force(Vector3(0, 1e-9, 0), {k1}, {k2})"
+    about.cause = "slow motion is motion: the drag is small, and not zero"
     got = xyz(drag_force(Vector3(0, 1e-9, 0), k1, k2))
     wanted = (0.0, -k1 * 1e-9 - k2 * 1e-18, 0.0)
-    expect_close(call, got, wanted, cause=cause, read=read)
+    expect_close(got, wanted)
 
 
 @pytest.mark.exercise("B5.5")
@@ -122,10 +122,10 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     k1, k2, mass = draw_coefficient(rng), draw_coefficient(rng), round(rng.uniform(2.0, 9.0), 3)
     speed = math.hypot(*v)
     h = 0.0625  # short enough for a drag that is cut off where it would turn the motion round
-    read = "the docstring of Drag"
-    call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
-    call += f"drag = Drag({k1}, {k2}); drag.update_force(p, {h}); p.force_accumulator"
-    cause = "add the drag to the forces that are there; it is a force, whatever the mass"
+    about.read = "the docstring of Drag"
+    about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); drag = "
+    about.call += f"Drag({k1}, {k2}); drag.update_force(p, {h}); p.force_accumulator"
+    about.cause = "add the drag to the forces that are there; it is a force, whatever the mass"
     p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
     p.add_force(Vector3(*f))
     drag.update_force(p, h)
@@ -139,84 +139,80 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
         "the drag alone, without the other force": force,
         "the other force alone; the drag is that of p.velocity": f,
     }
-    cause = named(got, cause, slips)
+    blame(got, slips)
     # A few roundings of numbers up to 150.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
-    call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, {h})"
-    cause = "read self.k1 and self.k2 each time"
+    expect_close(got, wanted, tolerance=1e-12)
+    about.call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, {h})"
+    about.cause = "read self.k1 and self.k2 each time"
     p.clear_forces()
     drag.k1, drag.k2 = k2, k1
     drag.update_force(p, h)
     wanted = tuple(-v[i] * (k2 + k1 * speed) for i in range(3))
     got = xyz(p.force_accumulator)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B5.5")
 def test_a_fall_comes_to_its_terminal_speed() -> None:
-    read = READ
-    call = "drag = Drag(0.3, 0.05), 2 kg, g = 9.81; a minute of drag.update_force(), p.integrate()"
-    cause = "the drag grows until it is as large as the weight: k1 v + k2 v^2 = m g"
+    about("drag = Drag(0.3, 0.05), 2 kg, g = 9.81; a minute of drag.update_force(), ", read=READ)
+    about.call += "p.integrate()"
+    about.cause = "the drag grows until it is as large as the weight: k1 v + k2 v^2 = m g"
     _, velocity = with_drag(ZERO, 0.3, 0.05, 2.0, 1.0 / 60.0, 3600, gravity=9.81)
     wanted = (0.0, -17.034969428476803, 0.0)
     # What is left after a minute, e^-60, is far below rounding.
-    expect_close(f"{call}; p.velocity", velocity, wanted, cause=cause, read=read, tolerance=1e-10)
+    expect_close(velocity, wanted, then="; p.velocity", tolerance=1e-10)
 
 
-def expect_first_order(
-    call: str, errors: tuple[float, float], scale: float, *, cause: str, read: str, what: str
-) -> None:
+def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) -> None:
     """Expect that the error of the longer frame is small, and that half the frame has half of it.
 
     Of first order, the ratio is 2 plus a term of the order of h: with these frames 0.02 at most.
     """
     long, short = errors
-    expect_close(f"{call}: error of {what}", long, 0.0, cause=cause, read=read, tolerance=scale)
-    name = f"{call}: error of {what}, at h = 1/100 over h = 1/200"
-    expect_close(name, long / short, 2.0, cause=cause, read=read, tolerance=0.05)
+    expect_close(long, 0.0, then=f": error of {what}", tolerance=scale)
+    name = f"{about.call}: error of {what}, at h = 1/100 over h = 1/200"
+    expect_close(long / short, 2.0, call=name, tolerance=0.05)
 
 
 @pytest.mark.exercise("B5.5")
 def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_frames() -> None:
-    read = READ
-    call = "Drag(0, 0.05), 2 kg, g = 9.81, a fall of 3 s by drag.update_force(), p.integrate()"
-    cause = "exact are v_t tanh(g t / v_t), and v_t^2 / g ln cosh(g t / v_t) of distance"
+    about("Drag(0, 0.05), 2 kg, g = 9.81, a fall of 3 s by drag.update_force(), ", read=READ)
+    about.call += "p.integrate()"
+    about.cause = "exact are v_t tanh(g t / v_t), and v_t^2 / g ln cosh(g t / v_t) of distance"
     states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
     speed, distance = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
     speeds = [-velocity[1] - speed for _, velocity in states]
     distances = [-position[1] - distance for position, _ in states]
-    expect_first_order(call, (speeds[0], speeds[1]), 0.02, cause=cause, read=read, what="the speed")
-    expect_first_order(
-        call, (distances[0], distances[1]), 0.06, cause=cause, read=read, what="the distance"
-    )
+    expect_first_order((speeds[0], speeds[1]), 0.02, what="the speed")
+    expect_first_order((distances[0], distances[1]), 0.06, what="the distance")
 
 
 @pytest.mark.exercise("B5.5")
 def test_coasting_with_both_kinds_of_drag_comes_nearer_with_shorter_frames() -> None:
-    read = READ
-    call = "Drag(0.3, 0.05), 2 kg, 20 m/s, 2 s of drag.update_force(), p.integrate()"
-    cause = "exact is 1 / v + k2 / k1 = (1 / v0 + k2 / k1) e^(k1 t / m)"
+    about("Drag(0.3, 0.05), 2 kg, 20 m/s, 2 s of drag.update_force(), p.integrate()", read=READ)
+    about.cause = "exact is 1 / v + k2 / k1 = (1 / v0 + k2 / k1) e^(k1 t / m)"
     ends = [
         with_drag((20.0, 0.0, 0.0), 0.3, 0.05, 2.0, h, round(2.0 / h))[1][0] for h in (0.01, 0.005)
     ]
     ratio = 0.05 / 0.3
     exact = 1.0 / ((1.0 / 20.0 + ratio) * math.exp(0.3 * 2.0 / 2.0) - ratio)
     errors = (ends[0] - exact, ends[1] - exact)
-    expect_first_order(call, errors, 0.03, cause=cause, read=read, what="the speed")
+    expect_first_order(errors, 0.03, what="the speed")
 
 
 @pytest.mark.exercise("B5.5")
 def test_linear_drag_in_frames_just_inside_and_just_outside_its_limits() -> None:
-    read = READ
+    about.read = READ
     k1, mass, frames = 8.0, 2.0, 40
-    cause = "each step multiplies the velocity by 1 - k1 h / m: below 0 it turns round, below -1 it"
-    cause += " grows. That is the method's own failing, which Drag does not mend (an Airbrake does)"
+    about.cause = "each step multiplies the velocity by 1 - k1 h / m: below 0 it turns round, "
+    about.cause += "below -1 it grows. That is the method's own failing, which Drag does not mend "
+    about.cause += "(an Airbrake does)"
     # The rounding of each step, which the factor below enlarges at most 1.02^40 = 2.2 times.
     for share in (0.98, 1.02, 1.98, 2.02):
         h = share * mass / k1
-        call = f"p at 3 m/s, 2 kg, Drag(8, 0), h = {share} m / k1 = {h}; p.velocity.x"
+        about.call = f"p at 3 m/s, 2 kg, Drag(8, 0), h = {share} m / k1 = {h}; p.velocity.x"
         for steps in (1, 2, frames):
             _, velocity = with_drag((3.0, 0.0, 0.0), k1, 0.0, mass, h, steps)
             wanted = 3.0 * (1.0 - share) ** steps
-            name = f"{call} in the end; frames: {steps}, each of drag.update_force(), p.integrate()"
-            expect_close(name, velocity[0], wanted, cause=cause, read=read, tolerance=1e-12)
+            then = f" in the end; frames: {steps}, each of drag.update_force(), p.integrate()"
+            expect_close(velocity[0], wanted, then=then, tolerance=1e-12)

@@ -10,29 +10,28 @@ import pytest
 from ch05_forces.closed_form import drag_limits
 from ch05_forces.probes import with_drag
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly, named
+from expect import about, expect_close, expect_error, expect_exactly, named
 
 LIMITS = "the docstring of drag_limits"
 
 
 @pytest.mark.exercise("B5.8")
 def test_the_limits_by_their_formula(rng: Random) -> None:
-    read = LIMITS
+    about.read = LIMITS
     k1, k2, mass, speed = (
         positive_number(rng),
         positive_number(rng),
         positive_number(rng),
         positive_number(rng, 1.0, 90.0),
     )
-    cause = (
-        "v' = v (1 - (k1 + k2 |v|) h / m): the bracket is 0 at the first limit, -1 at the second"
-    )
+    about.cause = "v' = v (1 - (k1 + k2 |v|) h / m): the bracket is 0 at the first limit, -1 at "
+    about.cause += "the second"
     for one, two, rate in (
         (k1, 0.0, k1 / mass),
         (0.0, k2, k2 * speed / mass),
         (k1, k2, (k1 + k2 * speed) / mass),
     ):
-        call = f"drag_limits({one}, {two}, {mass}, {speed})"
+        about.call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
             "k1 + k2 |v|, without the mass": rate * mass,
@@ -45,37 +44,37 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         slips["the second limit first"] = (2.0 / rate, 1.0 / rate)
         slips["the first limit twice"] = (1.0 / rate, 1.0 / rate)
         slips["1 / rate and 1 / rate^2, where the second is 2 / rate"] = (1.0 / rate, rate**-2)
-        why = named(got, cause, slips)
-        expect_close(call, got, (1.0 / rate, 2.0 / rate), cause=why, read=read)
-    cause = "a little drag has limits too: after a long time, and not never"
+        why = named(got, about.cause, slips)
+        expect_close(got, (1.0 / rate, 2.0 / rate), cause=why)
+    about.cause = "a little drag has limits too: after a long time, and not never"
     got = drag_limits(1e-12, 0.0, 1.0, 1.0)
-    expect_close("drag_limits(1e-12, 0.0, 1.0, 1.0)", got, (1e12, 2e12), cause=cause, read=read)
-    call = f"drag_limits({k1}, {k2}, {mass}, 0.0)"
-    cause = "slow motion has the limits of k1 alone"
+    expect_close(got, (1e12, 2e12), call="drag_limits(1e-12, 0.0, 1.0, 1.0)")
+    about(f"drag_limits({k1}, {k2}, {mass}, 0.0)", cause="slow motion has the limits of k1 alone")
     got = drag_limits(k1, k2, mass, 0.0)
-    expect_close(call, got, (mass / k1, 2.0 * mass / k1), cause=cause, read=read)
+    expect_close(got, (mass / k1, 2.0 * mass / k1))
 
 
 @pytest.mark.exercise("B5.8")
 def test_without_drag_no_frame_is_too_long() -> None:
-    read = LIMITS
-    cause = "where nothing drags there is no limit: math.inf for both, and nothing to divide by"
+    about.read = LIMITS
+    about.cause = "where nothing drags there is no limit: math.inf for both, and nothing to divide "
+    about.cause += "by"
     for arguments in ((0.0, 0.0, 2.0, 5.0), (0.0, 0.5, 2.0, 0.0)):
-        call = f"[*drag_limits{arguments}]"
+        about.call = f"[*drag_limits{arguments}]"
         got = [*drag_limits(*arguments)]
-        expect_exactly(call, got, [math.inf, math.inf], cause=cause, read=read)
-    cause = "(k1 + k2 v) / m is 1 here"
+        expect_exactly(got, [math.inf, math.inf])
+    about.cause = "(k1 + k2 v) / m is 1 here"
     got = drag_limits(1.0, 0.5, 2.0, 2.0)
-    expect_close("drag_limits(1.0, 0.5, 2.0, 2.0)", got, (1.0, 2.0), cause=cause, read=read)
+    expect_close(got, (1.0, 2.0), call="drag_limits(1.0, 0.5, 2.0, 2.0)")
 
 
 @pytest.mark.exercise("B5.8")
 def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> None:
-    read = LIMITS
+    about.read = LIMITS
     k1, mass, speed = positive_number(rng), positive_number(rng), positive_number(rng, 5.0, 90.0)
     k2 = round(positive_number(rng, 0.3, 3.0) * k1 / speed, 6)  # both parts of the drag count
-    call = f"drag_limits({k1}, {k2}, {mass}, {speed})"
-    cause = "the limits are where 1 - (k1 + k2 |v|) h / m is 0, and where it is -1"
+    about.call = f"drag_limits({k1}, {k2}, {mass}, {speed})"
+    about.cause = "the limits are where 1 - (k1 + k2 |v|) h / m is 0, and where it is -1"
     first, second = drag_limits(k1, k2, mass, speed)
     for limit, share, wanted, cause in (
         (first, 0.98, 1, "in a frame a little below the first limit the drag only slows down"),
@@ -83,20 +82,22 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
         (second, 0.98, -1, "below the second limit it is turned round, and slower than it was"),
         (second, 1.02, -2, "above the second limit it is turned round, and faster than it was"),
     ):
+        about.cause = cause
         h = limit * share
-        name = f"{call} = (a, b); a frame of {h!r} s with Drag({k1}, {k2}) at {speed} m/s"
+        name = f"{about.call} = (a, b); a frame of {h!r} s with Drag({k1}, {k2}) at {speed} m/s"
         name += ": 1 slower, -1 turned round and slower, -2 turned round and faster"
         _, velocity = with_drag((speed, 0.0, 0.0), k1, k2, mass, h, 1)
         v = velocity[0] / speed
         kind = 1 if 0.0 <= v < 1.0 else -1 if -1.0 <= v < 0.0 else -2 if v < -1.0 else 0
-        expect_exactly(name, kind, wanted, cause=cause, read=read)
+        expect_exactly(kind, wanted, call=name)
 
 
 @pytest.mark.exercise("B5.8")
 @pytest.mark.robust
 def test_limits_need_numbers_that_mean_something() -> None:
-    read = LIMITS
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    about.read = LIMITS
+    about.cause = "refuse it with ValueError: the functions of arguments.py do, one for each "
+    about.cause += "argument"
     for bad in (
         (-0.3, 0.05, 2.0, 5.0),
         (0.3, -0.05, 2.0, 5.0),
@@ -110,10 +111,8 @@ def test_limits_need_numbers_that_mean_something() -> None:
         (0.3, 0.05, 2.0, math.nan),
     ):
         expect_error(
-            f"drag_limits{bad}",
             lambda bad=bad: drag_limits(*bad),
             ValueError,
+            call=f"drag_limits{bad}",
             allowed=lambda: drag_limits(0.3, 0.05, 2.0, 5.0),
-            cause=cause,
-            read=read,
         )

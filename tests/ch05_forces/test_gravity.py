@@ -12,7 +12,7 @@ from ch05_forces.forces import Gravity
 from ch05_forces.particle import Particle
 from ch05_forces.probes import fall
 from draw import components
-from expect import expect_close, expect_unchanged, named, xyz
+from expect import about, blame, expect_close, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 
@@ -20,11 +20,11 @@ ZERO = (0.0, 0.0, 0.0)
 @pytest.mark.exercise("B5.4")
 def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
     g = components(rng)
-    read = "book 3.2, Eq. 3.4"
+    about.read = "book 3.2, Eq. 3.4"
     for mass in (round(rng.uniform(2.0, 90.0), 3), 0.125):
-        call = f"p = Particle(velocity=Vector3(5, 6, 7), acceleration=Vector3(1, 2, 3), {mass=}); "
-        call += f"Gravity(Vector3{g}).update_force(p, 0.5); p.force_accumulator"
-        cause = "f = m g with all three components of g, and added by particle.add_force"
+        about.call = "p = Particle(velocity=Vector3(5, 6, 7), acceleration=Vector3(1, 2, 3), "
+        about.call += f"{mass=}); Gravity(Vector3{g}).update_force(p, 0.5); p.force_accumulator"
+        about.cause = "f = m g with all three components of g, and added by particle.add_force"
         vectors = {"velocity": Vector3(5, 6, 7), "acceleration": Vector3(1, 2, 3)}
         p = Particle(**vectors, mass=mass)
         gravity = Gravity(Vector3(*g))
@@ -41,25 +41,25 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
             "no force added to the particle": ZERO,
         }
         got = xyz(p.force_accumulator)
-        cause = named(got, cause, slips)
-        expect_close(call, got, wanted, cause=cause, read=read)
-        cause = "a generator adds a force and changes nothing else"
+        blame(got, slips)
+        expect_close(got, wanted)
+        about.cause = "a generator adds a force and changes nothing else"
         got = xyz(p.acceleration)
-        expect_unchanged(call, "p.acceleration", got, (1, 2, 3), cause=cause, read=read)
+        expect_unchanged("p.acceleration", got, (1, 2, 3))
         got = xyz(p.velocity)
-        expect_unchanged(call, "p.velocity", got, (5, 6, 7), cause=cause, read=read)
+        expect_unchanged("p.velocity", got, (5, 6, 7))
         got = xyz(gravity.acceleration)
-        cause = "g is only read: *= works in place"
-        expect_unchanged(call, "gravity.acceleration", got, g, cause=cause, read=read)
+        about.cause = "g is only read: *= works in place"
+        expect_unchanged("gravity.acceleration", got, g)
 
 
 @pytest.mark.exercise("B5.4")
 def test_gravity_adds_to_the_other_forces_of_the_frame(rng: Random) -> None:
     f, g, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
-    call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}); gravity = Gravity(Vector3{g}); "
-    call += "gravity.update_force(p, 0.5) twice; p.force_accumulator"
-    cause = "add_force adds; what is there already stays"
-    read = "the docstring of ForceGenerator"
+    about.call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}); gravity = "
+    about.call += f"Gravity(Vector3{g}); gravity.update_force(p, 0.5) twice; p.force_accumulator"
+    about.cause = "add_force adds; what is there already stays"
+    about.read = "the docstring of ForceGenerator"
     p, gravity = Particle(mass=mass), Gravity(Vector3(*g))
     p.add_force(Vector3(*f))
     gravity.update_force(p, 0.5)
@@ -67,52 +67,52 @@ def test_gravity_adds_to_the_other_forces_of_the_frame(rng: Random) -> None:
     wanted = tuple(f[i] + 2 * mass * g[i] for i in range(3))
     got = xyz(p.force_accumulator)
     # Three roundings of numbers up to 200.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B5.4")
 def test_a_new_gravity_counts_from_the_next_frame_on(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    call = f"gravity = Gravity(Vector3{first}); gravity.acceleration = Vector3{second}; "
-    call += "gravity.update_force(Particle(mass=2.0), 0.5)"
-    cause = "read self.acceleration each time"
-    read = "the docstring of Gravity"
+    about.call = f"gravity = Gravity(Vector3{first}); gravity.acceleration = Vector3{second}; "
+    about.call += "gravity.update_force(Particle(mass=2.0), 0.5)"
+    about(cause="read self.acceleration each time", read="the docstring of Gravity")
     p, gravity = Particle(mass=2.0), Gravity(Vector3(*first))
     gravity.acceleration = Vector3(*second)
     gravity.update_force(p, 0.5)
     wanted = tuple(2.0 * second[i] for i in range(3))
-    expect_close(call, xyz(p.force_accumulator), wanted, cause=cause, read=read)
+    expect_close(xyz(p.force_accumulator), wanted)
     got = xyz(gravity.acceleration)
-    cause = "the acceleration of the generator is only read"
-    expect_unchanged(call, "gravity.acceleration", got, second, cause=cause, read=read)
+    about.cause = "the acceleration of the generator is only read"
+    expect_unchanged("gravity.acceleration", got, second)
 
 
 @pytest.mark.exercise("B5.4")
 def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
     g = components(rng)
-    read = "book 5.2.3"
-    cause = "ask has_finite_mass: infinity times g is no force, and infinity times 0 is NaN"
+    about.read = "book 5.2.3"
+    about.cause = "ask has_finite_mass: infinity times g is no force, and infinity times 0 is NaN"
     for gravity in (g, (0.0, -10.0, 0.0)):
-        call = f"p = Particle(mass=math.inf); Gravity(Vector3{gravity}).update_force(p, 0.5)"
+        about.call = f"p = Particle(mass=math.inf); Gravity(Vector3{gravity}).update_force(p, 0.5)"
         p = Particle(mass=math.inf)
         Gravity(Vector3(*gravity)).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
-    cause = "the largest mass that is not infinite has a weight"
-    call = "p = Particle(mass=1e300); Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)"
+        expect_close(got, ZERO, then="; p.force_accumulator")
+    about.cause = "the largest mass that is not infinite has a weight"
+    about.call = "p = Particle(mass=1e300); Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)"
     p = Particle(mass=1e300)
     Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, (0.0, -1e301, 0.0), cause=cause, read=read)
+    expect_close(got, (0.0, -1e301, 0.0), then="; p.force_accumulator")
 
 
 @pytest.mark.exercise("B5.4")
 def test_the_generator_does_what_the_constant_acceleration_does(rng: Random) -> None:
     g, mass, damping = components(rng), round(rng.uniform(2.0, 90.0), 3), 0.75
     h, frames = 1.0 / 64.0, 192
-    call = f"a fall of 3 s with g = {g}, mass {mass}, damping {damping}, by gravity.update_force()"
-    cause = "m g / m is g: the same steps as with Particle.acceleration, but for rounding"
-    read = "book 5.3"
+    about.call = f"a fall of 3 s with g = {g}, mass {mass}, damping {damping}, by "
+    about.call += "gravity.update_force()"
+    about.cause = "m g / m is g: the same steps as with Particle.acceleration, but for rounding"
+    about.read = "book 5.3"
     (by_force, velocity), (built_in, built_in_velocity) = fall(g, mass, damping, h, frames)
     # The sum of the geometric series of v' = (v + g h) D, D = d^h.
     kept = damping**h
@@ -121,9 +121,9 @@ def test_the_generator_does_what_the_constant_acceleration_does(rng: Random) -> 
     way = h * h * kept * (frames - gone) / (1.0 - kept)
     wanted = tuple(g[i] * way for i in range(3))
     # 200 roundings of numbers up to 50.
-    expect_close(call, by_force, wanted, cause=cause, read=read, tolerance=1e-11)
-    expect_close(call, by_force, built_in, cause=cause, read=read, tolerance=1e-11)
-    name = f"{call}; p.velocity"
+    expect_close(by_force, wanted, tolerance=1e-11)
+    expect_close(by_force, built_in, tolerance=1e-11)
+    name = f"{about.call}; p.velocity"
     wanted = tuple(g[i] * speed for i in range(3))
-    expect_close(name, velocity, wanted, cause=cause, read=read, tolerance=1e-11)
-    expect_close(name, velocity, built_in_velocity, cause=cause, read=read, tolerance=1e-11)
+    expect_close(velocity, wanted, call=name, tolerance=1e-11)
+    expect_close(velocity, built_in_velocity, call=name, tolerance=1e-11)

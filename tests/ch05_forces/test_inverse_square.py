@@ -12,7 +12,7 @@ from ch05_forces.forces import InverseSquareGravity
 from ch05_forces.particle import Particle
 from ch05_forces.probes import orbit
 from draw import Components, components, direction
-from expect import expect_close, expect_error, expect_unchanged, named, xyz
+from expect import about, blame, expect_close, expect_error, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.4; the docstring of InverseSquareGravity"
@@ -27,20 +27,21 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
 
 @pytest.mark.exercise("5.4")
 def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> None:
-    read = READ
+    about.read = READ
     center, way = components(rng), direction(rng)
     mass, mu = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.5, 1.0, 20.0, 4000.0, 1e6):
-        cause = "m mu / r^2 along the unit vector to the center; m mu d / r^3 with d, the way there"
+        about.cause = "m mu / r^2 along the unit vector to the center; m mu d / r^3 with d, the "
+        about.cause += "way there"
         place = away_from(center, way, distance)
-        call = f"p = Particle({distance} m from the center, mass={mass}); "
-        call += f"InverseSquareGravity(Vector3{center}, {mu}).update_force(p, 0.5)"
+        about.call = f"p = Particle({distance} m from the center, mass={mass}); "
+        about.call += f"InverseSquareGravity(Vector3{center}, {mu}).update_force(p, 0.5)"
         p = Particle(place, Vector3(5, 6, 7), mass=mass)
         InverseSquareGravity(Vector3(*center), mu).update_force(p, 0.5)
         size = mass * mu / distance**2
         wanted = tuple(-size * way[i] for i in range(3))
         got = xyz(p.force_accumulator)
-        name = f"{call}; p.force_accumulator"
+        name = f"{about.call}; p.force_accumulator"
         x, y, z = xyz(place)
         reach = math.hypot(x, y, z)
         slips = {
@@ -54,17 +55,17 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],
         }
-        cause = named(got, cause, slips)
+        blame(got, slips)
         # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12 * size)
-        cause = "position and center are only read: -= and normalize work in place"
-        expect_unchanged(call, "p.position", xyz(p.position), xyz(place), cause=cause, read=read)
+        expect_close(got, wanted, call=name, tolerance=1e-12 * size)
+        about.cause = "position and center are only read: -= and normalize work in place"
+        expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
 @pytest.mark.exercise("5.4")
 @pytest.mark.robust
 def test_at_the_center_there_is_no_finite_force() -> None:
-    read = READ
+    about.read = READ
     for x, mu, mass in (
         (0.0, 5.0, 1.0),
         (0.0, 0.0, 1.0),
@@ -72,35 +73,30 @@ def test_at_the_center_there_is_no_finite_force() -> None:
         (1e-160, 5.0, 2.0),
         (1e-5, 1e300, 1.0),
     ):
-        call = f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3(1, 2, 3)); "
-        call += f"InverseSquareGravity(Vector3(), {mu}).update_force(p, 0.5)"
-        cause = "where r is 0, whatever mu, or m mu / r^2 too large for a float, there is no force "
-        cause += "to add: raise ArithmeticError before anything is added"
+        about.call = f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3(1, 2, 3)); "
+        about.call += f"InverseSquareGravity(Vector3(), {mu}).update_force(p, 0.5)"
+        about.cause = "where r is 0, whatever mu, or m mu / r^2 too large for a float, there is no "
+        about.cause += "force to add: raise ArithmeticError before anything is added"
         p = Particle(Vector3(x, 0, 0), mass=mass)
         p.add_force(Vector3(1, 2, 3))
         expect_error(
-            call,
             lambda p=p, mu=mu: InverseSquareGravity(Vector3(), mu).update_force(p, 0.5),
             ArithmeticError,
             allowed=lambda: InverseSquareGravity(Vector3(), 5.0).update_force(
                 Particle(Vector3(0, 1, 0)), 0.5
             ),
-            cause=cause,
-            read=read,
         )
-        cause = "ask whether the force is finite before it is added"
+        about.cause = "ask whether the force is finite before it is added"
         got = xyz(p.force_accumulator)
-        expect_close(f"{call}; p.force_accumulator", got, (1, 2, 3), cause=cause, read=read)
+        expect_close(got, (1, 2, 3), then="; p.force_accumulator")
 
 
 @pytest.mark.exercise("5.4", weight=0.5)
 @pytest.mark.robust
 def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
-    read = READ
-    cause = (
-        "1e-120 squared fits in a float, cubed it is 0; 1e200 squared does not fit, and the force "
-    )
-    cause += "is as good as 0: take (m / r) (mu / r), and a unit vector"
+    about.read = READ
+    about.cause = "1e-120 squared fits in a float, cubed it is 0; 1e200 squared does not fit, and "
+    about.cause += "the force is as good as 0: take (m / r) (mu / r), and a unit vector"
     for y, mu, force in (
         (1e-120, 2.0, -3e240),
         (1e-150, 2e-50, -3e250),
@@ -108,97 +104,94 @@ def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
         (1.0, 1e300, -1.5e300),
         (1e200, 2.0, 0.0),
     ):
-        call = f"p = Particle(Vector3(0, {y}, 0), mass=1.5); "
-        call += f"InverseSquareGravity(Vector3(), {mu}).update_force(p, 0.5); p.force_accumulator"
+        about.call = f"p = Particle(Vector3(0, {y}, 0), mass=1.5); InverseSquareGravity(Vector3(), "
+        about.call += f"{mu}).update_force(p, 0.5); p.force_accumulator"
         p = Particle(Vector3(0, y, 0), mass=1.5)
         InverseSquareGravity(Vector3(), mu).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        expect_close(call, got, (0.0, force, 0.0), cause=cause, read=read)
+        expect_close(got, (0.0, force, 0.0))
 
 
 @pytest.mark.exercise("5.4")
 def test_inverse_square_gravity_leaves_an_immovable_particle_alone() -> None:
-    read = READ
-    call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
-    call += "InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5); p.force_accumulator"
-    cause = "ask has_finite_mass: infinity times 0 is NaN"
+    about.read = READ
+    about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); InverseSquareGravity(Vector3(), "
+    about.call += "10.0).update_force(p, 0.5); p.force_accumulator"
+    about.cause = "ask has_finite_mass: infinity times 0 is NaN"
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
+    expect_close(xyz(p.force_accumulator), ZERO)
     p.position = Vector3()
-    cause = "at the center an immovable particle is left alone as well: ask for the mass first"
+    about.cause = "at the center an immovable particle is left alone as well: ask for the mass "
+    about.cause += "first"
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
-    name = call.replace("(0, 2, 0)", "()")
-    expect_close(name, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
-    call = call.replace("math.inf", "4.0")
-    cause = "a finite mass has a weight"
+    name = about.call.replace("(0, 2, 0)", "()")
+    expect_close(xyz(p.force_accumulator), ZERO, call=name)
+    about.call = about.call.replace("math.inf", "4.0")
+    about.cause = "a finite mass has a weight"
     p = Particle(Vector3(0, 2, 0), mass=4.0)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(call, xyz(p.force_accumulator), (0, -10.0, 0), cause=cause, read=read)
+    expect_close(xyz(p.force_accumulator), (0, -10.0, 0))
 
 
 @pytest.mark.exercise("5.4")
 def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
-    read = READ
+    about.read = READ
     force = components(rng)
-    call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); "
-    call += "gravity = InverseSquareGravity(Vector3(), -6.0); gravity.update_force(p, 0.5)"
-    cause = "a negative mu pushes away; the force is added to what is there"
+    about.call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
+    about.call += "= InverseSquareGravity(Vector3(), -6.0); gravity.update_force(p, 0.5)"
+    about.cause = "a negative mu pushes away; the force is added to what is there"
     p, gravity = Particle(Vector3(2, 0, 0), mass=2.0), InverseSquareGravity(Vector3(), -6.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 3.0, force[1], force[2])
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=read)
-    cause = "the center and the position are only read"
-    expect_unchanged(call, "gravity.center", xyz(gravity.center), ZERO, cause=cause, read=read)
-    expect_unchanged(call, "p.position", xyz(p.position), (2, 0, 0), cause=cause, read=read)
-    call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
-    call += "gravity.update_force(p, 0.5)"
-    cause = "read self.center and self.mu each time"
+    expect_close(got, wanted, then="; p.force_accumulator")
+    about.cause = "the center and the position are only read"
+    expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
+    expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
+    about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
+    about.call += "gravity.update_force(p, 0.5)"
+    about.cause = "read self.center and self.mu each time"
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, (0.5, 0, 0), cause=cause, read=read)
+    expect_close(got, (0.5, 0, 0), then="; p.force_accumulator")
 
 
 @pytest.mark.exercise("5.4")
 def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) -> None:
-    read = READ
+    about.read = READ
     mass, center = round(rng.uniform(2.0, 9.0), 3), components(rng)
-    call = "p at (0.4, 0, 0) from the center with (0, 2, 0) m/s, mu = 1; a second of "
-    call += "gravity.update_force(), p.integrate()"
-    cause = "every mass moves on Kepler's ellipse, and half the frame has half the error: is it "
-    cause += "m mu / r^2, towards the center?"
+    about.call = "p at (0.4, 0, 0) from the center with (0, 2, 0) m/s, mu = 1; a second of "
+    about.call += "gravity.update_force(), p.integrate()"
+    about.cause = "every mass moves on Kepler's ellipse, and half the frame has half the error: is "
+    about.cause += "it m mu / r^2, towards the center?"
     exact = (-0.62894818, 0.79966473, 0.0)
     ends = [orbit(ELLIPSE, 1.0, mass, 1.0 / n, n, center)[0] for n in (1000, 2000)]
     errors = [math.dist(end, exact) for end in ends]
-    name = f"{call} in frames of 1/1000 s: how far off p.position is"
+    name = f"{about.call} in frames of 1/1000 s: how far off p.position is"
     # Explicit Euler is off by 7.1 h here, and its next term is 0.3 % of that.
-    expect_close(name, errors[0], 0.0, cause=cause, read=read, tolerance=0.008)
-    name = f"{call}: that over how far off it is in frames of 1/2000 s"
-    expect_close(name, errors[0] / errors[1], 2.0, cause=cause, read=read, tolerance=0.02)
+    expect_close(errors[0], 0.0, call=name, tolerance=0.008)
+    name = f"{about.call}: that over how far off it is in frames of 1/2000 s"
+    expect_close(errors[0] / errors[1], 2.0, call=name, tolerance=0.02)
 
 
 @pytest.mark.exercise("5.4")
 def test_the_orbit_closes() -> None:
-    read = READ
-    call = (
-        "p at (0.4, 0, 0) with (0, 2, 0) m/s, mu = 1; a turn, 2 pi s, of gravity.update_force(), "
-    )
-    call += "p.integrate()"
-    cause = (
-        "with 1 / r^2 the ellipse closes: as the frames get shorter, so does the gap after a turn"
-    )
+    about("p at (0.4, 0, 0) with (0, 2, 0) m/s, mu = 1; a turn, 2 pi s, of ", read=READ)
+    about.call += "gravity.update_force(), p.integrate()"
+    about.cause = "with 1 / r^2 the ellipse closes: as the frames get shorter, so does the gap "
+    about.cause += "after a turn"
     counts = (10_000, 20_000)
     ends = [orbit(ELLIPSE, 1.0, 1.0, PERIOD / n, n, ZERO)[0] for n in counts]
     gaps = [math.dist(end, ELLIPSE[0]) for end in ends]
-    name = f"{call}: the gap in 10000 frames over that in 20000"
+    name = f"{about.call}: the gap in 10000 frames over that in 20000"
     # 1.973 for explicit Euler: 2, and a term of the order of h.
-    expect_close(name, gaps[0] / gaps[1], 2.0, cause=cause, read=read, tolerance=0.05)
+    expect_close(gaps[0] / gaps[1], 2.0, call=name, tolerance=0.05)
     # Of what is off with h and with h / 2, twice the second minus the first is left: that is of
     # second order, 0.0265 m with these.
     left = math.dist([2.0 * b - a for a, b in zip(*ends, strict=True)], ELLIPSE[0])
-    name = f"{call}: the gap for frames without any length, by Richardson's rule"
-    expect_close(name, left, 0.0, cause=cause, read=read, tolerance=0.03)
+    name = f"{about.call}: the gap for frames without any length, by Richardson's rule"
+    expect_close(left, 0.0, call=name, tolerance=0.03)

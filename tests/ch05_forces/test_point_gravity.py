@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import PointGravity
 from ch05_forces.particle import Particle
 from draw import Components, components, direction
-from expect import expect_close, expect_unchanged, named, xyz
+from expect import about, blame, expect_close, expect_unchanged, scoped, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.3; the docstring of PointGravity"
@@ -25,20 +25,20 @@ def away_from(center: Components, way: Components, distance: float) -> Vector3:
 
 @pytest.mark.exercise("5.3")
 def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> None:
-    read = READ
+    about.read = READ
     center, way = components(rng), direction(rng)
     mass, strength = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.1, 1.0, 25.0, 4000.0):
         place = away_from(center, way, distance)
-        cause = "m times the strength, along the unit vector from the particle to the center: the "
-        cause += "distance does not matter, its direction does"
-        call = f"p = Particle({distance} m from the center, mass={mass}); "
-        call += f"PointGravity(Vector3{center}, {strength}).update_force(p, 0.5)"
+        about.cause = "m times the strength, along the unit vector from the particle to the "
+        about.cause += "center: the distance does not matter, its direction does"
+        about.call = f"p = Particle({distance} m from the center, mass={mass}); "
+        about.call += f"PointGravity(Vector3{center}, {strength}).update_force(p, 0.5)"
         p = Particle(place, Vector3(5, 6, 7), mass=mass)
         PointGravity(Vector3(*center), strength).update_force(p, 0.5)
         wanted = tuple(-mass * strength * way[i] for i in range(3))
         got = xyz(p.force_accumulator)
-        name = f"{call}; p.force_accumulator"
+        name = f"{about.call}; p.force_accumulator"
         reach = math.hypot(*xyz(place))
         slips = {
             "a push away from the center": [-part for part in wanted],
@@ -53,82 +53,83 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
                 -mass * strength * part / reach for part in xyz(place)
             ],
         }
-        cause = named(got, cause, slips)
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-        cause = "position and center are only read: -= and normalize work in place"
-        expect_unchanged(call, "p.position", xyz(p.position), xyz(place), cause=cause, read=read)
+        blame(got, slips)
+        expect_close(got, wanted, call=name, tolerance=ROUNDED)
+        about.cause = "position and center are only read: -= and normalize work in place"
+        expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
+@scoped
 def expect_full_strength(y: float, cause: str) -> None:
     """Expect the whole force on a particle at this height above the center."""
-    read = READ
-    call = f"p = Particle(Vector3(0, {y}, 0)); PointGravity(Vector3(), 10.0).update_force(p, 0.5)"
+    about(cause=cause, read=READ)
+    about.call = f"p = Particle(Vector3(0, {y}, 0)); PointGravity(Vector3(), 10.0).update_force(p, "
+    about.call += "0.5)"
     p = Particle(Vector3(0, y, 0))
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, (0, -10.0, 0), cause=cause, read=read)
+    expect_close(got, (0, -10.0, 0), then="; p.force_accumulator")
 
 
 @pytest.mark.exercise("5.3")
 def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
-    read = READ
+    about.read = READ
     center = components(rng)
-    call = (
-        f"p = Particle(Vector3{center}); PointGravity(Vector3{center}, 10.0).update_force(p, 0.5)"
-    )
-    cause = "at the center every direction is as good: there is no force, and nothing to divide by"
+    about.call = f"p = Particle(Vector3{center}); PointGravity(Vector3{center}, "
+    about.call += "10.0).update_force(p, 0.5)"
+    about.cause = "at the center every direction is as good: there is no force, and nothing to "
+    about.cause += "divide by"
     p = Particle(Vector3(*center))
     PointGravity(Vector3(*center), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
+    expect_close(got, ZERO, then="; p.force_accumulator")
     expect_full_strength(1e-9, "near the center the force is as strong as anywhere")
 
 
 @pytest.mark.exercise("5.3")
 @pytest.mark.robust
 def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
-    cause = "near the center the force is as strong as anywhere: the square of 1e-170 is 0 in a "
-    cause += "float, and the distance is not"
-    expect_full_strength(1e-170, cause)
+    about.cause = "near the center the force is as strong as anywhere: the square of 1e-170 is 0 "
+    about.cause += "in a float, and the distance is not"
+    expect_full_strength(1e-170, about.cause)
 
 
 @pytest.mark.exercise("5.3")
 def test_point_gravity_leaves_an_immovable_particle_alone() -> None:
-    read = READ
-    call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); "
-    call += "PointGravity(Vector3(), 10.0).update_force(p, 0.5); p.force_accumulator"
-    cause = "ask has_finite_mass: infinity times 0 is NaN"
+    about("p = Particle(Vector3(0, 2, 0), mass=math.inf); PointGravity(Vector3(), ", read=READ)
+    about.call += "10.0).update_force(p, 0.5); p.force_accumulator"
+    about.cause = "ask has_finite_mass: infinity times 0 is NaN"
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
-    call = call.replace("math.inf", "4.0")
-    cause = "a finite mass has a weight"
+    expect_close(xyz(p.force_accumulator), ZERO)
+    about.call = about.call.replace("math.inf", "4.0")
+    about.cause = "a finite mass has a weight"
     p = Particle(Vector3(0, 2, 0), mass=4.0)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
-    expect_close(call, xyz(p.force_accumulator), (0, -40.0, 0), cause=cause, read=read)
+    expect_close(xyz(p.force_accumulator), (0, -40.0, 0))
 
 
 @pytest.mark.exercise("5.3")
 def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
-    read = READ
+    about.read = READ
     force, center = components(rng), (7.0, 0.0, 0.0)
-    call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); "
-    call += "gravity = PointGravity(Vector3(), -5.0); gravity.update_force(p, 0.5)"
-    cause = "a negative strength pushes away; the force is added to what is there"
+    about.call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
+    about.call += "= PointGravity(Vector3(), -5.0); gravity.update_force(p, 0.5)"
+    about.cause = "a negative strength pushes away; the force is added to what is there"
     p, gravity = Particle(Vector3(3, 0, 0), mass=2.0), PointGravity(Vector3(), -5.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 10.0, force[1], force[2])
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, wanted, cause=cause, read=read)
-    cause = "the center and the position are only read"
-    expect_unchanged(call, "gravity.center", xyz(gravity.center), ZERO, cause=cause, read=read)
-    expect_unchanged(call, "p.position", xyz(p.position), (3, 0, 0), cause=cause, read=read)
-    call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
-    call += "gravity.update_force(p, 0.5)"
-    cause = "read self.center and self.strength each time"
+    expect_close(got, wanted, then="; p.force_accumulator")
+    about.cause = "the center and the position are only read"
+    expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
+    expect_unchanged("p.position", xyz(p.position), (3, 0, 0))
+    about.call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
+    about.call += "gravity.update_force(p, 0.5)"
+    about.cause = "read self.center and self.strength each time"
     gravity.center, gravity.strength = Vector3(*center), 1.5
     p.clear_forces()
     gravity.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, (3.0, 0, 0), cause=cause, read=read)
+    expect_close(got, (3.0, 0, 0), then="; p.force_accumulator")

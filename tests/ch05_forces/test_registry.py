@@ -19,15 +19,15 @@ from ch05_forces.probes import (
     gathered,
 )
 from draw import components
-from expect import expect_close, expect_error, expect_exactly
+from expect import about, expect_close, expect_error, expect_exactly, scoped
 
 
+@scoped
 def expect_asked(
     acts: list[tuple[Any, ...]],
     wanted: list[tuple[int, int, float]],
     *,
     cause: str,
-    read: str,
     immovable: tuple[int, ...] = (),
     slips: dict[str, list[tuple[int, int, float]]] | None = None,
 ) -> None:
@@ -35,6 +35,7 @@ def expect_asked(
 
     ``slips`` are the calls that likely mistakes make.
     """
+    about.cause = cause
     told = []
     for name, *numbers in acts:
         if name == "add":
@@ -47,21 +48,22 @@ def expect_asked(
             told.append("registry.clear()")
         else:
             told.append(f"registry.update_forces({numbers[0]})")
-    call = "; ".join(told) + "; asked were (particle, generator, duration)"
+    about.call = "; ".join(told) + "; asked were (particle, generator, duration)"
     if immovable:
-        call = f"p{[*immovable]} immovable; {call}"
+        about.call = f"p{[*immovable]} immovable; {about.call}"
     got = [*map(tuple, asked(immovable, acts))]
     for name, calls in (slips or {}).items():
         if got == calls:
-            cause = f"this is {name}: {cause}"
-    expect_exactly(call, got, wanted, cause=cause, read=read)
+            about.cause = f"this is {name}: {about.cause}"
+    expect_exactly(got, wanted)
 
 
 @pytest.mark.exercise("B5.3")
 def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
     h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
-    cause = "in the order in which they were added, each generator gets its particle and the frame"
-    read = "book 5.2.2"
+    about.cause = "in the order in which they were added, each generator gets its particle and the "
+    about.cause += "frame"
+    about.read = "book 5.2.2"
     acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
     slips = {
@@ -78,153 +80,149 @@ def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
         ],
         "a call of nobody, where only particles whose inverse mass is 0 are skipped": [],
     }
-    expect_asked(acts, wanted, cause=cause, read=read, slips=slips)
+    expect_asked(acts, wanted, cause=about.cause, slips=slips)
 
 
 @pytest.mark.exercise("B5.3")
 def test_one_generator_may_serve_many_particles() -> None:
-    cause = "a pair is a particle and a generator: both may stand in other pairs too"
-    read = "the docstring of ForceRegistry"
+    about.cause = "a pair is a particle and a generator: both may stand in other pairs too"
+    about.read = "the docstring of ForceRegistry"
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 2, 0), ("update", 0.5)]
-    expect_asked(acts, [(0, 0, 0.5), (1, 0, 0.5), (2, 0, 0.5)], cause=cause, read=read)
+    expect_asked(acts, [(0, 0, 0.5), (1, 0, 0.5), (2, 0, 0.5)], cause=about.cause)
 
 
 @pytest.mark.exercise("B5.3")
 def test_a_pair_that_is_added_twice_acts_twice() -> None:
-    cause = "each call of registry.add() counts: no pair is looked for first, in neither function"
-    read = "the docstring of add"
-    call = (
-        "registry.add(p, generator) twice; registry.update_forces(0.5): how often p was asked for"
-    )
+    about.cause = "each call of registry.add() counts: no pair is looked for first, in neither "
+    about.cause += "function"
+    about.read = "the docstring of add"
+    about.call = "registry.add(p, generator) twice; registry.update_forces(0.5): how often p was "
+    about.call += "asked for"
     got = asked((), [("add", 1, 1), ("add", 1, 1), ("update", 0.5)])
-    expect_exactly(call, len(got), 2, cause=cause, read=read)
+    expect_exactly(len(got), 2)
 
 
 @pytest.mark.exercise("B5.3")
 def test_remove_takes_back_one_call_of_add() -> None:
-    read = "the docstring of remove"
-    cause = "one pair goes for each call of remove, and the others stay"
+    about.read = "the docstring of remove"
+    about.cause = "one pair goes for each call of remove, and the others stay"
     adds = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
     everyone = [(0, 0, 0.5), (1, 1, 0.5), (0, 0, 0.5), (0, 0, 0.5)]
-    expect_asked([*adds, ("update", 0.5)], everyone, cause="each call of add counts", read=read)
-    call = "added p[0] with generator[0] three times, and p[1] with generator[1]; "
-    call += "registry.remove(p[0], generator[0]); asked were, sorted"
+    expect_asked([*adds, ("update", 0.5)], everyone, cause="each call of add counts")
+    about.call = "added p[0] with generator[0] three times, and p[1] with generator[1]; "
+    about.call += "registry.remove(p[0], generator[0]); asked were, sorted"
     got = sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)]))
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
-    expect_exactly(call, [*map(tuple, got)], wanted, cause=cause, read=read)
+    expect_exactly([*map(tuple, got)], wanted)
     acts = [*adds, *[("remove", 0, 0)] * 3, ("update", 0.5)]
-    expect_asked(acts, [(1, 1, 0.5)], cause=cause, read=read)
+    expect_asked(acts, [(1, 1, 0.5)], cause=about.cause)
 
 
 @pytest.mark.exercise("B5.3")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
-    read = "the docstring of remove"
-    cause = "only the pair of this very particle (is) and this very generator (is) goes"
+    about.read = "the docstring of remove"
+    about.cause = "only the pair of this very particle (is) and this very generator (is) goes"
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
     for i, (_, particle, generator) in enumerate(pairs):
         acts = [*pairs, ("remove", particle, generator), ("update", 0.5)]
-        expect_asked(acts, everyone[:i] + everyone[i + 1 :], cause=cause, read=read)
+        expect_asked(acts, everyone[:i] + everyone[i + 1 :], cause=about.cause)
 
 
 @pytest.mark.exercise("B5.3")
 def test_remove_of_what_is_absent_changes_nothing() -> None:
-    read = "the docstring of remove"
-    cause = "a pair that is not there needs no error, and nobody else goes for it"
+    about.read = "the docstring of remove"
+    about.cause = "a pair that is not there needs no error, and nobody else goes for it"
     acts = [("remove", 0, 0), ("add", 0, 1), ("add", 1, 0), ("remove", 0, 0), ("update", 0.5)]
-    expect_asked(acts, [(0, 1, 0.5), (1, 0, 0.5)], cause=cause, read=read)
+    expect_asked(acts, [(0, 1, 0.5), (1, 0, 0.5)], cause=about.cause)
 
 
 @pytest.mark.exercise("B5.3")
 def test_clear_takes_back_everything() -> None:
-    read = "the docstring of clear"
-    cause = "after clear the registry is as new: what is added then is all there is"
+    about.read = "the docstring of clear"
+    about.cause = "after clear the registry is as new: what is added then is all there is"
     acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
     acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
-    expect_asked(acts, [(0, 0, 0.5), (1, 1, 0.5), (2, 1, 0.25)], cause=cause, read=read)
+    expect_asked(acts, [(0, 0, 0.5), (1, 1, 0.5), (2, 1, 0.25)], cause=about.cause)
 
 
 @pytest.mark.exercise("B5.3")
 def test_immovable_particles_are_skipped() -> None:
-    read = "the docstring of update_forces"
-    cause = "no force moves a particle whose inverse mass is 0: its generators are not asked"
+    about.read = "the docstring of update_forces"
+    about.cause = "no force moves a particle whose inverse mass is 0: its generators are not asked"
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 1, 1), ("add", 2, 0), ("update", 0.5)]
     wanted = [(0, 0, 0.5), (2, 0, 0.5)]
     slips = {"the pairs before the immovable one alone (skip it, and go on)": wanted[:1]}
-    expect_asked(acts, wanted, cause=cause, read=read, immovable=(1,), slips=slips)
-    cause = "a particle that can be moved now is asked for: look at it in every frame"
+    expect_asked(acts, wanted, cause=about.cause, immovable=(1,), slips=slips)
+    about.cause = "a particle that can be moved now is asked for: look at it in every frame"
     acts = [("add", 1, 2), ("add", 0, 2), ("update", 0.5), ("free", 1), ("update", 0.5)]
     wanted = [(0, 2, 0.5), (1, 2, 0.5), (0, 2, 0.5)]
-    expect_asked(acts, wanted, cause=cause, read=read, immovable=(1,))
+    expect_asked(acts, wanted, cause=about.cause, immovable=(1,))
 
 
 @pytest.mark.exercise("B5.3")
 def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
     by_hand, first, second = components(rng), components(rng), components(rng)
-    call = f"p.add_force(Vector3{by_hand}); generators push with {first} and {second}; "
-    call += "registry.update_forces(0.5); p.force_accumulator"
-    cause = "forces that were added by hand stay: only the step clears them"
-    read = "book 5.2.2"
+    about.call = f"p.add_force(Vector3{by_hand}); generators push with {first} and {second}; "
+    about.call += "registry.update_forces(0.5); p.force_accumulator"
+    about(cause="forces that were added by hand stay: only the step clears them", read="book 5.2.2")
     before, after, emptied = gathered(by_hand, [first, second])
     wanted = tuple(by_hand[i] + first[i] + second[i] for i in range(3))
     # Two roundings of numbers up to 30.
-    expect_close(call, after, wanted, cause=cause, read=read, tolerance=1e-13)
-    cause = "to fill or to empty a registry is no frame: no force is added, and none is dropped"
+    expect_close(after, wanted, tolerance=1e-13)
+    about.cause = "to fill or to empty a registry is no frame: no force is added, and none is "
+    about.cause += "dropped"
     name = f"p.add_force(Vector3{by_hand}); p in registry.add(); p.force_accumulator"
-    expect_close(name, before, by_hand, cause=cause, read="the docstring of add")
-    name = f"{call}, after registry.clear()"
-    read = "the docstring of clear"
-    expect_close(name, emptied, wanted, cause=cause, read=read, tolerance=1e-13)
+    expect_close(before, by_hand, call=name, read="the docstring of add")
+    name = f"{about.call}, after registry.clear()"
+    about.read = "the docstring of clear"
+    expect_close(emptied, wanted, call=name, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B5.3")
 def test_a_generator_may_change_the_registry_meanwhile() -> None:
-    read = "the docstring of update_forces"
-    cause = "what is added or removed meanwhile counts from the next call on: go through a copy of "
-    cause += "the list, and ask all of it"
+    about.read = "the docstring of update_forces"
+    about.cause = "what is added or removed meanwhile counts from the next call on: go through a "
+    about.cause += "copy of the list, and ask all of it"
     for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):
-        call = f"three pairs, the first of which changes the registry ({what}) when it is asked; "
-        call += "registry.update_forces(0.5) twice; how many were asked in each"
+        about.call = f"three pairs, the first of which changes the registry ({what}) when it is "
+        about.call += "asked; registry.update_forces(0.5) twice; how many were asked in each"
         got = asked_while_it_changes(what)
-        expect_exactly(call, got, [3, second], cause=cause, read=read)
+        expect_exactly(got, [3, second])
 
 
 @pytest.mark.exercise("B5.3")
 @pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None:
-    call = f"registry.update_forces({duration!r})"
-    read = "the docstring of update_forces"
-    cause = "positive of arguments.py raises the errors for you: look at the duration first"
+    about(f"registry.update_forces({duration!r})", read="the docstring of update_forces")
+    about.cause = "positive of arguments.py raises the errors for you: look at the duration first"
     expect_error(
-        call,
         lambda: ForceRegistry().update_forces(duration),
         TypeError if isinstance(duration, str) else ValueError,
         allowed=lambda: ForceRegistry().update_forces(0.5),
-        cause=cause,
-        read=read,
     )
     for immovable in (False, True):
-        name = f"{call} with a pair in it, then registry.update_forces(0.5): how many were asked"
+        name = (
+            f"{about.call} with a pair in it, then registry.update_forces(0.5): how many were asked"
+        )
         got = asked_after_a_refusal(duration, immovable)
-        cause = "look at the duration before anybody is asked, and whoever is there"
-        expect_exactly(name, got, 1, cause=cause, read=read)
+        about.cause = "look at the duration before anybody is asked, and whoever is there"
+        expect_exactly(got, 1, call=name)
 
 
 @pytest.mark.exercise("B5.3")
 @pytest.mark.robust
 def test_what_a_generator_raises_comes_out() -> None:
-    call = "a generator raises ArithmeticError; registry.update_forces(0.5)"
-    cause = "an error of a generator is for whoever lets the frame pass: no try and except here"
-    read = "the docstring of update_forces"
+    about.call = "a generator raises ArithmeticError; registry.update_forces(0.5)"
+    about.cause = "an error of a generator is for whoever lets the frame pass: no try and except "
+    about.cause += "here"
+    about.read = "the docstring of update_forces"
     registry = failing()
     expect_error(
-        call,
         lambda: registry.update_forces(0.5),
         ArithmeticError,
         allowed=lambda: ForceRegistry().update_forces(0.5),
-        cause=cause,
-        read=read,
     )
 
 
@@ -232,7 +230,7 @@ def test_what_a_generator_raises_comes_out() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [None, "gravity"])
 def test_only_a_particle_and_a_generator_can_be_added(bad: Any) -> None:
-    read = "the docstring of add"
+    about.read = "the docstring of add"
     registry, other = ForceRegistry(), ForceRegistry()
     p, gravity = Particle(), Gravity(Vector3(0.0, -10.0, 0.0))
     for call, attempt in (
@@ -240,20 +238,15 @@ def test_only_a_particle_and_a_generator_can_be_added(bad: Any) -> None:
         (f"registry.add({bad!r}, gravity)", lambda: registry.add(bad, gravity)),
         ("registry.add(gravity, p)", lambda: registry.add(gravity, p)),  # type: ignore[arg-type]
     ):
-        cause = "refuse what has no add_force, or no update_force, with TypeError: here it is cheap"
-        expect_error(
-            call,
-            attempt,
-            TypeError,
-            allowed=lambda: other.add(p, gravity),
-            cause=cause,
-            read=read,
-        )
-        cause = "what was refused must not be in the registry: look first, and then append"
-        call += ", which is refused; registry.update_forces(0.5)"
+        about.call = call
+        about.cause = "refuse what has no add_force, or no update_force, with TypeError: here it "
+        about.cause += "is cheap"
+        expect_error(attempt, TypeError, allowed=lambda: other.add(p, gravity))
+        about.cause = "what was refused must not be in the registry: look first, and then append"
+        about.call += ", which is refused; registry.update_forces(0.5)"
         came = "no error"
         try:
             registry.update_forces(0.5)
         except AttributeError as error:  # what was refused has no method, or no inverse mass
             came = str(error)
-        expect_exactly(call, came, "no error", cause=cause, read=read)
+        expect_exactly(came, "no error")

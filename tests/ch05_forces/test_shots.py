@@ -10,7 +10,18 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.sniper import SniperRange, hit_on_the_way, ring_points
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, named, xyz
+from expect import (
+    UNCHANGED,
+    about,
+    blame,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    named,
+    scoped,
+    xyz,
+)
 
 SHOOT = "the docstring of shoot"
 WAY = "the docstring of hit_on_the_way"
@@ -30,20 +41,18 @@ def draw_angles(rng: Random) -> tuple[float, float]:
 
 @pytest.mark.exercise("P4.2b")
 def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
-    read = SHOOT
+    about.read = SHOOT
     a, e = draw_angles(rng)
     for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
-        call = f"range = SniperRange(1); range.shoot({azimuth}, {elevation})"
+        about.call = f"range = SniperRange(1); range.shoot({azimuth}, {elevation})"
         at = SniperRange(1)
-        cause = "a bullet was fired: True"
+        about.cause = "a bullet was fired: True"
         fired = at.shoot(azimuth, elevation)
-        expect_exactly(call, fired, True, cause=cause, read=read)
-        expect_exactly(
-            f"{call}; range.bullet is None", at.bullet is None, False, cause=cause, read=read
-        )
+        expect_exactly(fired, True)
+        expect_exactly(at.bullet is None, False, then="; range.bullet is None")
         bullet: Any = at.bullet
-        cause = "sin(elevation) goes to y, cos(elevation) is left along the ground; the azimuth "
-        cause += "turns that from Z to X"
+        about.cause = "sin(elevation) goes to y, cos(elevation) is left along the ground; the "
+        about.cause += "azimuth turns that from Z to X"
         wanted = (
             120.0 * math.cos(elevation) * math.sin(azimuth),
             120.0 * math.sin(elevation),
@@ -72,28 +81,25 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
                 120.0 * math.cos(math.radians(elevation)) * math.cos(math.radians(azimuth)),
             ),
         }
-        cause = named(got, cause, slips)
-        expect_close(f"{call}; range.bullet.velocity", got, wanted, cause=cause, read=read)
-        cause = "MUZZLE, GRAVITY and BULLET_MASS stand at the head of the file; damping is 1"
+        blame(got, slips)
+        expect_close(got, wanted, then="; range.bullet.velocity")
+        about.cause = "MUZZLE, GRAVITY and BULLET_MASS stand at the head of the file; damping is 1"
         got = xyz(bullet.position)
-        expect_close(f"{call}; range.bullet.position", got, (0, 1.5, 0), cause=cause, read=read)
+        expect_close(got, (0, 1.5, 0), then="; range.bullet.position")
         got = xyz(bullet.acceleration)
-        expect_close(f"{call}; range.bullet.acceleration", got, (0, -2, 0), cause=cause, read=read)
+        expect_close(got, (0, -2, 0), then="; range.bullet.acceleration")
         numbers = (bullet.mass, bullet.damping)
-        name = f"{call}; mass and damping of range.bullet"
-        expect_close(name, numbers, (1.0, 1.0), cause=cause, read=read)
-        cause = "each shot is taken off"
-        expect_exactly(f"{call}; range.shots_left", at.shots_left, 9, cause=cause, read=read)
+        expect_close(numbers, (1.0, 1.0), then="; mass and damping of range.bullet")
+        about.cause = "each shot is taken off"
+        expect_exactly(at.shots_left, 9, then="; range.shots_left")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_the_wind_acts_on_the_bullet() -> None:
-    read = SHOOT
-    call = (
-        "range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); range.shoot(0.0, 0.0); "
-    )
-    call += "range.forces.update_forces(0.5); range.bullet.force_accumulator"
-    cause = "shoot registers the bullet and the wind with self.forces, once"
+    about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
+    about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
+    about.call += "range.bullet.force_accumulator"
+    about.cause = "shoot registers the bullet and the wind with self.forces, once"
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)
     at.shoot(0.0, 0.0)
@@ -102,16 +108,16 @@ def test_the_wind_acts_on_the_bullet() -> None:
     # K1 and K2 are 0.02 and 0.0003; relative to the air the bullet has (-4, 0, 100).
     drag = 0.02 + 0.0003 * math.hypot(4.0, 100.0)
     wanted = (4.0 * drag, 0.0, -100.0 * drag)
-    expect_close(call, xyz(bullet.force_accumulator), wanted, cause=cause, read=read)
+    expect_close(xyz(bullet.force_accumulator), wanted)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_one_bullet_flies_at_a_time(rng: Random) -> None:
-    read = SHOOT
+    about.read = SHOOT
     a, e = draw_angles(rng)
-    call = f"range = SniperRange(1); range.shoot({a}, {e}); a frame of 1/60 s later"
+    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); a frame of 1/60 s later"
     at = SniperRange(1)
-    cause = "a frame moves the bullet on by v h, once"
+    about.cause = "a frame moves the bullet on by v h, once"
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
@@ -119,73 +125,60 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     wanted = (120.0 * math.cos(e) * math.sin(a) / 60.0, 1.5 + 2.0 * math.sin(e))
     name = f"range.shoot({a}, {e}); range.update(1/60); x and y of range.bullet.position"
     way = "the docstring of update"
-    expect_close(name, place[:2], wanted, cause=cause, read=way, tolerance=1e-12)
-    call += "; range.shoot(0.0, 0.0)"
-    cause = "while a bullet is in flight none is fired, and the shot is not taken off"
-    expect_exactly(call, at.shoot(0.0, 0.0), False, cause=cause, read=read)
-    expect_exactly(f"{call}; range.shots_left", at.shots_left, 9, cause=cause, read=read)
+    expect_close(place[:2], wanted, call=name, read=way, tolerance=1e-12)
+    about.call += "; range.shoot(0.0, 0.0)"
+    about.cause = "while a bullet is in flight none is fired, and the shot is not taken off"
+    expect_exactly(at.shoot(0.0, 0.0), False)
+    expect_exactly(at.shots_left, 9, then="; range.shots_left")
     bullet = at.bullet
-    name = f"{call}; range.bullet.position"
-    expect_close(name, xyz(bullet.position), place, cause=cause, read=read)
+    name = f"{about.call}; range.bullet.position"
+    expect_close(xyz(bullet.position), place, call=name)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_without_shots_left_none_is_fired() -> None:
-    read = SHOOT
-    call = (
-        "range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); range.bullet = None; "
-    )
-    call += "range.shoot(0.0, 0.0)"
-    cause = "when no shots are left, False comes back and nothing is fired"
+    about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
+    about.call += "range.bullet = None; range.shoot(0.0, 0.0)"
+    about.cause = "when no shots are left, False comes back and nothing is fired"
     at = SniperRange(1)
     at.shots_left = 1
     fired = at.shoot(0.0, 0.0)
     expect_exactly(
-        "range.shots_left = 1; range.shoot(0.0, 0.0)", fired, True, cause="one is left", read=read
+        fired, True, call="range.shots_left = 1; range.shoot(0.0, 0.0)", cause="one is left"
     )
     at.bullet = None
-    expect_exactly(call, at.shoot(0.0, 0.0), False, cause=cause, read=read)
-    expect_exactly(f"{call}; range.shots_left", at.shots_left, 0, cause=cause, read=read)
-    expect_exactly(f"{call}; range.bullet is None", at.bullet is None, True, cause=cause, read=read)
+    expect_exactly(at.shoot(0.0, 0.0), False)
+    expect_exactly(at.shots_left, 0, then="; range.shots_left")
+    expect_exactly(at.bullet is None, True, then="; range.bullet is None")
 
 
 @pytest.mark.exercise("P4.2b")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.2001, -0.2001, 1.6, math.inf, math.nan])
 def test_the_rifle_turns_only_so_far(bad: float) -> None:
-    read = SHOOT
+    about.read = SHOOT
     for angles in ((bad, 0.0), (0.0, bad)):
-        call = f"range.shoot{angles}"
-        cause = "refuse an angle beyond SWING, 0.2, to either side with ValueError; 0.2 is allowed"
+        about.call = f"range.shoot{angles}"
+        about.cause = "refuse an angle beyond SWING, 0.2, to either side with ValueError; 0.2 is "
+        about.cause += "allowed"
         at = SniperRange(1)
 
         def allowed() -> None:
             for good in ((0.2, -0.2), (-0.2, 0.2)):
                 SniperRange(1).shoot(*good)
 
-        expect_error(
-            call,
-            lambda at=at, angles=angles: at.shoot(*angles),
-            ValueError,
-            allowed=allowed,
-            cause=cause,
-            read=read,
-        )
-        cause = "look at both angles before a shot is taken off"
-        expect_exactly(f"{call}; range.shots_left", at.shots_left, 10, cause=cause, read=read)
-        name = f"{call}; range.bullet is None"
-        expect_exactly(name, at.bullet is None, True, cause=cause, read=read)
+        expect_error(lambda at=at, angles=angles: at.shoot(*angles), ValueError, allowed=allowed)
+        about.cause = "look at both angles before a shot is taken off"
+        expect_exactly(at.shots_left, 10, then="; range.shots_left")
+        expect_exactly(at.bullet is None, True, then="; range.bullet is None")
         at.shoot(0.0, 0.0)
-        cause = (
-            "a wrong angle is refused while a bullet is in flight, too: look at the angles first"
-        )
+        about.cause = "a wrong angle is refused while a bullet is in flight, too: look at the "
+        about.cause += "angles first"
         expect_error(
-            f"range.shoot(0.0, 0.0); {call}",
             lambda at=at, angles=angles: at.shoot(*angles),
             ValueError,
+            call=f"range.shoot(0.0, 0.0); {about.call}",
             allowed=allowed,
-            cause=cause,
-            read=read,
         )
 
 
@@ -194,10 +187,9 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
 
 @pytest.mark.exercise("P4.2b")
 def test_the_innermost_ring_counts(rng: Random) -> None:
-    read = "the docstring of ring_points"
-    cause = (
-        "the rings are 0.1, 0.25 and 0.5 m for 10, 5 and 2 points, by the distance from the middle"
-    )
+    about.read = "the docstring of ring_points"
+    about.cause = "the rings are 0.1, 0.25 and 0.5 m for 10, 5 and 2 points, by the distance from "
+    about.cause += "the middle"
     turn = rng.uniform(0.1, 1.4)
     for away, points in (
         (0.0, 10),
@@ -210,7 +202,7 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
     ):
         for angle in (turn, turn + math.pi):
             x, y = away * math.cos(angle), away * math.sin(angle)
-            call = f"ring_points({x!r}, {y!r}), {away} m from the middle"
+            about.call = f"ring_points({x!r}, {y!r}), {away} m from the middle"
             got = ring_points(x, y)
             slips = {
                 "the points of all rings that it lies in": sum(
@@ -218,41 +210,47 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
                 ),
                 "the largest ring's points, where the smallest counts": RINGS[-1][1],
             }
-            why = named(got, cause, slips)
-            expect_exactly(call, got, points, cause=why, read=read)
-    cause = "one on the edge of a ring lies in it"
+            why = named(got, about.cause, slips)
+            expect_exactly(got, points, cause=why)
+    about.cause = "one on the edge of a ring lies in it"
     for x, y, points in ((0.1, 0.0, 10), (0.0, -0.25, 5), (-0.5, 0.0, 2), (0.3, 0.4, 2)):
-        call = f"ring_points({x}, {y})"
-        expect_exactly(call, ring_points(x, y), points, cause=cause, read=read)
+        about.call = f"ring_points({x}, {y})"
+        expect_exactly(ring_points(x, y), points)
 
 
-def way_of(
-    start: tuple[float, float, float], end: tuple[float, float, float], cause: str
-) -> tuple[str, Any]:
+@scoped
+def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -> tuple[str, Any]:
     """Return the words and the hole that a way makes, as numbers, or None."""
-    call = f"hit_on_the_way(Vector3{start}, Vector3{end})"
-    read = WAY
+    about(f"hit_on_the_way(Vector3{start}, Vector3{end})", read=WAY)
     first, last = Vector3(*start), Vector3(*end)
     hole = hit_on_the_way(first, last)
     for name, now, before in (("start", first, start), ("end", last, end)):
-        expect_unchanged(call, name, xyz(now), before, read=read)
-    del cause  # what is said where hit_on_the_way raises
+        expect_unchanged(name, xyz(now), before, cause=UNCHANGED)
+    del about.cause  # what is said where hit_on_the_way raises
     if hole is None:
-        return call, None
+        return about.call, None
     target = hole.target
-    return call, (target.x, target.y, target.distance, target.factor, hole.x, hole.y, hole.points)
+    return about.call, (
+        target.x,
+        target.y,
+        target.distance,
+        target.factor,
+        hole.x,
+        hole.y,
+        hole.points,
+    )
 
 
+@scoped
 def expect_hole(
     start: tuple[float, float, float],
     end: tuple[float, float, float],
     wanted: tuple[float, float, float, int],
-    cause: str,
 ) -> None:
-    read = WAY
-    call, got = way_of(start, end, cause)
-    expect_exactly(f"{call}: is there a hole", got is not None, True, cause=cause, read=read)
-    name = f"{call}: target (x, y, distance, factor), then x, y and points of the hole"
+    about.read = WAY
+    about.call, got = way_of(start, end)
+    expect_exactly(got is not None, True, then=": is there a hole")
+    name = f"{about.call}: target (x, y, distance, factor), then x, y and points of the hole"
     distance, *hole = wanted
     x, y, points = hole
     middle, height, _, factor = TARGETS[distance]
@@ -265,34 +263,33 @@ def expect_hole(
             points,
         ),
     }
-    cause = named(got, cause, slips)
+    blame(got, slips)
     # Positions of 200 m, some roundings each.
-    expect_close(name, got, (*TARGETS[distance], *hole), cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, (*TARGETS[distance], *hole), call=name, tolerance=1e-12)
 
 
-def expect_no_hole(
-    start: tuple[float, float, float], end: tuple[float, float, float], cause: str
-) -> None:
-    read = WAY
-    call, got = way_of(start, end, cause)
-    expect_exactly(f"{call}: is there a hole", got is not None, False, cause=cause, read=read)
+@scoped
+def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, float]) -> None:
+    about.read = WAY
+    about.call, got = way_of(start, end)
+    expect_exactly(got is not None, False, then=": is there a hole")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
-    cause = "each target on the way is asked: x and y are seen from its middle, and its rings' "
-    cause += "points are multiplied by its factor"
+    about.cause = "each target on the way is asked: x and y are seen from its middle, and its "
+    about.cause += "rings' points are multiplied by its factor"
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)
             end = (middle + x, height + y, distance + 1.0)
-            expect_hole(start, end, (distance, x, y, 10 * factor), cause)
-    cause = "a way that slants: x and y have come as far as z has, here a quarter of the way"
+            expect_hole(start, end, (distance, x, y, 10 * factor))
+    about.cause = "a way that slants: x and y have come as far as z has, here a quarter of the way"
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
-    expect_hole(start, end, (100.0, 0.0, 0.0, 20), cause)
+    expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
-    expect_hole(start, end, (100.0, 0.0, 0.3, 4), cause)
+    expect_hole(start, end, (100.0, 0.0, 0.3, 4))
 
 
 @pytest.mark.exercise("P4.2b")
@@ -314,15 +311,16 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         ),
         ((-1.5, 1.5, 50.0), (-1.5, 1.5, 52.0), "start.z < distance: that plane was passed before"),
     ):
-        expect_no_hole(start, end, cause)
-    cause = "distance <= end.z: this frame still passes the plane, and the next one does not"
-    expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10), cause)
+        about.cause = cause
+        expect_no_hole(start, end)
+    about.cause = "distance <= end.z: this frame still passes the plane, and the next one does not"
+    expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10))
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_long_way_hits_the_first_target_that_it_meets() -> None:
-    cause = "of two targets on the way the nearer stops the bullet"
-    expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10), cause)
-    cause = "the nearer target is missed, so the next on the way is asked"
-    expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20), cause)
-    expect_hole((2.0, 1.5, 25.0), (2.0, 1.5, 175.0), (150.0, 0.0, 0.0, 30), cause)
+    about.cause = "of two targets on the way the nearer stops the bullet"
+    expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10))
+    about.cause = "the nearer target is missed, so the next on the way is asked"
+    expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20))
+    expect_hole((2.0, 1.5, 25.0), (2.0, 1.5, 175.0), (150.0, 0.0, 0.0, 30))

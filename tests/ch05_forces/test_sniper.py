@@ -13,7 +13,15 @@ from ch05_forces.forces import Drag
 from ch05_forces.probes import play, winds
 from ch05_forces.sniper import SniperRange
 from draw import Components
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, named, xyz
+from expect import (
+    about,
+    blame,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    xyz,
+)
 
 UPDATE = "the docstring of update"
 FRAME = 1.0 / 60.0
@@ -41,75 +49,66 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
 
 @pytest.mark.exercise("P4.2b")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
-    read = UPDATE
-    cause = (
-        "in each frame: a copy of the position, the forces, the step, and then what the way from "
-    )
-    cause += "that copy to the new position has hit"
+    about.read = UPDATE
+    about.cause = "in each frame: a copy of the position, the forces, the step, and then what the "
+    about.cause += "way from that copy to the new position has hit"
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
         azimuth, elevation = math.atan2(x, distance), distance * 0.00007
         level = 120.0 * math.cos(elevation) * math.cos(azimuth)
         y = math.hypot(x, distance) * math.tan(elevation) - fallen(distance / (level * FRAME))
-        call = f"range without drag; range.shoot({azimuth!r}, {elevation!r}); range.update(1/60) "
-        call += "until it has landed"
+        about.call = f"range without drag; range.shoot({azimuth!r}, {elevation!r}); "
+        about.call += "range.update(1/60) until it has landed"
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
-        expect_exactly(f"{call}; how many holes", len(holes), 1, cause=cause, read=read)
+        expect_exactly(len(holes), 1, then="; how many holes")
         frames = math.floor(distance / (level * FRAME))
-        cause = "the target stops the bullet: it has landed then, and range.bullet is None"
-        name = f"{call}; frames in flight before"
-        expect_exactly(name, len(came["positions"]), frames, cause=cause, read=read)
+        about.cause = "the target stops the bullet: it has landed then, and range.bullet is None"
+        name = f"{about.call}; frames in flight before"
+        expect_exactly(len(came["positions"]), frames, call=name)
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
-        name = f"{call}; distance, x, y and points of the hole"
+        name = f"{about.call}; distance, x, y and points of the hole"
         # A hundred roundings of positions up to 150 m.
         wanted = (distance, 0.0, y, points)
-        expect_close(name, holes[0], wanted, cause=cause, read=read, tolerance=1e-10)
-        cause = "its points are added to the score; they hold the target's factor already"
-        expect_exactly(f"{call}; range.score", came["score"], points, cause=cause, read=read)
+        expect_close(holes[0], wanted, call=name, tolerance=1e-10)
+        about.cause = "its points are added to the score; they hold the target's factor already"
+        expect_exactly(came["score"], points, then="; range.score")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_the_wind_carries_the_bullet_away() -> None:
-    call = "range with a wind of 10 m/s along X; range.shoot(0.0, 0.02); range.update(1/60)"
+    about.call = "range with a wind of 10 m/s along X; range.shoot(0.0, 0.02); range.update(1/60)"
     asks = "every frame asks the registry for the forces, once, and then moves the bullet"
-    cause = f"{asks}; past END_OF_RANGE, 210 m along Z, it has landed"
-    read = UPDATE
+    about(cause=f"{asks}; past END_OF_RANGE, 210 m along Z, it has landed", read=UPDATE)
     still = play([(0.0, 0.02)], FRAME, wind=(0.0, 0.0, 0.0), k1=0.05)["positions"]
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
-    name = f"{call}: frames in flight, and in still air"
+    name = f"{about.call}: frames in flight, and in still air"
     frames = (len(blown), len(still))
     # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in frame 109.
-    cause = named(frames, cause, {"a flight without drag": (105, 105)})
-    expect_exactly(name, frames, (109, 109), cause=cause, read=read)
+    blame(frames, {"a flight without drag": (105, 105)})
+    expect_exactly(frames, (109, 109), call=name)
     # x' of the book's step with dv/dt = (w - v) k: in units of w, the velocity is 1 - (1 - k h)^n.
     keep = 1.0 - 0.05 * FRAME
     x = 10.0 * FRAME * (109 - (1.0 - keep**109) / (1.0 - keep))
     wanted = (x, 0.0)
     got = (blown[-1][0], still[-1][0])
-    cause = asks
+    about.cause = asks
     if got[1] != 0.0:
-        cause = "in still air nothing pushes along X: the wind changes when the shot has landed, "
-        cause += "and not before"
-    expect_close(
-        f"{call}: x at the end, and in still air",
-        got,
-        wanted,
-        cause=cause,
-        read=read,
-        tolerance=1e-10,
-    )
+        about.cause = "in still air nothing pushes along X: the wind changes when the shot has "
+        about.cause += "landed, and not before"
+    expect_close(got, wanted, then=": x at the end, and in still air", tolerance=1e-10)
     z = 120.0 * math.cos(0.02) * FRAME * (1.0 - keep**109) / (1.0 - keep)
-    name = f"{call}: z at the end"
-    expect_close(name, blown[-1][2], z, cause="drag slows it down", read=read, tolerance=1e-9)
+    name = f"{about.call}: z at the end"
+    expect_close(blown[-1][2], z, call=name, cause="drag slows it down", tolerance=1e-9)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
-    read = UPDATE
+    about.read = UPDATE
     h = round(rng.uniform(0.1, 0.3), 3)
-    call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); a Drag(0.5, 0.0) of the "
-    call += f"bullet added to range.forces; range.update({h})"
-    cause = "the duration goes to update_forces and to integrate; all forces of the registry act"
+    about.call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); a Drag(0.5, 0.0) "
+    about.call += f"of the bullet added to range.forces; range.update({h})"
+    about.cause = "the duration goes to update_forces and to integrate; all forces of the registry "
+    about.cause += "act"
     at = SniperRange(1)
     at.wind.k1, at.wind.k2, at.wind.velocity = 0.25, 0.0, Vector3(5, 0, 0)
     at.shoot(0.0, 0.1)
@@ -119,143 +118,132 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
     at.update(h)
     wanted = tuple((0.0, 1.5, 0.0)[i] + v[i] * h for i in range(3))
     got = xyz(bullet.position)
-    expect_close(f"{call}; the position", got, wanted, cause=cause, read=read)
+    expect_close(got, wanted, then="; the position")
     gained = (0.25 * 5.0, -2.0, 0.0)
     wanted = tuple(v[i] + (gained[i] - 0.75 * v[i]) * h for i in range(3))
     got = xyz(bullet.velocity)
-    expect_close(f"{call}; the velocity", got, wanted, cause=cause, read=read)
+    expect_close(got, wanted, then="; the velocity")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_what_is_exactly_at_the_edge_flies_on() -> None:
-    read = UPDATE
-    call = "a bullet without forces from (20, 1, 178) with (0, -2, 64) m/s; range.update(0.5): the "
-    call += "bullet is at (20, 0, 210); range.bullet is None"
-    cause = "landed is below the ground, y < 0, and past END_OF_RANGE, z > 210"
+    about("a bullet without forces from (20, 1, 178) with (0, -2, 64) m/s; ", read=UPDATE)
+    about.call += "range.update(0.5): the bullet is at (20, 0, 210); range.bullet is None"
+    about.cause = "landed is below the ground, y < 0, and past END_OF_RANGE, z > 210"
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
-    expect_exactly(call, at.bullet is None, False, cause=cause, read=read)
+    expect_exactly(at.bullet is None, False)
     got = xyz(bullet.position)
-    expect_close(f"{call}; its position", got, (20, 0, 210), cause=cause, read=read)
-    call = "a bullet without forces from (5, 1.5, 190) with (0, 0, 60) m/s; range.update(0.5): it "
-    call += "passes the target at 200 m and ends at 220 m; how many holes"
-    cause = "what is hit on the way is hit, wherever the frame ends"
+    expect_close(got, (20, 0, 210), then="; its position")
+    about.call = "a bullet without forces from (5, 1.5, 190) with (0, 0, 60) m/s; "
+    about.call += "range.update(0.5): it passes the target at 200 m and ends at 220 m; how many "
+    about.call += "holes"
+    about.cause = "what is hit on the way is hit, wherever the frame ends"
     at = SniperRange(1)
     thrown(at, (5.0, 1.5, 190.0), (0.0, 0.0, 60.0))
     at.update(0.5)
-    expect_exactly(call, len(at.holes), 1, cause=cause, read=read)
+    expect_exactly(len(at.holes), 1)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
-    read = UPDATE
+    about.read = UPDATE
     for (azimuth, elevation), cause in (
         ((0.1, -0.1), "below the ground, y < 0, the shot has landed"),
         ((0.15, 0.19), "past END_OF_RANGE, 210 m, the shot has landed"),
     ):
-        call = f"range without drag; range.shoot({azimuth}, {elevation}); range.update(1/60) until "
-        call += "it has landed"
+        about.cause = cause
+        about.call = f"range without drag; range.shoot({azimuth}, {elevation}); range.update(1/60) "
+        about.call += "until it has landed"
         along = 120.0 * math.cos(elevation) * math.cos(azimuth) * FRAME
         rises = 120.0 * math.sin(elevation) * FRAME
         n = 0
         while 1.5 + rises * (n + 1) >= fallen(n + 1) and along * (n + 1) <= 210.0:
             n += 1
         came = play([(azimuth, elevation)], FRAME)
-        name = f"{call}; frames in flight"
-        expect_exactly(name, len(came["positions"]), n, cause=cause, read=read)
-        name = f"{call}; holes, score and shots left"
+        name = f"{about.call}; frames in flight"
+        expect_exactly(len(came["positions"]), n, call=name)
+        name = f"{about.call}; holes, score and shots left"
         got = (len(came["holes"]), came["score"], came["shots_left"])
-        cause = "a miss makes no hole and scores nothing"
-        expect_exactly(name, got, (0, 0, 9), cause=cause, read=read)
+        about.cause = "a miss makes no hole and scores nothing"
+        expect_exactly(got, (0, 0, 9), call=name)
 
 
 @pytest.mark.exercise("P4.2b")
 def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
-    read = UPDATE
+    about.read = UPDATE
     wind = (3.0, 0.0, -4.0)
     ((_, second),) = winds([1], 1)
     drawn = tuple(second)
     for aim, what in (((0.1, -0.1), "misses"), ((math.atan2(-1.5, 50.0), 0.0035), "hits")):
-        call = f"range.wind.velocity = Vector3{wind}; range.shoot{aim}, which {what}; "
-        call += "range.update(1/60)"
-        cause = "during the flight the wind stays as it is"
+        about.call = f"range.wind.velocity = Vector3{wind}; range.shoot{aim}, which {what}; "
+        about.call += "range.update(1/60)"
+        about.cause = "during the flight the wind stays as it is"
         came = play([aim], FRAME, wind=wind)
         blown = [tuple(one) for one in came["winds"]]
         during = [*dict.fromkeys(blown[:-1])]
-        expect_exactly(f"{call}; winds during the flight", during, [wind], cause=cause, read=read)
-        cause = "a shot that has landed, hit or not, changes the wind once: change_wind()"
-        name = f"{call}; the wind afterwards"
-        expect_exactly(name, blown[-1], drawn, cause=cause, read=read)
+        expect_exactly(during, [wind], then="; winds during the flight")
+        about.cause = "a shot that has landed, hit or not, changes the wind once: change_wind()"
+        expect_exactly(blown[-1], drawn, then="; the wind afterwards")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
-    read = UPDATE
-    call = (
-        "range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; range.update(1/60) "
-    )
-    call += "20 times; range.forces.update_forces(0.5); bullet.force_accumulator"
-    cause = "take the bullet and the wind out of the registry: self.forces.remove, or clear"
+    about("range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; ", read=UPDATE)
+    about.call += "range.update(1/60) 20 times; range.forces.update_forces(0.5); "
+    about.call += "bullet.force_accumulator"
+    about.cause = "take the bullet and the wind out of the registry: self.forces.remove, or clear"
     at = SniperRange(1)
     at.shoot(0.1, -0.1)
     bullet: Any = at.bullet
     for _ in range(20):
         at.update(FRAME)
     expect_exactly(
-        "range.bullet is None, after 20 frames",
         at.bullet is None,
         True,
+        call="range.bullet is None, after 20 frames",
         cause="y was below 0 after 8 frames",
-        read=read,
     )
     at.forces.update_forces(0.5)
-    expect_close(call, xyz(bullet.force_accumulator), (0, 0, 0), cause=cause, read=read)
-    cause = "a bullet that has landed does not move any more"
+    expect_close(xyz(bullet.force_accumulator), (0, 0, 0))
+    about.cause = "a bullet that has landed does not move any more"
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
-    expect_unchanged(
-        "range.update(1/60)",
-        "bullet.position",
-        xyz(bullet.position),
-        place,
-        cause=cause,
-        read=read,
-    )
-    cause = "without a bullet nothing happens: the wind of the next shot can be looked at"
+    expect_unchanged("bullet.position", xyz(bullet.position), place, call="range.update(1/60)")
+    about.cause = "without a bullet nothing happens: the wind of the next shot can be looked at"
     got = xyz(at.wind.velocity)
-    expect_unchanged("range.update(1/60)", "the wind", got, wind, cause=cause, read=read)
-    cause = "once the shot has landed the next one may be fired"
-    expect_exactly("range.shoot(0.0, 0.0)", at.shoot(0.0, 0.0), True, cause=cause, read=read)
+    expect_unchanged("the wind", got, wind, call="range.update(1/60)")
+    about.cause = "once the shot has landed the next one may be fired"
+    expect_exactly(at.shoot(0.0, 0.0), True, call="range.shoot(0.0, 0.0)")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_whole_round_is_ten_shots() -> None:
-    read = UPDATE
+    about.read = UPDATE
     near, far = (math.atan2(-1.5, 50.0), 0.0035), (math.atan2(2.0, 150.0), 0.0103)
     miss = (0.1, -0.1)
     aims = [near, miss, far, miss, far, miss] * 2
-    call = (
-        "twelve times range.shoot() and range.update(1/60) until it has landed, every other a hit"
-    )
-    cause = "ten are fired, the other two are refused"
+    about.call = "twelve times range.shoot() and range.update(1/60) until it has landed, every "
+    about.call += "other a hit"
+    about.cause = "ten are fired, the other two are refused"
     came = play(aims, FRAME)
-    expect_exactly(f"{call}; range.shots_left", came["shots_left"], 0, cause=cause, read=read)
+    expect_exactly(came["shots_left"], 0, then="; range.shots_left")
     points = [hole[3] for hole in came["holes"]]
-    cause = "each hit has its hole, in the order of the shots, and the score is their sum"
+    about.cause = "each hit has its hole, in the order of the shots, and the score is their sum"
     wanted = [10, 30, 30, 10, 30]
-    expect_exactly(f"{call}; points of the holes", points, wanted, cause=cause, read=read)
-    expect_exactly(f"{call}; range.score", came["score"], 110, cause=cause, read=read)
+    expect_exactly(points, wanted, then="; points of the holes")
+    expect_exactly(came["score"], 110, then="; range.score")
 
 
 @pytest.mark.exercise("P4.2b")
 @pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: float) -> None:
-    read = UPDATE
-    cause = "positive of arguments.py raises the errors for you, before anything has moved"
+    about.read = UPDATE
+    about.cause = "positive of arguments.py raises the errors for you, before anything has moved"
     error = TypeError if isinstance(duration, str) else ValueError
-    call = f"range.shoot(0.0, 0.1); range.update({duration!r})"
+    about.call = f"range.shoot(0.0, 0.1); range.update({duration!r})"
     flying = SniperRange(1)
     flying.shoot(0.0, 0.1)
     bullet: Any = flying.bullet
@@ -264,16 +252,12 @@ def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: flo
         (flying, f"a bullet is in flight; range.update({duration!r})"),
         (SniperRange(1), f"no bullet is in flight; range.update({duration!r})"),
     ):
+        about.call = call
         expect_error(
-            call,
-            lambda at=at: at.update(duration),
-            error,
-            allowed=lambda: SniperRange(1).update(0.5),
-            cause=cause,
-            read=read,
+            lambda at=at: at.update(duration), error, allowed=lambda: SniperRange(1).update(0.5)
         )
-    call = f"a bullet is in flight; range.update({duration!r})"
+    about.call = f"a bullet is in flight; range.update({duration!r})"
     got = xyz(bullet.position)
-    expect_unchanged(call, "range.bullet.position", got, before, cause=cause, read=read)
+    expect_unchanged("range.bullet.position", got, before)
     got = xyz(bullet.force_accumulator)
-    expect_close(f"{call}; its force_accumulator", got, (0, 0, 0), cause=cause, read=read)
+    expect_close(got, (0, 0, 0), then="; its force_accumulator")

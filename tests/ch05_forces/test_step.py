@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces import probes
 from ch05_forces.particle import Particle
 from draw import Components, components
-from expect import expect_close, expect_error, expect_unchanged, named, xyz
+from expect import UNCHANGED, about, blame, expect_close, expect_error, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 # Numbers up to 100, and a handful of roundings of each.
@@ -41,9 +41,10 @@ def moving(
 def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     v, f, mass, h = components(rng), components(rng), draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, ZERO, mass)
-    call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
-    cause = "v' = v + (f / m) h, the force times the inverse mass is an acceleration (Eq. 3.2)"
-    read = "book 5.1"
+    about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
+    about.cause = "v' = v + (f / m) h, the force times the inverse mass is an acceleration (Eq. "
+    about.cause += "3.2)"
+    about.read = "book 5.1"
     p.add_force(Vector3(*f))
     p.integrate(h)
     wanted = tuple(v[i] + f[i] / mass * h for i in range(3))
@@ -55,18 +56,19 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
         "v + f m h, the mass and not its inverse": [v[i] + f[i] * mass * h for i in range(3)],
         "v + f / m, without the duration": [v[i] + f[i] / mass for i in range(3)],
     }
-    cause = named(got, cause, slips)
-    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "the position moves with the velocity from before the step, as in chapter 3 (E-17)"
-    read = "book 3.3.2, the docstring of kick, errata.md"
+    blame(got, slips)
+    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
+    about.cause = "the position moves with the velocity from before the step, as in chapter 3 "
+    about.cause += "(E-17)"
+    about.read = "book 3.3.2, the docstring of kick, errata.md"
     slips = {
         "v' h, the velocity from after the step": [wanted[i] * h for i in range(3)],
         "v h + a h^2 / 2": [(v[i] + wanted[i]) / 2.0 * h for i in range(3)],
     }
     wanted = tuple(v[i] * h for i in range(3))
     got = xyz(p.position)
-    cause = named(got, cause, slips)
-    expect_close(f"{call}; p.position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    blame(got, slips)
+    expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
@@ -74,9 +76,9 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     v, a, f, g = (components(rng) for _ in range(4))
     mass, h = draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, a, mass)
-    call = f"{words}; p.add_force(Vector3{f}); p.add_force(Vector3{g}); p.integrate({h})"
-    cause = "the acceleration of the step is a + f / m, where f is the sum of all forces"
-    read = "the docstring of kick"
+    about.call = f"{words}; p.add_force(Vector3{f}); p.add_force(Vector3{g}); p.integrate({h})"
+    about.cause = "the acceleration of the step is a + f / m, where f is the sum of all forces"
+    about.read = "the docstring of kick"
     p.add_force(Vector3(*f))
     p.add_force(Vector3(*g))
     p.integrate(h)
@@ -87,12 +89,12 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
         "v + (f / m) h, without the constant acceleration": [v[i] + sums[i] * h for i in range(3)],
         "v + a h, without the forces": [v[i] + a[i] * h for i in range(3)],
     }
-    cause = named(got, cause, slips)
-    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "the constant acceleration stays as it was given, forces last for one step"
+    blame(got, slips)
+    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
+    about.cause = "the constant acceleration stays as it was given, forces last for one step"
     slips = {"a + f / m, which was lent for the step": [a[i] + sums[i] for i in range(3)]}
-    cause = named(xyz(p.acceleration), cause, slips)
-    expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+    blame(xyz(p.acceleration), slips)
+    expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
 
 @pytest.mark.exercise("B5.2")
@@ -100,9 +102,9 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
     v, a, f = (components(rng) for _ in range(3))
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
     words, p = moving(ZERO, v, a, mass, damping)
-    call = f"{words}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    cause = "v' = (v + (a + f / m) h) d^h, the damping comes last"
-    read = "the docstring of kick, E-16 of errata.md"
+    about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
+    about.cause = "v' = (v + (a + f / m) h) d^h, the damping comes last"
+    about.read = "the docstring of kick, E-16 of errata.md"
     p.add_force(Vector3(*f))
     p.integrate(h)
     keep, gained = damping**h, [(a[i] + f[i] / mass) * h for i in range(3)]
@@ -118,8 +120,8 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
         "a step with d in the place of d^h": [(v[i] + gained[i]) * damping for i in range(3)],
     }
     got = xyz(p.velocity)
-    cause = named(got, cause, slips)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    blame(got, slips)
+    expect_close(got, wanted, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
@@ -127,17 +129,15 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
     v, a, f = (components(rng) for _ in range(3))
     mass, h = draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, a, mass)
-    call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
-    cause = "a force acts in one step: integrate clears the sum"
-    read = "book 5.1"
+    about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
+    about(cause="a force acts in one step: integrate clears the sum", read="book 5.1")
     p.add_force(Vector3(*f))
     p.integrate(h)
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
+    expect_close(got, ZERO, then="; p.force_accumulator")
     p.integrate(h)
     wanted = tuple(v[i] + f[i] / mass * h + a[i] * 2 * h for i in range(3))
-    name = f"{call}; p.integrate({h}); p.velocity"
-    expect_close(name, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(xyz(p.velocity), wanted, then=f"; p.integrate({h}); p.velocity", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
@@ -145,25 +145,25 @@ def test_without_forces_the_step_is_chapter_3s(rng: Random) -> None:
     x, v, a = (components(rng) for _ in range(3))
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
     words, p = moving(x, v, a, mass, damping)
-    call = f"{words}; p.integrate({h})"
-    cause = "without a force: p' = p + v h, v' = (v + a h) d^h, whatever the mass"
-    read = "the docstring of kick"
+    about.call = f"{words}; p.integrate({h})"
+    about.cause = "without a force: p' = p + v h, v' = (v + a h) d^h, whatever the mass"
+    about.read = "the docstring of kick"
     p.integrate(h)
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     got = xyz(p.position)
-    expect_close(f"{call}; p.position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
     wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
     got = xyz(p.velocity)
-    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
 def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -> None:
     v, f, mass = components(rng), components(rng), draw_mass(rng)
-    call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; "
-    call += f"p.mass = {mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity"
-    cause = "d^h and 1 / m are those of now: what is kept of an earlier step is out of date"
-    read = "the docstring of kick"
+    about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; p.mass = "
+    about.call += f"{mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity"
+    about.cause = "d^h and 1 / m are those of now: what is kept of an earlier step is out of date"
+    about.read = "the docstring of kick"
     p = Particle(velocity=Vector3(*v))
     p.integrate(0.5)
     p.damping = 0.25
@@ -171,71 +171,74 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
     p.add_force(Vector3(*f))
     p.integrate(0.5)
     wanted = tuple((v[i] + f[i] / mass * 0.5) * 0.5 for i in range(3))
-    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
-    call = f"p = Particle(velocity=Vector3{v}, damping=0.25); p.integrate(0.5) twice; p.velocity"
-    cause = "a frame as long as the last one keeps the same share again, here a half"
+    expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
+    about.call = f"p = Particle(velocity=Vector3{v}, damping=0.25); p.integrate(0.5) twice; "
+    about.call += "p.velocity"
+    about.cause = "a frame as long as the last one keeps the same share again, here a half"
     p = Particle(velocity=Vector3(*v), damping=0.25)
     p.integrate(0.5)
     p.integrate(0.5)
     wanted = tuple(0.25 * part for part in v)
-    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
 def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     v, f = components(rng), components(rng)
-    read = "the docstring of kick"
-    cause = "0^h is 0: a damping of 0 stops the particle, whatever pushes it"
-    call = f"p = Particle(velocity=Vector3{v}, damping=0.0); p.add_force(Vector3{f}); "
-    call += "p.integrate(0.5); p.velocity"
+    about.read = "the docstring of kick"
+    about.cause = "0^h is 0: a damping of 0 stops the particle, whatever pushes it"
+    about.call = f"p = Particle(velocity=Vector3{v}, damping=0.0); p.add_force(Vector3{f}); "
+    about.call += "p.integrate(0.5); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.0)
     p.add_force(Vector3(*f))
     p.integrate(0.5)
-    expect_close(call, xyz(p.velocity), ZERO, cause=cause, read=read)
-    cause = "1 is a number as good as 1.0"
-    call = f"p = Particle(velocity=Vector3{v}, damping=0.5); p.add_force(Vector3{f}); "
-    call += "p.integrate(1); p.velocity"
+    expect_close(xyz(p.velocity), ZERO)
+    about.cause = "1 is a number as good as 1.0"
+    about.call = f"p = Particle(velocity=Vector3{v}, damping=0.5); p.add_force(Vector3{f}); "
+    about.call += "p.integrate(1); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.5)
     p.add_force(Vector3(*f))
     p.integrate(1)
     wanted = tuple((v[i] + f[i]) / 2.0 for i in range(3))
-    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "A damping above 1 makes the particle faster. Take d^h of it as of any other damping."
-    call = f"p = Particle(velocity=Vector3{v}, damping=2.0); p.add_force(Vector3{f}); "
-    call += "p.integrate(2.0); p.velocity"
+    expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
+    about.cause = "A damping above 1 makes the particle faster. Take d^h of it as of any other "
+    about.cause += "damping."
+    about.call = f"p = Particle(velocity=Vector3{v}, damping=2.0); p.add_force(Vector3{f}); "
+    about.call += "p.integrate(2.0); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=2.0)
     p.add_force(Vector3(*f))
     p.integrate(2.0)
     wanted = tuple((v[i] + 2.0 * f[i]) * 4.0 for i in range(3))
-    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=10.0 * ROUNDED)
+    expect_close(xyz(p.velocity), wanted, tolerance=10.0 * ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
 def test_a_push_of_5_seconds_lags_as_explicit_euler_does(rng: Random) -> None:
     f, mass = components(rng), draw_mass(rng)
-    call = f"p = Particle(mass={mass}); 300 times p.add_force(Vector3{f}), p.integrate(1/60)"
-    cause = "a constant force is a constant acceleration: the error of explicit Euler is a t h / 2"
-    read = "book 5.1, 3.3.2"
+    about.call = f"p = Particle(mass={mass}); 300 times p.add_force(Vector3{f}), p.integrate(1/60)"
+    about.cause = "a constant force is a constant acceleration: the error of explicit Euler is a t "
+    about.cause += "h / 2"
+    about.read = "book 5.1, 3.3.2"
     position, velocity = probes.pushed(f, mass, 1.0, 1.0 / 60.0, 300)
     # 300 roundings of numbers up to 1200.
     wanted = tuple(f[i] / mass * (12.5 - 5.0 / 120.0) for i in range(3))
-    expect_close(f"{call}; p.position", position, wanted, cause=cause, read=read, tolerance=1e-10)
+    expect_close(position, wanted, then="; p.position", tolerance=1e-10)
     wanted = tuple(f[i] / mass * 5.0 for i in range(3))
-    expect_close(f"{call}; p.velocity", velocity, wanted, cause=cause, read=read, tolerance=1e-10)
+    expect_close(velocity, wanted, then="; p.velocity", tolerance=1e-10)
 
 
 @pytest.mark.exercise("B5.2")
 def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> None:
     a, f, g, mass = components(rng), components(rng), components(rng), draw_mass(rng)
-    call = f"p = Particle(acceleration=Vector3{a}, mass={mass}, damping=0.5); "
-    call += f"p.add_force(Vector3{f}); p.integrate(0.5)"
-    cause = "a + f / m of the step that was made, undamped"
-    read = "the docstring of last_acceleration"
+    about.call = f"p = Particle(acceleration=Vector3{a}, mass={mass}, damping=0.5); "
+    about.call += f"p.add_force(Vector3{f}); p.integrate(0.5)"
+    about.cause = "a + f / m of the step that was made, undamped"
+    about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=mass, damping=0.5)
     p.add_force(Vector3(*f))
     p.integrate(0.5)
     wanted = tuple(a[i] + f[i] / mass for i in range(3))
-    name = f"{call}; p.last_acceleration"
+    name = f"{about.call}; p.last_acceleration"
     got = xyz(p.last_acceleration)
     slips = {
         "the constant acceleration alone; integrate keeps the forces that it used in "
@@ -244,73 +247,71 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
         "a + f m, the mass and not its inverse": [a[i] + f[i] * mass for i in range(3)],
         "f / m, without the constant acceleration": [f[i] / mass for i in range(3)],
     }
-    cause = named(got, cause, slips)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "forces that wait for the next step are not of the last one"
+    blame(got, slips)
+    expect_close(got, wanted, call=name, tolerance=ROUNDED)
+    about.cause = "forces that wait for the next step are not of the last one"
     p.add_force(Vector3(*g))
-    name = f"{call}; p.add_force(Vector3{g}); p.last_acceleration"
+    name = f"{about.call}; p.add_force(Vector3{g}); p.last_acceleration"
     got = xyz(p.last_acceleration)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "clear_forces drops what waits for the next step, and nothing of the last one"
+    expect_close(got, wanted, call=name, tolerance=ROUNDED)
+    about.cause = "clear_forces drops what waits for the next step, and nothing of the last one"
     p.clear_forces()
-    name = f"{call}; p.clear_forces(); p.last_acceleration"
+    name = f"{about.call}; p.clear_forces(); p.last_acceleration"
     got = xyz(p.last_acceleration)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "a step without forces leaves the constant acceleration alone"
+    expect_close(got, wanted, call=name, tolerance=ROUNDED)
+    about.cause = "a step without forces leaves the constant acceleration alone"
     p.integrate(0.5)
-    name = f"{call}; p.integrate(0.5); p.last_acceleration"
-    expect_close(name, xyz(p.last_acceleration), a, cause=cause, read=read, tolerance=ROUNDED)
+    name = f"{about.call}; p.integrate(0.5); p.last_acceleration"
+    expect_close(xyz(p.last_acceleration), a, call=name, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
 def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Random) -> None:
     a, f = components(rng), components(rng)
-    call = f"p = Particle(acceleration=Vector3{a}); p.add_force(Vector3{f}); p.last_acceleration"
-    cause = "no step has used the force yet"
-    read = "the docstring of last_acceleration"
+    about.call = f"p = Particle(acceleration=Vector3{a}); p.add_force(Vector3{f}); "
+    about.call += "p.last_acceleration"
+    about(cause="no step has used the force yet", read="the docstring of last_acceleration")
     p = Particle(acceleration=Vector3(*a))
     p.add_force(Vector3(*f))
     last = p.last_acceleration
-    expect_close(call, xyz(last), a, cause=cause, read=read)
+    expect_close(xyz(last), a)
     last.x = 99.0
-    cause = "what comes back is new: changing it changes nothing in the particle"
-    expect_unchanged(f"{call}.x = 99.0", "p.acceleration", xyz(p.acceleration), a, read=read)
+    about.cause = "what comes back is new: changing it changes nothing in the particle"
+    expect_unchanged("p.acceleration", xyz(p.acceleration), a, then=".x = 99.0", cause=UNCHANGED)
     p.integrate(0.5)
     last = p.last_acceleration
     last.x = 99.0
     wanted = tuple(a[i] + f[i] for i in range(3))
-    name = f"{call[: call.rindex(';')]}; p.integrate(0.5); p.last_acceleration.x = 99.0"
+    name = f"{about.call[: about.call.rindex(';')]}; p.integrate(0.5); p.last_acceleration.x = 99.0"
     name += "; p.last_acceleration"
     got = xyz(p.last_acceleration)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, call=name, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
 def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     x, v, a, f = (components(rng) for _ in range(4))
     h, mass = draw_frame(rng), draw_mass(rng)
-    call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
-    call += f"p.add_force(Vector3{f}); p.integrate({h})"
-    read = "the docstring of kick"
-    cause = "ask for the inverse mass before anything moves"
+    about.call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
+    about.call += f"p.add_force(Vector3{f}); p.integrate({h})"
+    about(cause="ask for the inverse mass before anything moves", read="the docstring of kick")
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf)
     p.add_force(Vector3(*f))
     p.integrate(h)
-    expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
-    cause = "its forces are cleared all the same, or they would add up until it is set free"
+    expect_unchanged("p.position", xyz(p.position), x)
+    expect_unchanged("p.velocity", xyz(p.velocity), v)
+    about.cause = "its forces are cleared all the same, or they would add up until it is set free"
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
-    cause = "its forces do nothing: what is left is the constant acceleration"
-    name = f"{call}; p.last_acceleration"
-    expect_close(name, xyz(p.last_acceleration), a, cause=cause, read=read)
+    expect_close(got, ZERO, then="; p.force_accumulator")
+    about.cause = "its forces do nothing: what is left is the constant acceleration"
+    expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration")
     p.mass = mass
     p.add_force(Vector3(*f))
     p.integrate(h)
-    call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    cause = "now it has a finite mass, and only the new force acts"
+    about.call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
+    about.cause = "now it has a finite mass, and only the new force acts"
     wanted = tuple(v[i] + (a[i] + f[i] / mass) * h for i in range(3))
-    expect_close(call, xyz(p.velocity), wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
@@ -318,91 +319,79 @@ def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     x, v, a, f = (components(rng) for _ in range(4))
     mass, h = draw_mass(rng), draw_frame(rng)
     words, p = moving(x, v, a, mass)
-    call = f"{words}; p.add_force(Vector3{f}); p.drift({h} / 2)"
-    read = "the docstring of kick"
+    about(f"{words}; p.add_force(Vector3{f}); p.drift({h} / 2)", read="the docstring of kick")
     p.add_force(Vector3(*f))
     p.drift(h / 2.0)
-    cause = "A drift moves the position only. The forces wait for the kick."
-    expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+    about.cause = "A drift moves the position only. The forces wait for the kick."
+    expect_unchanged("p.velocity", xyz(p.velocity), v)
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, f, cause=cause, read=read)
-    call += f"; p.kick({h})"
+    expect_close(got, f, then="; p.force_accumulator")
+    about.call += f"; p.kick({h})"
     before = xyz(p.position)
     p.kick(h)
-    cause = "A kick changes the velocity only: v' = (v + (a + f / m) h) d^h."
-    expect_unchanged(call, "p.position", xyz(p.position), before, cause=cause, read=read)
+    about.cause = "A kick changes the velocity only: v' = (v + (a + f / m) h) d^h."
+    expect_unchanged("p.position", xyz(p.position), before)
     total = [a[i] + f[i] / mass for i in range(3)]
     wanted = tuple(v[i] + total[i] * h for i in range(3))
     got = xyz(p.velocity)
-    expect_close(f"{call}; p.velocity", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "The kick has used the forces, so it clears their sum."
+    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
+    about.cause = "The kick has used the forces, so it clears their sum."
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; p.force_accumulator", got, ZERO, cause=cause, read=read)
-    cause = "last_acceleration is what the kick used, until the next kick."
-    call += f"; p.drift({h} / 2)"
+    expect_close(got, ZERO, then="; p.force_accumulator")
+    about.cause = "last_acceleration is what the kick used, until the next kick."
+    about.call += f"; p.drift({h} / 2)"
     p.drift(h / 2.0)
-    name = f"{call}; p.last_acceleration"
+    name = f"{about.call}; p.last_acceleration"
     got = xyz(p.last_acceleration)
-    expect_close(name, got, total, cause=cause, read=read, tolerance=ROUNDED)
-    cause = "Half a drift, a kick and half a drift are exact under a constant force."
+    expect_close(got, total, call=name, tolerance=ROUNDED)
+    about.cause = "Half a drift, a kick and half a drift are exact under a constant force."
     wanted = tuple(x[i] + v[i] * h + total[i] * h * h / 2.0 for i in range(3))
     got = xyz(p.position)
-    expect_close(f"{call}; p.position", got, wanted, cause=cause, read=read, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.2")
 @pytest.mark.robust
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_refused_step_keeps_the_forces(duration: float) -> None:
-    read = "the docstring of kick"
+    about.read = "the docstring of kick"
     error = TypeError if isinstance(duration, str) else ValueError
     x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
     for mass in (2.0, math.inf):
         words, p = moving(x, v, a, mass)
-        cause = "refuse it: no time passes in it, or time runs back"
-        call = f"{words}; p.add_force(Vector3{f}); p.integrate({duration!r})"
+        about.cause = "refuse it: no time passes in it, or time runs back"
+        about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({duration!r})"
         p.add_force(Vector3(*f))
         expect_error(
-            call,
-            lambda p=p: p.integrate(duration),
-            error,
-            allowed=lambda: Particle().integrate(0.5),
-            cause=cause,
-            read=read,
+            lambda p=p: p.integrate(duration), error, allowed=lambda: Particle().integrate(0.5)
         )
-        cause = "refuse the duration before anything is changed"
-        expect_unchanged(call, "p.position", xyz(p.position), x, cause=cause, read=read)
-        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
-        expect_unchanged(call, "p.acceleration", xyz(p.acceleration), a, cause=cause, read=read)
+        about.cause = "refuse the duration before anything is changed"
+        expect_unchanged("p.position", xyz(p.position), x)
+        expect_unchanged("p.velocity", xyz(p.velocity), v)
+        expect_unchanged("p.acceleration", xyz(p.acceleration), a)
         got = xyz(p.force_accumulator)
-        expect_close(f"{call}; p.force_accumulator", got, f, cause=cause, read=read)
+        expect_close(got, f, then="; p.force_accumulator")
         got = xyz(p.last_acceleration)
-        expect_close(f"{call}; p.last_acceleration", got, a, cause=cause, read=read)
+        expect_close(got, a, then="; p.last_acceleration")
 
 
 @pytest.mark.exercise("B5.2")
 @pytest.mark.robust
 @pytest.mark.parametrize("duration", [math.inf, -math.inf, math.nan, "0.5"])
 def test_a_refused_kick_keeps_the_forces(duration: float) -> None:
-    read = "the docstring of kick"
+    about.read = "the docstring of kick"
     error = TypeError if isinstance(duration, str) else ValueError
     x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
     for mass in (2.0, math.inf):
         words, p = moving(x, v, a, mass)
-        cause = "finite of arguments.py refuses it. Negative durations and 0 are allowed here."
-        call = f"{words}; p.add_force(Vector3{f}); p.kick({duration!r})"
+        about.cause = "finite of arguments.py refuses it. Negative durations and 0 are allowed "
+        about.cause += "here."
+        about.call = f"{words}; p.add_force(Vector3{f}); p.kick({duration!r})"
         p.add_force(Vector3(*f))
-        expect_error(
-            call,
-            lambda p=p: p.kick(duration),
-            error,
-            allowed=lambda: Particle().kick(-0.5),
-            cause=cause,
-            read=read,
-        )
-        cause = "Refuse the duration before anything is changed."
-        expect_unchanged(call, "p.velocity", xyz(p.velocity), v, cause=cause, read=read)
+        expect_error(lambda p=p: p.kick(duration), error, allowed=lambda: Particle().kick(-0.5))
+        about.cause = "Refuse the duration before anything is changed."
+        expect_unchanged("p.velocity", xyz(p.velocity), v)
         got = xyz(p.force_accumulator)
-        expect_close(f"{call}; p.force_accumulator", got, f, cause=cause, read=read)
+        expect_close(got, f, then="; p.force_accumulator")
         got = xyz(p.last_acceleration)
-        expect_close(f"{call}; p.last_acceleration", got, a, cause=cause, read=read)
+        expect_close(got, a, then="; p.last_acceleration")

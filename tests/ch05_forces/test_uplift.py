@@ -11,30 +11,29 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.forces import Uplift
 from ch05_forces.particle import Particle
 from draw import components
-from expect import expect_close, expect_unchanged, named, xyz
+from expect import about, expect_close, expect_unchanged, named, scoped, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5, exercise 5.1; the docstring of Uplift"
 
 
-def lifted(
-    origin: tuple, radius: float, force: tuple, place: tuple, cause: str, read: str
-) -> tuple[str, object]:
+@scoped
+def lifted(origin: tuple, radius: float, force: tuple, place: tuple) -> tuple[str, object]:
     """Ask a column for its force on a particle at a place; return the words and the force."""
-    call = f"p = Particle(Vector3{place}, Vector3(9, 9, 9), mass=4.0); "
-    call += f"Uplift(Vector3{origin}, {radius}, Vector3{force}).update_force(p, 0.5)"
+    about.call = f"p = Particle(Vector3{place}, Vector3(9, 9, 9), mass=4.0); "
+    about.call += f"Uplift(Vector3{origin}, {radius}, Vector3{force}).update_force(p, 0.5)"
     p = Particle(Vector3(*place), Vector3(9, 9, 9), mass=4.0)
     Uplift(Vector3(*origin), radius, Vector3(*force)).update_force(p, 0.5)
-    del cause, read  # what is said where update_force raises
-    return f"{call}; p.force_accumulator", xyz(p.force_accumulator)
+    del about.cause, about.read  # what is said where update_force raises
+    return f"{about.call}; p.force_accumulator", xyz(p.force_accumulator)
 
 
 @pytest.mark.exercise("5.1")
 def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -> None:
-    read = READ
+    about.read = READ
     origin, force, radius = components(rng), components(rng), round(rng.uniform(2.0, 5.0), 3)
-    cause = "in the column is where the distance in X and Z, sqrt(dx^2 + dz^2), is at most the "
-    cause += "radius; the force is that of the generator, as it is"
+    about.cause = "in the column is where the distance in X and Z, sqrt(dx^2 + dz^2), is at most "
+    about.cause += "the radius; the force is that of the generator, as it is"
     # 0.6 and 0.8: the distance is the radius times the share.
     ways = [
         (dx * share * radius, dz * share * radius)
@@ -42,7 +41,7 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
         for dx, dz in ((0.6, 0.8), (-0.8, 0.6), (0.0, -1.0), (-1.0, 0.0))
     ]
     came = [
-        lifted(origin, radius, force, (origin[0] + dx, origin[1], origin[2] + dz), cause, read)
+        lifted(origin, radius, force, (origin[0] + dx, origin[1], origin[2] + dz))
         for dx, dz in ways
     ]
     inside = [math.hypot(dx, dz) <= radius for dx, dz in ways]
@@ -64,8 +63,12 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     }
     acted = [got != ZERO for _, got in came]
     if acted != inside:
-        cause = next((f"this is {rule}: {cause}" for rule in rules if rules[rule] == acted), cause)
+        about.cause = next(
+            (f"this is {rule}: {about.cause}" for rule in rules if rules[rule] == acted),
+            about.cause,
+        )
     for (call, got), acts in zip(came, inside, strict=True):
+        about.call = call
         x, y, z = force
         slips = {
             "the force times the mass of 4 kg": (4.0 * x, 4.0 * y, 4.0 * z),
@@ -75,66 +78,67 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
                 0.0,
             ),
         }
-        why = named(got, cause, slips) if acts else cause
-        expect_close(call, got, force if acts else ZERO, cause=why, read=read)
+        why = named(got, about.cause, slips) if acts else about.cause
+        expect_close(got, force if acts else ZERO, cause=why)
 
 
 @pytest.mark.exercise("5.1")
 def test_the_column_has_no_end_upwards_or_downwards(rng: Random) -> None:
-    read = READ
+    about.read = READ
     origin, force = components(rng), components(rng)
-    cause = "only X and Z count: the height of the particle and that of the origin do not matter"
+    about.cause = "only X and Z count: the height of the particle and that of the origin do not "
+    about.cause += "matter"
     for height in (-500.0, 0.0, 500.0):
         place = (origin[0] + 1.0, height, origin[2] - 1.0)
-        call, got = lifted(origin, 2.0, force, place, cause, read)
-        expect_close(call, got, force, cause=cause, read=read)
+        about.call, got = lifted(origin, 2.0, force, place)
+        expect_close(got, force)
         place = (origin[0] + 1.0, height, origin[2] - 2.0)
-        call, got = lifted(origin, 2.0, force, place, cause, read)
-        expect_close(call, got, ZERO, cause=cause, read=read)
+        about.call, got = lifted(origin, 2.0, force, place)
+        expect_close(got, ZERO)
 
 
 @pytest.mark.exercise("5.1")
 def test_the_edge_belongs_to_the_column(rng: Random) -> None:
-    read = READ
+    about.read = READ
     force = components(rng)
-    cause = "at exactly the radius the particle is still in the column: at most, and not below"
+    about.cause = "at exactly the radius the particle is still in the column: at most, and not "
+    about.cause += "below"
     for place in ((4.0, 7.0, 6.0), (1.0, 7.0, -3.0), (-4.0, 7.0, 2.0)):  # 3, 4, 5 and along an axis
-        call, got = lifted((1.0, 0.0, 2.0), 5.0, force, place, cause, read)
-        expect_close(call, got, force, cause=cause, read=read)
-    cause = "a column with a radius of 0 is its middle alone"
-    call, got = lifted((1.0, 0.0, 2.0), 0.0, force, (1.0, 7.0, 2.0), cause, read)
-    expect_close(call, got, force, cause=cause, read=read)
+        about.call, got = lifted((1.0, 0.0, 2.0), 5.0, force, place)
+        expect_close(got, force)
+    about.cause = "a column with a radius of 0 is its middle alone"
+    about.call, got = lifted((1.0, 0.0, 2.0), 0.0, force, (1.0, 7.0, 2.0))
+    expect_close(got, force)
 
 
 @pytest.mark.exercise("5.1")
 def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
-    read = READ
+    about.read = READ
     first, force, moved = components(rng), components(rng), components(rng)
-    call = f"p = Particle(Vector3(1, 2, 1)); p.add_force(Vector3{first}); "
-    call += f"uplift = Uplift(Vector3(0, 1, 0), 3.0, Vector3{force}); uplift.update_force(p, 0.5)"
-    cause = "add_force adds; what is there already stays"
+    about.call = f"p = Particle(Vector3(1, 2, 1)); p.add_force(Vector3{first}); uplift = "
+    about.call += f"Uplift(Vector3(0, 1, 0), 3.0, Vector3{force}); uplift.update_force(p, 0.5)"
+    about.cause = "add_force adds; what is there already stays"
     p, uplift = Particle(Vector3(1, 2, 1)), Uplift(Vector3(0, 1, 0), 3.0, Vector3(*force))
     p.add_force(Vector3(*first))
     uplift.update_force(p, 0.5)
     wanted = tuple(first[i] + force[i] for i in range(3))
     got = xyz(p.force_accumulator)
     # One rounding of numbers up to 20.
-    expect_close(
-        f"{call}; p.force_accumulator", got, wanted, cause=cause, read=read, tolerance=1e-13
-    )
-    cause = "the force, the position and the origin are only read"
-    expect_unchanged(call, "uplift.force", xyz(uplift.force), force, cause=cause, read=read)
-    expect_unchanged(call, "uplift.origin", xyz(uplift.origin), (0, 1, 0), cause=cause, read=read)
-    expect_unchanged(call, "p.position", xyz(p.position), (1, 2, 1), cause=cause, read=read)
-    call = "uplift.origin = Vector3(9, 0, 9); p.clear_forces(); uplift.update_force(p, 0.5); "
-    call += f"then uplift.radius = 20.0, uplift.force = Vector3{moved}, and again"
-    cause = "the column has moved away: read self.origin, self.radius and self.force each time"
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-13)
+    about.cause = "the force, the position and the origin are only read"
+    expect_unchanged("uplift.force", xyz(uplift.force), force)
+    expect_unchanged("uplift.origin", xyz(uplift.origin), (0, 1, 0))
+    expect_unchanged("p.position", xyz(p.position), (1, 2, 1))
+    about.call = "uplift.origin = Vector3(9, 0, 9); p.clear_forces(); uplift.update_force(p, 0.5); "
+    about.call += f"then uplift.radius = 20.0, uplift.force = Vector3{moved}, and again"
+    about.cause = "the column has moved away: read self.origin, self.radius and self.force each "
+    about.cause += "time"
     uplift.origin = Vector3(9, 0, 9)
     p.clear_forces()
     uplift.update_force(p, 0.5)
-    expect_close(f"{call}; the first force", xyz(p.force_accumulator), ZERO, cause=cause, read=read)
+    expect_close(xyz(p.force_accumulator), ZERO, then="; the first force")
     uplift.radius, uplift.force = 20.0, Vector3(*moved)
     uplift.update_force(p, 0.5)
-    cause = "read self.radius and self.force each time"
+    about.cause = "read self.radius and self.force each time"
     got = xyz(p.force_accumulator)
-    expect_close(f"{call}; the second force", got, moved, cause=cause, read=read)
+    expect_close(got, moved, then="; the second force")

@@ -11,13 +11,14 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.springs import AnchoredBungee, Bungee
 from draw import Components, components, direction, positive_number
-from expect import expect_close, expect_unchanged, named, xyz
+from expect import UNCHANGED, about, blame, expect_close, expect_unchanged, scoped, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 BOTH = ("Bungee", "AnchoredBungee")
 STILL = (0.0, 0.0, 0.0)
 
 
+@scoped
 def rope(
     kind: str,
     base: Components,
@@ -37,21 +38,21 @@ def rope(
     else:
         bungee = AnchoredBungee(Vector3(*base), k, rest, c)
         end = f"AnchoredBungee(Vector3{base}"
-    call = f"p at {place}, velocity {velocity} seen from the other end; "
-    call += f"{end}, {k}, {rest}, {c}).update_force(p, 0.5); p.force_accumulator"
-    return call, bungee, p
+    about.call = f"p at {place}, velocity {velocity} seen from the other end; {end}, {k}, {rest}, "
+    about.call += f"{c}).update_force(p, 0.5); p.force_accumulator"
+    return about.call, bungee, p
 
 
 @pytest.mark.exercise("B6.2")
 def test_a_stretched_rope_pulls(rng: Random) -> None:
-    read = "book 6.2.3 and the docstring of Bungee"
+    about.read = "book 6.2.3 and the docstring of Bungee"
     for kind in BOTH:
         base, d = components(rng), direction(rng)
         k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
         for extension in (positive_number(rng, 0.3, 3.0), 1e-4):
             offset = tuple((rest + extension) * part for part in d)
-            call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
-            cause = "a stretched rope pulls towards its other end: -k (l - l0) d^"
+            about.call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
+            about.cause = "a stretched rope pulls towards its other end: -k (l - l0) d^"
             before = xyz(p.position), xyz(p.velocity)
             bungee.update_force(p, 0.5)
             got = xyz(p.force_accumulator)
@@ -66,16 +67,16 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                     part * (rest + extension) for part in wanted
                 ],
             }
-            cause = named(got, cause, slips)
+            blame(got, slips)
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
-            expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
-            expect_unchanged(call, "p.position", xyz(p.position), before[0], read=read)
-            expect_unchanged(call, "p.velocity", xyz(p.velocity), before[1], read=read)
+            expect_close(got, wanted, tolerance=1e-12)
+            expect_unchanged("p.position", xyz(p.position), before[0], cause=UNCHANGED)
+            expect_unchanged("p.velocity", xyz(p.velocity), before[1], cause=UNCHANGED)
 
 
 @pytest.mark.exercise("B6.2")
 def test_a_slack_rope_does_nothing(rng: Random) -> None:
-    read = "book 6.2.3 and the docstring of Bungee"
+    about.read = "book 6.2.3 and the docstring of Bungee"
     for kind in BOTH:
         base, d = components(rng), direction(rng)
         k, rest = positive_number(rng), positive_number(rng, 2.0, 4.0)
@@ -85,28 +86,29 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
             (0.9, 5.0, "a slack rope has no damping either, however fast its ends part"),
             (0.0, 5.0, "ends at one place: slack, and without a direction"),
         ):
+            about.cause = cause
             offset = tuple(share * rest * part for part in d)
             velocity = (speed * d[0], speed * d[1], speed * d[2])
-            call, bungee, p = rope(kind, base, offset, velocity, (k, rest, c))
+            about.call, bungee, p = rope(kind, base, offset, velocity, (k, rest, c))
             bungee.update_force(p, 0.5)
             got = xyz(p.force_accumulator)
-            expect_close(call, got, ZERO, cause=cause, read=read)
-        call, bungee, p = rope(kind, STILL, (2.0, 0.0, 0.0), (5.0, 0.0, 0.0), (3.0, 2.0, 3.0))
-        cause = "at its rest length a rope is slack still, and has no damping"
+            expect_close(got, ZERO)
+        about.call, bungee, p = rope(kind, STILL, (2.0, 0.0, 0.0), (5.0, 0.0, 0.0), (3.0, 2.0, 3.0))
+        about.cause = "at its rest length a rope is slack still, and has no damping"
         bungee.update_force(p, 0.5)
-        expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
-        cause = "beyond its rest length a rope pulls again"
+        expect_close(xyz(p.force_accumulator), ZERO)
+        about.cause = "beyond its rest length a rope pulls again"
         offset = tuple(2.0 * rest * part for part in d)
-        call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
+        about.call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
         bungee.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         wanted = tuple(-k * rest * part for part in d)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+        expect_close(got, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B6.2")
 def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
-    read = "the docstring of Bungee.update_force"
+    about.read = "the docstring of Bungee.update_force"
     for kind in BOTH:
         base, d = components(rng), direction(rng)
         k, rest, c = positive_number(rng), positive_number(rng, 1.0, 4.0), positive_number(rng)
@@ -119,9 +121,10 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             (2.0, "where damping is more than the pull, the rope does nothing: it never pushes"),
             (1.001, "a rope does not push a little either, where damping is just above the pull"),
         ):
+            about.cause = cause
             speed = -share * still
             velocity = (speed * d[0], speed * d[1], speed * d[2])
-            call, bungee, p = rope(kind, base, offset, velocity, (k, rest, c))
+            about.call, bungee, p = rope(kind, base, offset, velocity, (k, rest, c))
             bungee.update_force(p, 0.5)
             got = xyz(p.force_accumulator)
             left = max(k * extension * (1.0 - share), 0.0)
@@ -134,46 +137,41 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
                     -(k * extension + c * own) * part for part in d
                 ],
             }
-            cause = named(got, cause, slips)
-            expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+            blame(got, slips)
+            expect_close(got, wanted, tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.2")
 def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
-    read = "the docstring of Bungee"
+    about.read = "the docstring of Bungee"
     f = components(rng)
-    cause = "add the pull to the forces that are there, and leave the other end alone"
-    call = f"p at (0, -3, 0); q at (0, 0, 0); p.add_force(Vector3{f}); "
-    call += "Bungee(q, 2.0, 1.0).update_force(p, 0.5)"
+    about.cause = "add the pull to the forces that are there, and leave the other end alone"
+    about.call = f"p at (0, -3, 0); q at (0, 0, 0); p.add_force(Vector3{f}); Bungee(q, 2.0, "
+    about.call += "1.0).update_force(p, 0.5)"
     p, q = Particle(Vector3(0.0, -3.0, 0.0)), Particle(mass=math.inf)
     p.add_force(Vector3(*f))
     Bungee(q, 2.0, 1.0).update_force(p, 0.5)
     wanted = (f[0], f[1] + 4.0, f[2])
-    name = f"{call}; p.force_accumulator"
-    expect_close(name, xyz(p.force_accumulator), wanted, cause=cause, read=read)
-    name = f"{call}; q.force_accumulator"
-    expect_close(name, xyz(q.force_accumulator), ZERO, cause=cause, read=read)
-    read = "the docstring of AnchoredBungee"
+    expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator")
+    expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
+    about.read = "the docstring of AnchoredBungee"
     for kind in BOTH:
-        call, bungee, p = rope(kind, STILL, (0.0, -3.0, 0.0), STILL, (2.0, 1.0, 0.0))
-        call = (
-            f"p at (0, -3, 0); p.add_force(Vector3{f}); b = {kind}(..., 2.0, 1.0), its other end "
-        )
-        call += "at (0, 0, 0); b.update_force(p, 0.5)"
-        cause = "add the pull to the forces that are there"
+        about.call, bungee, p = rope(kind, STILL, (0.0, -3.0, 0.0), STILL, (2.0, 1.0, 0.0))
+        about.call = f"p at (0, -3, 0); p.add_force(Vector3{f}); b = {kind}(..., 2.0, 1.0), its "
+        about.call += "other end at (0, 0, 0); b.update_force(p, 0.5)"
+        about.cause = "add the pull to the forces that are there"
         p.add_force(Vector3(*f))
         bungee.update_force(p, 0.5)
         wanted = (f[0], f[1] + 4.0, f[2])
         got = xyz(p.force_accumulator)
-        name = f"{call}; p.force_accumulator"
-        expect_close(name, got, wanted, cause=cause, read=read)
-        call += "; p.clear_forces(); b.stiffness, b.rest_length, b.damping = 3, 2, 0.5; p has "
-        call += "(0, -1, 0) more velocity; b.update_force(p, 0.5)"
-        cause = "read the attributes each time: 3 (3 - 2) + 0.5 * 1"
+        expect_close(got, wanted, then="; p.force_accumulator")
+        about.call += "; p.clear_forces(); b.stiffness, b.rest_length, b.damping = 3, 2, 0.5; p "
+        about.call += "has "
+        about.call += "(0, -1, 0) more velocity; b.update_force(p, 0.5)"
+        about.cause = "read the attributes each time: 3 (3 - 2) + 0.5 * 1"
         p.clear_forces()
         p.velocity = p.velocity + Vector3(0.0, -1.0, 0.0)
         bungee.stiffness, bungee.rest_length, bungee.damping = 3.0, 2.0, 0.5
         bungee.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        name = f"{call}; p.force_accumulator"
-        expect_close(name, got, (0.0, 3.5, 0.0), cause=cause, read=read)
+        expect_close(got, (0.0, 3.5, 0.0), then="; p.force_accumulator")

@@ -11,27 +11,28 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import bobbing
 from ch06_springs.springs import Buoyancy
 from draw import components, number, positive_number
-from expect import expect_close, expect_unchanged, named, xyz
+from expect import UNCHANGED, about, blame, expect_close, expect_unchanged, xyz
 
 READ = "book 6.2.4 and the docstring of Buoyancy"
 
 
 @pytest.mark.exercise("B6.4")
 def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
-    read = READ
+    about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
     density, g = positive_number(rng, 800.0, 1250.0), positive_number(rng, 5.0, 20.0)
     full = density * volume * g
-    cause = "share rho V g upwards, where the share is (y_w + s - y) / (2 s), brackets and all"
+    about.cause = "share rho V g upwards, where the share is (y_w + s - y) / (2 s), brackets and "
+    about.cause += "all"
     came = {}
     for share in (0.25, 0.75, 0.5, 0.01):
         y = surface + s - 2.0 * s * share
-        call = f"p at (3, {y}, 5); Buoyancy({s}, {volume}, {surface}, {density}, {g})"
-        call += ".update_force(p, 0.5); p.force_accumulator"
+        about.call = f"p at (3, {y}, 5); Buoyancy({s}, {volume}, {surface}, {density}, "
+        about.call += f"{g}).update_force(p, 0.5); p.force_accumulator"
         p = Particle(Vector3(3.0, y, 5.0), Vector3(2.0, 3.0, 4.0), mass=3.0)
         Buoyancy(s, volume, surface, density, g).update_force(p, 0.5)
-        came[share] = call, xyz(p.force_accumulator)
-        expect_unchanged(call, "p.position", xyz(p.position), (3.0, y, 5.0), read=read)
+        came[share] = about.call, xyz(p.force_accumulator)
+        expect_unchanged("p.position", xyz(p.position), (3.0, y, 5.0), cause=UNCHANGED)
     unit, pushed = full / g, s * s  # what / 2 * s makes of a share
     pairs = {  # the lifts at the first two shares
         "no lift, as with the printed signs, (y - y_w - s), where the share is negative and is cut "
@@ -58,16 +59,17 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
         "all of the lift or none of it": (0.0, full),
     }
     lifts = [got[1] if isinstance(got, tuple) else got for _, got in came.values()][:2]
-    cause = named(lifts, cause, pairs)
+    blame(lifts, pairs)
     for share, (call, got) in came.items():
+        about.call = call
         # The depth is the difference of numbers up to 28: some 1e-14 of it is rounding.
         wanted = (0.0, share * full, 0.0)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12 * full)
+        expect_close(got, wanted, tolerance=1e-12 * full)
 
 
 @pytest.mark.exercise("B6.4")
 def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -> None:
-    read = READ
+    about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
     for y, share, cause in (
         (surface + 1.5 * s, 0.0, "above the water there is no lift, and no pull downwards"),
@@ -75,59 +77,59 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         (surface - 1.5 * s, 1.0, "deep under water the lift is that of the whole body, no more"),
         (surface - 50.0, 1.0, "however deep, the lift is that of the whole body"),
     ):
-        call = f"p at (0, {y}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"
+        about.cause = cause
+        about.call = f"p at (0, {y}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"
         p = Particle(Vector3(0.0, y, 0.0))
         Buoyancy(s, volume, surface).update_force(p, 0.5)
         wanted = (0.0, share * 1000.0 * volume * 9.81, 0.0)
-        name = f"{call}; p.force_accumulator"
-        expect_close(name, xyz(p.force_accumulator), wanted, cause=cause, read=read)
-    call = f"p at (0, {surface}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"
-    cause = "half under water, half of the lift"
+        name = f"{about.call}; p.force_accumulator"
+        expect_close(xyz(p.force_accumulator), wanted, call=name)
+    about.call = f"p at (0, {surface}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"
+    about.cause = "half under water, half of the lift"
     p = Particle(Vector3(0.0, surface, 0.0))
     Buoyancy(s, volume, surface).update_force(p, 0.5)
     wanted = (0.0, 0.5 * 1000.0 * volume * 9.81, 0.0)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11 * wanted[1])
+    expect_close(got, wanted, call=name, tolerance=1e-11 * wanted[1])
 
 
 @pytest.mark.exercise("B6.4")
 def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
-    read = READ
-    call = "p at (0, 0, 0); Buoyancy(0.5, 0.001, 0, gravity=10).update_force(p, 0.5)"
-    cause = "half of a litre of water weighs 5 N where g is 10: rho V g; the listing has no g (E-5)"
+    about("p at (0, 0, 0); Buoyancy(0.5, 0.001, 0, gravity=10).update_force(p, 0.5)", read=READ)
+    about.cause = "half of a litre of water weighs 5 N where g is 10: rho V g; the listing has no "
+    about.cause += "g (E-5)"
     p = Particle()
     Buoyancy(0.5, 0.001, 0.0, gravity=10.0).update_force(p, 0.5)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(name, got, (0.0, 5.0, 0.0), cause=cause, read=read)
+    expect_close(got, (0.0, 5.0, 0.0), call=name)
 
 
 @pytest.mark.exercise("B6.4")
 def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> None:
-    read = READ
+    about.read = READ
     f = components(rng)
-    call = f"p at (0, 0, 0); p.add_force(Vector3{f}); b = Buoyancy(1, 2, 0, 1000, 10); "
-    call += "b.water_height = 9; b.volume = 3; b.liquid_density = 500; b.gravity = 2; "
-    call += "b.max_depth = 18; b.update_force(p, 0.5); p.force_accumulator"
-    cause = "read the attributes each time, and add to the forces that are there"
+    about.call = f"p at (0, 0, 0); p.add_force(Vector3{f}); b = Buoyancy(1, 2, 0, 1000, 10); "
+    about.call += "b.water_height = 9; b.volume = 3; b.liquid_density = 500; b.gravity = 2; "
+    about.call += "b.max_depth = 18; b.update_force(p, 0.5); p.force_accumulator"
+    about.cause = "read the attributes each time, and add to the forces that are there"
     p, b = Particle(mass=4.0), Buoyancy(1.0, 2.0, 0.0, 1000.0, 10.0)
     p.add_force(Vector3(*f))
     b.water_height, b.volume, b.liquid_density, b.gravity, b.max_depth = 9.0, 3.0, 500.0, 2.0, 18.0
     b.update_force(p, 0.5)
     wanted = (f[0], f[1] + 0.75 * 3000.0, f[2])
     got = xyz(p.force_accumulator)
-    expect_close(call, got, wanted, cause=cause, read=read)
+    expect_close(got, wanted)
 
 
 @pytest.mark.exercise("B6.4")
 def test_a_floating_body_bobs_with_its_period() -> None:
-    read = READ
-    call = "p of 0.5 kg, g = 10, Buoyancy(0.05, 0.001, 0, gravity=10), pushed 1 cm down; frames of "
-    call += "1/4000 s of update_force(p, h), p.integrate(h): the period"
-    cause = (
-        "the lift is a spring of stiffness rho V g / (2 s): w^2 = rho V g / (2 s m), 0.44428829 s"
-    )
+    about.read = READ
+    about.call = "p of 0.5 kg, g = 10, Buoyancy(0.05, 0.001, 0, gravity=10), pushed 1 cm down; "
+    about.call += "frames of 1/4000 s of update_force(p, h), p.integrate(h): the period"
+    about.cause = "the lift is a spring of stiffness rho V g / (2 s): w^2 = rho V g / (2 s m), "
+    about.cause += "0.44428829 s"
     period = bobbing(0.05, 0.001, 0.5, 10.0, -0.01, 1.0 / 4000.0, 6000)
     # Explicit Euler's own error in the period is w^2 h^2 / 3, some 4e-6 of it.
-    expect_close(call, period, 0.44428829, cause=cause, read=read, tolerance=2e-5)
+    expect_close(period, 0.44428829, tolerance=2e-5)

@@ -13,7 +13,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import network, pair_swinging
 from ch06_springs.springs import Connection, connect
 from draw import components, direction, positive_number
-from expect import expect_close, expect_error, expect_exactly, named, xyz
+from expect import about, blame, expect_close, expect_error, expect_exactly, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "the docstring of Connection.update_force"
@@ -37,18 +37,18 @@ def tension(
 
 @pytest.mark.exercise("B6.3")
 def test_a_connection_serves_both_ends(rng: Random) -> None:
-    read = READ
+    about.read = READ
     here, there, v, w = (components(rng) for _ in range(4))
     numbers = positive_number(rng), positive_number(rng, 0.05, 0.2), positive_number(rng)
-    call = f"a at {here}, velocity {v}; b at {there}, velocity {w}; "
-    call += "Connection(a, b, {}, {}, {})".format(*numbers)
+    about.call = f"a at {here}, velocity {v}; b at {there}, velocity {w}; "
+    about.call += "Connection(a, b, {}, {}, {})".format(*numbers)
     wanted = tension(here, v, there, w, numbers)
     for end in ("a", "b"):
         a = Particle(Vector3(*here), Vector3(*v), mass=2.0)
         b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
-        name = f"{call}.update_force({end}, 0.5)"
-        cause = "a gets the spring_force, its place and velocity seen from b, whichever end is "
-        cause += f"asked for (here {end})"
+        name = f"{about.call}.update_force({end}, 0.5)"
+        about.cause = "a gets the spring_force, its place and velocity seen from b, whichever end "
+        about.cause += f"is asked for (here {end})"
         Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
         k, rest, _ = numbers
@@ -67,103 +67,95 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
             ],
             "no force on a": ZERO,
         }
-        cause = named(on_a, cause, slips)
+        blame(on_a, slips)
         # A few roundings of numbers up to 500.
-        expect_close(
-            f"{name}; a.force_accumulator", on_a, wanted, cause=cause, read=read, tolerance=1e-11
-        )
-        cause = "b gets exactly minus the force on a, so that the momentum is kept"
-        cause = named(on_b, cause, {"the same force as a's": on_a, "no force on b": ZERO})
+        expect_close(on_a, wanted, call=f"{name}; a.force_accumulator", tolerance=1e-11)
+        about.cause = "b gets exactly minus the force on a, so that the momentum is kept"
+        blame(on_b, {"the same force as a's": on_a, "no force on b": ZERO})
         opposite = tuple(-part for part in on_a)
-        expect_close(
-            f"{name}; b.force_accumulator", on_b, opposite, cause=cause, read=read, tolerance=0.0
-        )
+        expect_close(on_b, opposite, call=f"{name}; b.force_accumulator", tolerance=0.0)
 
 
 @pytest.mark.exercise("B6.3")
 def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
-    read = READ
+    about.read = READ
     k, rest = positive_number(rng), positive_number(rng, 1.0, 5.0)
     d, f = direction(rng), components(rng)
     offset = tuple(0.4 * rest * part for part in d)
-    call = (
-        f"a at {offset}, b at (0, 0, 0); b.add_force(Vector3{f}); a.add_force(Vector3(1, 2, 3)); "
-    )
-    call += f"Connection(a, b, {k}, {rest}).update_force(a, 0.5)"
-    cause = "where it is shorter than at rest it pushes both, away from each other"
+    about.call = f"a at {offset}, b at (0, 0, 0); b.add_force(Vector3{f}); a.add_force(Vector3(1, "
+    about.call += f"2, 3)); Connection(a, b, {k}, {rest}).update_force(a, 0.5)"
+    about.cause = "where it is shorter than at rest it pushes both, away from each other"
     a, b = Particle(Vector3(*offset)), Particle()
     b.add_force(Vector3(*f))
     a.add_force(Vector3(1.0, 2.0, 3.0))
     Connection(a, b, k, rest).update_force(a, 0.5)
     wanted = tuple(g + 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True))
     got = xyz(a.force_accumulator)
-    name = f"{call}; a.force_accumulator"
+    name = f"{about.call}; a.force_accumulator"
     pulled = [g - 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True)]
-    cause = named(got, cause, {"the listing's abs(l - l0), with which it pulls (E-3)": pulled})
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    blame(got, {"the listing's abs(l - l0), with which it pulls (E-3)": pulled})
+    expect_close(got, wanted, call=name, tolerance=1e-12)
     wanted = tuple(g - 0.6 * k * rest * part for g, part in zip(f, d, strict=True))
     got = xyz(b.force_accumulator)
-    name = f"{call}; b.force_accumulator"
-    cause = "the force on b is added to those that are there"
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    name = f"{about.call}; b.force_accumulator"
+    about.cause = "the force on b is added to those that are there"
+    expect_close(got, wanted, call=name, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B6.3")
 def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
-    read = READ
+    about.read = READ
     place, v = components(rng), components(rng)
-    call = f"a and b at {place}, a with velocity {v}; "
-    call += "c = Connection(a, b, 100.0, 2.0, 3.0); c.update_force(a, 0.5)"
-    cause = "no direction, no force: 0 / 0 is an error, or a NaN"
+    about.call = f"a and b at {place}, a with velocity {v}; c = Connection(a, b, 100.0, 2.0, 3.0); "
+    about.call += "c.update_force(a, 0.5)"
+    about.cause = "no direction, no force: 0 / 0 is an error, or a NaN"
     a, b = Particle(Vector3(*place), Vector3(*v)), Particle(Vector3(*place))
     c = Connection(a, b, 100.0, 2.0, 3.0)
     c.update_force(a, 0.5)
     for name, end in (("a", a), ("b", b)):
         got = xyz(end.force_accumulator)
-        expect_close(f"{call}; {name}.force_accumulator", got, ZERO, cause=cause, read=read)
-    call += "; a.position.x += 1.0; c.update_force(a, 0.5); a.force_accumulator"
-    cause = (
-        "a metre apart it acts again: 100 N of a compressed spring, less 3 N s/m times the speed"
-    )
+        expect_close(got, ZERO, then=f"; {name}.force_accumulator")
+    about.call += "; a.position.x += 1.0; c.update_force(a, 0.5); a.force_accumulator"
+    about.cause = "a metre apart it acts again: 100 N of a compressed spring, less 3 N s/m times "
+    about.cause += "the speed"
     a.position.x += 1.0
     c.update_force(a, 0.5)
     wanted = (100.0 - 3.0 * v[0], 0.0, 0.0)
     got = xyz(a.force_accumulator)
     # The offset of 1 m is 1e-15 m off at such places.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
-    call = "a at (0, 1e-9, 0), b at (0, 0, 0); c = Connection(a, b, 100.0, 2.0); "
-    call += "c.update_force(a, 0.5); a.force_accumulator"
-    cause = "ends that are near each other are not at one place: the spring pushes with k l0"
+    expect_close(got, wanted, tolerance=1e-11)
+    about.call = "a at (0, 1e-9, 0), b at (0, 0, 0); c = Connection(a, b, 100.0, 2.0); "
+    about.call += "c.update_force(a, 0.5); a.force_accumulator"
+    about.cause = "ends that are near each other are not at one place: the spring pushes with k l0"
     a, b = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     c = Connection(a, b, 100.0, 2.0)
     c.update_force(a, 0.5)
     got = xyz(a.force_accumulator)
-    expect_close(call, got, (0.0, 200.0, 0.0), cause=cause, read=read, tolerance=1e-6)
-    call += (
-        "; c.stiffness, c.rest_length, c.damping = 5, 3, 2; a.clear_forces(); a.position.y = 2; "
-    )
-    call += "a.velocity.y = 1; c.update_force(a, 0.5)"
-    cause = "read the attributes each time: 5 (3 - 2) - 2 * 1"
+    expect_close(got, (0.0, 200.0, 0.0), tolerance=1e-6)
+    about.call += "; c.stiffness, c.rest_length, c.damping = 5, 3, 2; a.clear_forces(); "
+    about.call += "a.position.y = 2; "
+    about.call += "a.velocity.y = 1; c.update_force(a, 0.5)"
+    about.cause = "read the attributes each time: 5 (3 - 2) - 2 * 1"
     c.stiffness, c.rest_length, c.damping = 5.0, 3.0, 2.0
     a.clear_forces()
     a.position.y, a.velocity.y = 2.0, 1.0
     c.update_force(a, 0.5)
     got = xyz(a.force_accumulator)
-    expect_close(call, got, (0.0, 3.0, 0.0), cause=cause, read=read)
+    expect_close(got, (0.0, 3.0, 0.0))
 
 
 @pytest.mark.exercise("B6.3")
 def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
-    read = CONNECT
+    about.read = CONNECT
     here, there = components(rng), components(rng)
     k, rest = positive_number(rng), positive_number(rng)
     wanted = tension(here, ZERO, there, ZERO, (k, rest, 0.0))
     masses = ((2.0, 3.0), (math.inf, 3.0), (2.0, math.inf))
     for mass_a, mass_b in masses:
-        call = f"a of {mass_a} kg at {here}, b of {mass_b} kg at {there}; "
-        call += f"connect(registry, a, b, {k}, {rest}); registry.update_forces(0.5)"
-        cause = "one Connection with this stiffness and rest length is registered once, under an "
-        cause += "end that can move"
+        about.call = f"a of {mass_a} kg at {here}, b of {mass_b} kg at {there}; connect(registry, "
+        about.call += f"a, b, {k}, {rest}); registry.update_forces(0.5)"
+        about.cause = "one Connection with this stiffness and rest length is registered once, "
+        about.cause += "under an end that can move"
         a, b = Particle(Vector3(*here), mass=mass_a), Particle(Vector3(*there), mass=mass_b)
         registry = ForceRegistry()
         connect(registry, a, b, k, rest)
@@ -172,7 +164,7 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
             if mass < math.inf:
                 force = tuple(sign * part for part in wanted)
                 got = xyz(end.force_accumulator)
-                what = f"{call}; {name}.force_accumulator"
+                what = f"{about.call}; {name}.force_accumulator"
                 swapped = tension(here, ZERO, there, ZERO, (rest, k, 0.0))
                 slips = {
                     "no force, as of a spring that is not registered, or under an end that is "
@@ -184,126 +176,122 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                         sign * part for part in swapped
                     ],
                 }
-                cause = named(got, cause, slips)
-                expect_close(what, got, force, cause=cause, read=read, tolerance=1e-11)
+                blame(got, slips)
+                expect_close(got, force, call=what, tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.3")
 def test_connect_returns_the_spring(rng: Random) -> None:
-    read = CONNECT
+    about.read = CONNECT
     here, there = components(rng), components(rng)
     k, rest, c = positive_number(rng), positive_number(rng, 0.05, 0.2), positive_number(rng)
-    call = f"a at {here}, b at {there}; s = connect(registry, a, b, {k}, {rest}, {c})"
-    cause = "return the Connection, with what it was made with"
+    about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, {k}, {rest}, {c})"
+    about.cause = "return the Connection, with what it was made with"
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)
-    expect_exactly(f"{call}: does a spring come back", s is not None, True, cause=cause, read=read)
+    expect_exactly(s is not None, True, then=": does a spring come back")
     got = (s.stiffness, s.rest_length, s.damping)
-    name = f"{call}; (s.stiffness, s.rest_length, s.damping)"
-    expect_close(name, got, (k, rest, c), cause=cause, read=read)
+    name = f"{about.call}; (s.stiffness, s.rest_length, s.damping)"
+    expect_close(got, (k, rest, c), call=name)
     got = (*xyz(s.a.position), *xyz(s.b.position))
-    name = f"{call}; the positions of s.a and s.b"
-    expect_close(name, got, (*here, *there), cause=cause, read=read, tolerance=0.0)
-    call += f"; s.stiffness = {2 * k}; registry.update_forces(0.5)"
-    cause = "what comes back is what the registry asks, and reads its stiffness each time"
+    name = f"{about.call}; the positions of s.a and s.b"
+    expect_close(got, (*here, *there), call=name, tolerance=0.0)
+    about.call += f"; s.stiffness = {2 * k}; registry.update_forces(0.5)"
+    about.cause = "what comes back is what the registry asks, and reads its stiffness each time"
     s.stiffness = 2.0 * k
     registry.update_forces(0.5)
     wanted = tension(here, ZERO, there, ZERO, (2.0 * k, rest, c))
     got = xyz(a.force_accumulator)
-    name = f"{call}; a.force_accumulator"
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
-    call += (
-        "; a.clear_forces(); b.clear_forces(); registry.remove(a, s); registry.update_forces(0.5)"
-    )
-    cause = "it stands in the registry once, under a: one remove takes it away"
+    name = f"{about.call}; a.force_accumulator"
+    expect_close(got, wanted, call=name, tolerance=1e-11)
+    about.call += "; a.clear_forces(); b.clear_forces(); registry.remove(a, s); "
+    about.call += "registry.update_forces(0.5)"
+    about.cause = "it stands in the registry once, under a: one remove takes it away"
     a.clear_forces()
     b.clear_forces()
     registry.remove(a, s)
     registry.update_forces(0.5)
     for name, end in (("a", a), ("b", b)):
         got = xyz(end.force_accumulator)
-        expect_close(f"{call}; {name}.force_accumulator", got, ZERO, cause=cause, read=read)
+        expect_close(got, ZERO, then=f"; {name}.force_accumulator")
 
 
 @pytest.mark.exercise("B6.3")
 def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
-    read = "book 3.2, and the docstring of Connection.update_force"
+    about.read = "book 3.2, and the docstring of Connection.update_force"
     bodies = [(components(rng), components(rng), positive_number(rng, 1.0)) for _ in range(8)]
-    call = "8 particles, each connected to each by connect(registry, a, b, 2.0, 3.0, 0.5); "
-    call += "200 frames of registry.update_forces(h), p.integrate(h): the sum of all m v"
-    cause = "what one end gets the other one loses: the sum of the momenta stays what it was"
+    about.call = "8 particles, each connected to each by connect(registry, a, b, 2.0, 3.0, 0.5); "
+    about.call += "200 frames of registry.update_forces(h), p.integrate(h): the sum of all m v"
+    about.cause = "what one end gets the other one loses: the sum of the momenta stays what it was"
     ends, away = network(bodies, 2.0, 3.0, 0.5, 1.0 / 240.0, 200)
     before = [math.fsum(mass * v[i] for _, v, mass in bodies) for i in range(3)]
     # Each of 200 frames rounds 8 velocities, and 56 forces, at some 1e-15 of what they are.
-    expect_close(call, ends, before, cause=cause, read=read, tolerance=1e-10)
-    call += "; the first one is more than 1 mm away from where it would be without springs"
-    cause = "the springs must act all the same"
-    expect_exactly(call, away > 1e-3, True, cause=cause, read=read)
+    expect_close(ends, before, tolerance=1e-10)
+    about.call += "; the first one is more than 1 mm away from where it would be without springs"
+    about.cause = "the springs must act all the same"
+    expect_exactly(away > 1e-3, True)
 
 
 @pytest.mark.exercise("B6.3")
 def test_two_bodies_swing_about_each_other_with_the_reduced_mass() -> None:
-    read = "book 6.3.2, Eq. 6.3, with the reduced mass m1 m2 / (m1 + m2)"
-    call = (
-        "1 kg and 3 kg, connect(registry, a, b, 5.0, 1.0), stretched to 1.5 m; frames of 1/2000 s"
-    )
-    call += " of registry.update_forces(h), p.integrate(h): the period"
-    cause = "both ends move: w^2 = k / mu, mu = 3/4 kg, so the period is 2.43346721 s"
+    about.read = "book 6.3.2, Eq. 6.3, with the reduced mass m1 m2 / (m1 + m2)"
+    about.call = "1 kg and 3 kg, connect(registry, a, b, 5.0, 1.0), stretched to 1.5 m; frames of "
+    about.call += "1/2000 s of registry.update_forces(h), p.integrate(h): the period"
+    about.cause = "both ends move: w^2 = k / mu, mu = 3/4 kg, so the period is 2.43346721 s"
     period = pair_swinging(1.0, 3.0, 5.0, 1.0, 1.5, 1.0 / 2000.0, 10_000)
     # Explicit Euler's own error in the period is w^2 h^2 / 3, some 5e-7 of it.
-    expect_close(call, period, 2.43346721, cause=cause, read=read, tolerance=1e-4)
+    expect_close(period, 2.43346721, tolerance=1e-4)
 
 
 @pytest.mark.exercise("B6.3")
 def test_two_immovable_ends_may_be_connected() -> None:
-    read = CONNECT
+    about.read = CONNECT
     a, b, registry = Particle(), Particle(Vector3(1.0, 0.0, 0.0)), ForceRegistry()
-    call = "connect(registry, a, b, 3.0, 0.0), both of infinite mass; registry.update_forces(0.5)"
-    cause = "a spring between two immovable particles is no error"
+    about.call = "connect(registry, a, b, 3.0, 0.0), both of infinite mass; "
+    about.call += "registry.update_forces(0.5)"
+    about.cause = "a spring between two immovable particles is no error"
     still = Particle(mass=math.inf), Particle(mass=math.inf)
     connect(registry, *still, 3.0, 0.0)
     registry.update_forces(0.5)
-    call += "; the same with b 1 m from a, both of 1 kg; b.force_accumulator"
+    about.call += "; the same with b 1 m from a, both of 1 kg; b.force_accumulator"
     connect(registry, a, b, 3.0, 0.0)
     registry.update_forces(0.5)
     got = xyz(b.force_accumulator)
-    cause = "what is right is registered"
-    expect_close(call, got, (-3.0, 0.0, 0.0), cause=cause, read=read)
+    about.cause = "what is right is registered"
+    expect_close(got, (-3.0, 0.0, 0.0))
 
 
 @pytest.mark.exercise("B6.3")
 @pytest.mark.robust
 def test_connect_refuses_what_means_nothing() -> None:
-    read = CONNECT
-    cause = "make a Connection, which looks at its arguments, before you register it"
+    about.read = CONNECT
+    about.cause = "make a Connection, which looks at its arguments, before you register it"
     a, b, registry = Particle(), Particle(Vector3(1.0, 0.0, 0.0)), ForceRegistry()
     for bad in ((-1.0, 1.0, 0.0), (1.0, -1.0, 0.0), (1.0, 1.0, -1.0), (math.nan, 1.0, 0.0)):
-        call = "connect(registry, a, b, {}, {}, {})".format(*bad)
+        about.call = "connect(registry, a, b, {}, {}, {})".format(*bad)
         expect_error(
-            call,
             lambda bad=bad: connect(registry, a, b, *bad),
             ValueError,
             allowed=lambda: connect(ForceRegistry(), a, b, 1.0, 1.0, 0.0),
-            cause=cause,
-            read=read,
         )
-    call = "connect(registry, a, b, ...) was refused; registry.update_forces(0.5)"
-    cause = "what is refused must not be registered"
+    about.call = "connect(registry, a, b, ...) was refused; registry.update_forces(0.5)"
+    about.cause = "what is refused must not be registered"
     registry.update_forces(0.5)
     got = xyz(b.force_accumulator)
-    expect_close(f"{call}; b.force_accumulator", got, ZERO, cause=cause, read=read)
-    call = "a at (1e10, 0, 0), velocity (1e10, 0, 0); b at minus that, with minus that velocity; "
-    cause = "the force is too large for a float: add_force, which alone changes a sum, refuses it"
+    expect_close(got, ZERO, then="; b.force_accumulator")
+    about.call = "a at (1e10, 0, 0), velocity (1e10, 0, 0); b at minus that, with minus that "
+    about.call += "velocity; "
+    about.cause = "the force is too large for a float: add_force, which alone changes a sum, "
+    about.cause += "refuses it"
     near = Particle(), Particle(Vector3(1.0, 0.0, 0.0))
     for stiffness, damping in ((1e308, 0.0), (0.0, 1e308)):
         far = Particle(Vector3(1e10, 0.0, 0.0), Vector3(1e10, 0.0, 0.0))
         away = Particle(Vector3(-1e10, 0.0, 0.0), Vector3(-1e10, 0.0, 0.0))
         spring = Connection(far, away, stiffness, 1.0, damping)
         expect_error(
-            f"{call}Connection(a, b, {stiffness}, 1.0, {damping}).update_force(a, 0.5)",
             lambda spring=spring, far=far: spring.update_force(far, 0.5),
             ValueError,
+            then=f"Connection(a, b, {stiffness}, 1.0, {damping}).update_force(a, 0.5)",
             allowed=lambda: Connection(*near, 1.0, 1.0).update_force(near[0], 0.5),
-            cause=cause,
             read=READ,
         )

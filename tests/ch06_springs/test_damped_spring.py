@@ -11,7 +11,16 @@ import pytest
 from ch06_springs.closed_form import damped_spring_state
 from draw import number as draw_number
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly, expect_finite_numbers, named
+from expect import (
+    about,
+    blame,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_finite_numbers,
+    named,
+    scoped,
+)
 
 READ = "book 6.3.2 and the docstring of damped_spring_state"
 REGIMES = (
@@ -36,18 +45,20 @@ def by_roots(x0: float, v0: float, k: float, c: float, m: float, t: float) -> tu
     return x.real, v.real
 
 
-def expect_position(
-    arguments: tuple[float, ...], wanted: float, tolerance: float, cause: str
-) -> None:
+@scoped
+def expect_position(arguments: tuple[float, ...], wanted: float, tolerance: float) -> None:
     """Expect the position that damped_spring_state gives of these arguments."""
-    call, read = "damped_spring_state({}, {}, {}, {}, {}, {})[0]".format(*arguments), READ
+    about.call, about.read = (
+        "damped_spring_state({}, {}, {}, {}, {}, {})[0]".format(*arguments),
+        READ,
+    )
     got = damped_spring_state(*arguments)[0]
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=tolerance)
+    expect_close(got, wanted, tolerance=tolerance)
 
 
 @pytest.mark.exercise("B6.5")
 def test_the_three_cases_by_known_values() -> None:
-    read = READ
+    about.read = READ
     damped, late = math.sqrt(99.0), math.sqrt(96.0)  # gamma, and that of a c / m not halved
     slips = {
         "a damping of c / m in the exponent, and half of it is right": math.exp(-1.0)
@@ -73,28 +84,29 @@ def test_the_three_cases_by_known_values() -> None:
             "e^(-(half + gamma) t) dies out fast and e^(-(half - gamma) t) slowly",
         ),
     ):
-        call = f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, 0.5)"
+        about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, 0.5)", cause=cause)
         state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, 0.5)
         count = len(state) if isinstance(state, (tuple, list)) else 1
         both = "position and velocity come back, both of them"
-        expect_exactly(f"{call}: how many numbers", count, 2, cause=both, read=read)
-        expect_close(f"{call}[0]", state[0], x, cause=named(state[0], cause, slips), read=read)
-    call = "damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]"
-    cause = "k 1 and d 10: the printed formula takes the root of 4 k - d^2, which is -96 (E-23)"
+        expect_exactly(count, 2, then=": how many numbers", cause=both)
+        expect_close(state[0], x, then="[0]", cause=named(state[0], about.cause, slips))
+    about.call = "damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]"
+    about.cause = "k 1 and d 10: the printed formula takes the root of 4 k - d^2, which is -96 "
+    about.cause += "(E-23)"
     got = damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
     wanted = by_roots(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
-    expect_close(call, got, wanted, cause=cause, read=read)
+    expect_close(got, wanted)
 
 
 @pytest.mark.exercise("B6.5")
 @pytest.mark.parametrize(("share", "name"), REGIMES)
 def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
-    read = READ
+    about.read = READ
     for longest in (0.2, 9.0, 9.0, 9.0, 9.0):  # by 0.2 s what dies out fast is still there
         x0, v0 = draw_number(rng), draw_number(rng)
         k, m, t = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, longest)
         c = share * 2.0 * math.sqrt(k * m)
-        call = f"damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {t})"
+        about.call = f"damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {t})"
         got = damped_spring_state(x0, v0, k, c, m, t)
         wanted = by_roots(x0, v0, k, c, m, t)
         half, (x, v) = c / (2.0 * m), wanted
@@ -109,17 +121,18 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
                 (v0 - (half * v0 + k / m * x0) * t) * fade,
             ),
         }
-        cause = f"{name}: c is divided by 2 m, k by m, and both x0 and v0 count"
+        about.cause = f"{name}: c is divided by 2 m, k by m, and both x0 and v0 count"
         if isinstance(got, tuple) and abs(got[0] - x) < 1e-10:
-            cause = f"{name}: the position is right, and the velocity is not its rate of change"
-        cause = named(got, cause, slips)
+            about.cause = f"{name}: the position is right, and the velocity is not its rate of "
+            about.cause += "change"
+        blame(got, slips)
         # The roots' formula takes differences of numbers up to 10^4.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
+        expect_close(got, wanted, tolerance=1e-10)
 
 
 @pytest.mark.exercise("B6.5")
 def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
-    read = READ
+    about.read = READ
     x0, v0 = draw_number(rng), draw_number(rng)
     for k, m, t in ((4.0, 1.0, 0.75), (100.0, 4.0, 0.5), (9.0, 9.0, 2.0)):
         half = math.sqrt(k / m)
@@ -141,42 +154,44 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
                 "next to the critical damping a difference of exponentials loses its digits",
             ),
         ):
+            about.cause = cause
             c = critical * (1.0 + share)
-            call = f"damped_spring_state({x0}, {v0}, {k}, {c!r}, {m}, {t})"
+            about.call = f"damped_spring_state({x0}, {v0}, {k}, {c!r}, {m}, {t})"
             got = damped_spring_state(x0, v0, k, c, m, t)
-            expect_close(call, got, wanted, cause=cause, read=read, tolerance=tolerance)
-    call = "damped_spring_state(1.0, 0.0, 4.0, 4 - 4e-9, 1.0, 0.75), and with 4 + 4e-9: difference"
-    cause = "the two sides of the critical damping fit together to 1e-8"
+            expect_close(got, wanted, tolerance=tolerance)
+    about.call = "damped_spring_state(1.0, 0.0, 4.0, 4 - 4e-9, 1.0, 0.75), and with 4 + 4e-9: "
+    about.call += "difference"
+    about.cause = "the two sides of the critical damping fit together to 1e-8"
     below = damped_spring_state(1.0, 0.0, 4.0, 4.0 - 4e-9, 1.0, 0.75)
     above = damped_spring_state(1.0, 0.0, 4.0, 4.0 + 4e-9, 1.0, 0.75)
     for a, b in zip(below, above, strict=True):
-        expect_close(call, a - b, 0.0, cause=cause, read=read, tolerance=1e-8)
+        expect_close(a - b, 0.0, tolerance=1e-8)
 
 
 @pytest.mark.exercise("B6.5")
 def test_the_start_and_a_spring_that_is_none(rng: Random) -> None:
-    read = READ
+    about.read = READ
     x0, v0, t = draw_number(rng), draw_number(rng), positive_number(rng)
     c, m = positive_number(rng), positive_number(rng)
-    call = f"damped_spring_state({x0}, {v0}, 3.0, {c}, {m}, 0.0)"
-    cause = "after no time it is where it was, as fast as it was"
+    about.call = f"damped_spring_state({x0}, {v0}, 3.0, {c}, {m}, 0.0)"
+    about.cause = "after no time it is where it was, as fast as it was"
     got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
-    expect_close(call, got, (x0, v0), cause=cause, read=read)
-    call = f"damped_spring_state({x0}, {v0}, 0.0, 0.0, {m}, {t})"
-    cause = "without stiffness and damping it coasts: x0 + v0 t"
+    expect_close(got, (x0, v0))
+    about.call = f"damped_spring_state({x0}, {v0}, 0.0, 0.0, {m}, {t})"
+    about.cause = "without stiffness and damping it coasts: x0 + v0 t"
     got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
-    expect_close(call, got, (x0 + v0 * t, v0), cause=cause, read=read)
-    call = f"damped_spring_state({x0}, {v0}, 0.0, {c}, {m}, {t})"
-    cause = "without stiffness the damping slows it down: v0 e^(-c t / m)"
+    expect_close(got, (x0 + v0 * t, v0))
+    about.call = f"damped_spring_state({x0}, {v0}, 0.0, {c}, {m}, {t})"
+    about.cause = "without stiffness the damping slows it down: v0 e^(-c t / m)"
     got = damped_spring_state(x0, v0, 0.0, c, m, t)
     slow = math.exp(-c * t / m)
     wanted = (x0 + v0 * (1.0 - slow) * m / c, v0 * slow)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
-    call = f"damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, {t}): energy"
-    cause = "without damping the energy x^2 + v^2 stays"
+    expect_close(got, wanted, tolerance=1e-11)
+    about.call = f"damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, {t}): energy"
+    about.cause = "without damping the energy x^2 + v^2 stays"
     x, v = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, t)
     wanted_energy = x0 * x0 + v0 * v0
-    expect_close(call, x * x + v * v, wanted_energy, cause=cause, read=read, tolerance=1e-11)
+    expect_close(x * x + v * v, wanted_energy, tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.5")
@@ -192,7 +207,8 @@ def test_soft_and_stiff_springs_swing_alike() -> None:
             "half a swing later: on the other side",
         ),
     ):
-        expect_position(arguments, wanted, tolerance, cause)
+        about.cause = cause
+        expect_position(arguments, wanted, tolerance)
 
 
 @pytest.mark.exercise("B6.5")
@@ -214,51 +230,51 @@ def test_no_number_is_too_large_for_the_formula() -> None:
         ((1.0, 1.0, 5.0, 10.0, 1.0, 1e6), 0.0, 1e-12, "cosh overflows, and e^-x is 0"),
         ((0.0, 1.0, 1.0, 1e9, 1.0, 1.0), 1e-9, 1e-17, "a strong damping lets it go v0 m / c far"),
     ):
-        expect_position(arguments, wanted, tolerance, cause)
+        about.cause = cause
+        expect_position(arguments, wanted, tolerance)
 
 
 @pytest.mark.exercise("B6.5")
 def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
-    read = READ
+    about.read = READ
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
     first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
-    cause = "two times one after the other lead where their sum leads: position and velocity must "
-    cause += "belong to one motion"
+    about.cause = "two times one after the other lead where their sum leads: position and velocity "
+    about.cause += "must belong to one motion"
     # With a stiffness of 4 m the damping is critical to the last digit.
     for share, k in ((0.0, some), (0.5, some), (1.0, 4.0 * m), (2.0, some)):
         c = share * 2.0 * math.sqrt(k * m)
-        call = f"s = damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {first}); "
-        call += f"damped_spring_state(*s, {k}, {c}, {m}, {second})"
+        about.call = f"s = damped_spring_state({x0}, {v0}, {k}, {c}, {m}, {first}); "
+        about.call += f"damped_spring_state(*s, {k}, {c}, {m}, {second})"
         x, v = damped_spring_state(x0, v0, k, c, m, first)
         got = damped_spring_state(x, v, k, c, m, second)
         wanted = damped_spring_state(x0, v0, k, c, m, first + second)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
-    call = f"s = damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, pi); damped_spring_state(*s, ...)"
-    cause = "after half a swing it is on the other side, after two of them where it was"
+        expect_close(got, wanted, tolerance=1e-11)
+    about.call = f"s = damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, pi); damped_spring_state(*s, "
+    about.call += "...)"
+    about.cause = "after half a swing it is on the other side, after two of them where it was"
     half = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, math.pi)
-    expect_close(call, half, (-x0, -v0), cause=cause, read=read, tolerance=1e-11)
+    expect_close(half, (-x0, -v0), tolerance=1e-11)
     got = damped_spring_state(*half, 1.0, 0.0, 1.0, math.pi)
-    expect_close(call, got, (x0, v0), cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, (x0, v0), tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.5")
 @pytest.mark.robust
 def test_a_spring_state_needs_numbers_that_mean_something() -> None:
-    read = READ
+    about.read = READ
     good = (1, 2, 3, 4, 5, 6)
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0)]
-    expect_finite_numbers("damped_spring_state", damped_spring_state, good, bad, read=read)
-    cause = "what is worked out can be too large for a float: the angle of the swing is 1e350"
+    expect_finite_numbers("damped_spring_state", damped_spring_state, good, bad)
+    about.cause = "what is worked out can be too large for a float: the angle of the swing is 1e350"
     expect_error(
-        "damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200)",
         lambda: damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200),
         ValueError,
+        call="damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200)",
         allowed=lambda: damped_spring_state(*good),
-        cause=cause,
-        read=read,
     )
-    call = "damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)"
-    cause = "what means something must be answered: (1 + t) e^-t and -t e^-t"
+    about.call = "damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)"
+    about.cause = "what means something must be answered: (1 + t) e^-t and -t e^-t"
     got = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)
     wanted = (2.0 * math.exp(-1.0), -math.exp(-1.0))
-    expect_close(call, got, wanted, cause=cause, read=read)
+    expect_close(got, wanted)

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.springs import ElasticLimitSpring
 from draw import components, direction, positive_number
-from expect import expect_close, named, xyz
+from expect import about, blame, expect_close, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.1 and the docstring of ElasticLimitSpring"
@@ -19,7 +19,7 @@ READ = "exercise 6.1 and the docstring of ElasticLimitSpring"
 
 @pytest.mark.exercise("6.1")
 def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
-    read = READ
+    about.read = READ
     base, d = components(rng), direction(rng)
     k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
     for share, cause in (
@@ -27,13 +27,14 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         (0.5, "compressed it pushes, as every spring: -k (l - l0) d^"),
         (0.1, "however compressed, it pushes with all of its stiffness: the limit is of length"),
     ):
+        about.cause = cause
         place = tuple(b + share * rest * part for b, part in zip(base, d, strict=True))
-        call = f"p at {place}, q at {base}; "
-        call += f"ElasticLimitSpring(q, {k}, {rest}, {1.95 * rest}, 0.25).update_force(p, 0.5)"
+        about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, "
+        about.call += f"{1.95 * rest}, 0.25).update_force(p, 0.5)"
         p, q = Particle(Vector3(*place), Vector3(1.0, 2.0, 3.0), mass=3.0), Particle(Vector3(*base))
         ElasticLimitSpring(q, k, rest, 1.95 * rest, 0.25).update_force(p, 0.5)
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
-        name = f"{call}; p.force_accumulator"
+        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
         slips = {"no force": ZERO, "a push along the offset": opposite}
@@ -42,23 +43,23 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
                 "no force": ZERO,
                 "the printed abs(l - l0), with which it pulls (E-3)": opposite,
             }
-        cause = named(got, cause, slips)
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12)
-        name = f"{call}; q.force_accumulator"
-        cause = "it acts on one end, and leaves the other particle alone"
-        expect_close(name, xyz(q.force_accumulator), ZERO, cause=cause, read=read)
-    call = f"p at (4, 0, 0), q at (0, 0, 0); ElasticLimitSpring(q, {k}, 2, 4, 0.25)"
-    call += ".update_force(p, 0.5); p.force_accumulator"
-    cause = "at the limit itself it pulls with all of its stiffness"
+        blame(got, slips)
+        expect_close(got, wanted, call=name, tolerance=1e-12)
+        name = f"{about.call}; q.force_accumulator"
+        about.cause = "it acts on one end, and leaves the other particle alone"
+        expect_close(xyz(q.force_accumulator), ZERO, call=name)
+    about.call = f"p at (4, 0, 0), q at (0, 0, 0); ElasticLimitSpring(q, {k}, 2, 4, "
+    about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
+    about.cause = "at the limit itself it pulls with all of its stiffness"
     p, q = Particle(Vector3(4.0, 0.0, 0.0)), Particle()
     ElasticLimitSpring(q, k, 2.0, 4.0, 0.25).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(call, got, (-2.0 * k, 0.0, 0.0), cause=cause, read=read)
+    expect_close(got, (-2.0 * k, 0.0, 0.0))
 
 
 @pytest.mark.exercise("6.1")
 def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None:
-    read = READ
+    about.read = READ
     base, d = components(rng), direction(rng)
     k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
     limit = rest * 1.5
@@ -66,10 +67,10 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         beyond = positive_number(rng, 0.5, 5.0)
         length = limit + beyond
         place = tuple(b + length * part for b, part in zip(base, d, strict=True))
-        call = f"p at {place}, q at {base}; "
-        call += f"ElasticLimitSpring(q, {k}, {rest}, {limit}, {share}).update_force(p, 0.5)"
-        cause = "all of the stiffness up to the limit, and share times it for what is beyond: "
-        cause += "k (limit - l0) + share k (l - limit)"
+        about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, {limit}, "
+        about.call += f"{share}).update_force(p, 0.5)"
+        about.cause = "all of the stiffness up to the limit, and share times it for what is "
+        about.cause += "beyond: k (limit - l0) + share k (l - limit)"
         p, q = Particle(Vector3(*place), mass=3.0), Particle(Vector3(*base))
         spring = ElasticLimitSpring(q, k, rest, limit, share)
         spring.update_force(p, 0.5)
@@ -84,39 +85,39 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
                 min(length, late) - rest + share * max(length - late, 0.0)
             ),
         }
-        name = f"{call}; p.force_accumulator"
+        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
         slips = {slip: [-k * size * part for part in d] for slip, size in sizes.items()}
-        cause = named(got, cause, slips)
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
-        name = f"{call}, and once more; p.force_accumulator"
-        cause = "stretched beyond its limit the spring stays what it is: the force adds up"
+        blame(got, slips)
+        expect_close(got, wanted, call=name, tolerance=1e-11)
+        name = f"{about.call}, and once more; p.force_accumulator"
+        about.cause = "stretched beyond its limit the spring stays what it is: the force adds up"
         spring.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         twice = tuple(2.0 * part for part in wanted)
-        expect_close(name, got, twice, cause=cause, read=read, tolerance=1e-11)
+        expect_close(got, twice, call=name, tolerance=1e-11)
 
 
 @pytest.mark.exercise("6.1")
 def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
-    read = READ
+    about.read = READ
     place, f = components(rng), components(rng)
-    call = f"p and q at {place}; p.add_force(Vector3{f}); "
-    call += "s = ElasticLimitSpring(q, 5.0, 1.0, 2.0, 0.5); s.update_force(p, 0.5)"
-    cause = "no direction, no force; other forces stay"
+    about.call = f"p and q at {place}; p.add_force(Vector3{f}); s = ElasticLimitSpring(q, 5.0, "
+    about.call += "1.0, 2.0, 0.5); s.update_force(p, 0.5)"
+    about.cause = "no direction, no force; other forces stay"
     p, q = Particle(Vector3(*place)), Particle(Vector3(*place), mass=math.inf)
     p.add_force(Vector3(*f))
     s = ElasticLimitSpring(q, 5.0, 1.0, 2.0, 0.5)
     s.update_force(p, 0.5)
-    name = f"{call}; p.force_accumulator"
-    expect_close(name, xyz(p.force_accumulator), f, cause=cause, read=read)
-    call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
-    call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
-    cause = "read the attributes each time: 4 * 3 + 2 * 4 (4 - 3) pulls"
+    name = f"{about.call}; p.force_accumulator"
+    expect_close(xyz(p.force_accumulator), f, call=name)
+    about.call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
+    about.call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
+    about.cause = "read the attributes each time: 4 * 3 + 2 * 4 (4 - 3) pulls"
     p.clear_forces()
     q.position = q.position - Vector3(4.0, 0.0, 0.0)
     s.limit, s.share, s.stiffness, s.rest_length = 3.0, 2.0, 4.0, 0.0
     s.update_force(p, 0.5)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(name, got, (-20.0, 0.0, 0.0), cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, (-20.0, 0.0, 0.0), call=name, tolerance=1e-12)

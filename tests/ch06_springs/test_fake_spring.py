@@ -13,7 +13,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import faked
 from ch06_springs.springs import FakeStiffSpring
 from draw import components, positive_number
-from expect import expect_close, expect_error, expect_unchanged, named, xyz
+from expect import UNCHANGED, about, blame, expect_close, expect_error, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 6.3.2 and the docstring of FakeStiffSpring"
@@ -29,10 +29,10 @@ def true_spring(x0: float, v0: float, k: float, c: float, m: float, t: float) ->
 
 @pytest.mark.exercise("B6.11")
 def test_the_force_by_its_formula() -> None:
-    read = READ
-    call = "p of 1 kg at (1, 0, 0), at rest, with acceleration (0, -10, 0) and damping 0.5; "
-    call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
-    cause = "(T - x) / h^2 - v / h, here with T = cos(chi h)"
+    about.read = READ
+    about.call = "p of 1 kg at (1, 0, 0), at rest, with acceleration (0, -10, 0) and damping 0.5; "
+    about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
+    about.cause = "(T - x) / h^2 - v / h, here with T = cos(chi h)"
     p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     got = xyz(p.force_accumulator)
@@ -42,16 +42,16 @@ def test_the_force_by_its_formula() -> None:
         "the force of a true spring, -k x, which is too much for such a frame": -400.0,
         "what moves p by a h^2 / 2, and semi-implicit Euler moves it by a h^2": 2.0 * wanted[0],
     }
-    cause = named(got, cause, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
+    blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
-    name = f"{call}; p.force_accumulator"
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-10)
-    call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0), the same spring"
-    call += ".update_force(p, 1/60)"
-    cause = "on each axis by itself; the velocity counts, and takes it a part of the way already"
+    name = f"{about.call}; p.force_accumulator"
+    expect_close(got, wanted, call=name, tolerance=1e-10)
+    about.call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0), the same spring.update_force(p, 1/60)"
+    about.cause = "on each axis by itself; the velocity counts, and takes it a part of the way "
+    about.cause += "already"
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
@@ -59,40 +59,37 @@ def test_the_force_by_its_formula() -> None:
         "(T - x) / h^2, without the velocity": wanted[1] + 120.0,
         "no force along y, though p moves along it": 0.0,
     }
-    cause = named(got, cause, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-10)
+    blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
+    expect_close(got, wanted, call=name, tolerance=1e-10)
 
 
 @pytest.mark.exercise("B6.11")
 def test_a_soft_spring_is_faked_too() -> None:
-    read = READ
-    call = (
-        "p of 1 kg at (0, 0, 1), at rest; FakeStiffSpring(Vector3(), 0.5, 0).update_force(p, 0.1)"
-    )
-    cause = "(T - x) / h^2 is about half of a true spring's force: the push lasts all of the frame"
+    about("p of 1 kg at (0, 0, 1), at rest; FakeStiffSpring(Vector3(), 0.5, ", read=READ)
+    about.call += "0).update_force(p, 0.1)"
+    about.cause = "(T - x) / h^2 is about half of a true spring's force: the push lasts all of the "
+    about.cause += "frame"
     p = Particle(Vector3(0.0, 0.0, 1.0))
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
     # cos loses three digits, and is multiplied by 100.
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, wanted, call=name, tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.11")
 def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
-    read = READ
+    about.read = READ
     anchor, place, v = components(rng), components(rng), components(rng)
     k, m, h = positive_number(rng, 50.0, 900.0), positive_number(rng), 1.0 / 30.0
     for share in (0.1, 0.6, 3.0):
         c = share * 2.0 * math.sqrt(k * m)
-        call = f"p of {m} kg at {place}, velocity {v}; "
-        call += f"s = FakeStiffSpring(Vector3{anchor}, {k}, {c}); s.update_force(p, {h}); "
-        call += "a step of semi-implicit Euler; p.position"
-        cause = (
-            "T is seen from the anchor, on each axis by itself, with this mass and damping; then "
-        )
-        cause += "x + (v + a h) h must be T"
+        about.call = f"p of {m} kg at {place}, velocity {v}; s = FakeStiffSpring(Vector3{anchor}, "
+        about.call += f"{k}, {c}); s.update_force(p, {h}); a step of semi-implicit Euler; "
+        about.call += "p.position"
+        about.cause = "T is seen from the anchor, on each axis by itself, with this mass and "
+        about.cause += "damping; then x + (v + a h) h must be T"
         ends = faked(anchor, place, v, k, c, m, h, 1)
         wanted = tuple(
             a + true_spring(x - a, u, k, c, m, h) for a, x, u in zip(anchor, place, v, strict=True)
@@ -112,98 +109,91 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
                 true_spring(x, u, k, c, m, h) for _, x, u, _ in axes
             ],
         }
-        cause = named(ends[-1], cause, slips)
+        blame(ends[-1], slips)
         # Divided by h^2 and multiplied by it again: a few roundings of numbers up to 20.
-        expect_close(call, ends[-1], wanted, cause=cause, read=read, tolerance=1e-11)
+        expect_close(ends[-1], wanted, tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.11")
 def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
-    read = READ
+    about.read = READ
     place = components(rng)
-    call = f"p at {place}; s = FakeStiffSpring(Vector3(), 1e6, 200); 300 frames of 1/60 s of "
-    call += (
-        "s.update_force(p, h), a step of semi-implicit Euler: the farthest it goes after a frame"
-    )
-    cause = (
-        "k h^2 / m is 278 here, where a true spring explodes beyond 4; the faked one comes to rest"
-    )
+    about.call = f"p at {place}; s = FakeStiffSpring(Vector3(), 1e6, 200); 300 frames of 1/60 s of "
+    about.call += "s.update_force(p, h), a step of semi-implicit Euler: the farthest it goes after "
+    about.call += "a frame"
+    about.cause = "k h^2 / m is 278 here, where a true spring explodes beyond 4; the faked one "
+    about.cause += "comes to rest"
     ends = faked(ZERO, place, ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 300)
     farthest = max(math.hypot(*end) for end in ends)
     left = math.hypot(*ends[-1])
     start = math.hypot(*place)
-    name = f"{call}, in m"
     # After a frame a true one has e^(-100/60) of its start: 19 %.
-    expect_close(name, farthest, 0.0, cause=cause, read=read, tolerance=0.2 * start)
-    name = f"{call}: what is left in the end"
-    expect_close(name, left, 0.0, cause=cause, read=read, tolerance=1e-9)
-    call = "the same from (1, 0, 0), after the first frame"
+    expect_close(farthest, 0.0, then=", in m", tolerance=0.2 * start)
+    expect_close(left, 0.0, then=": what is left in the end", tolerance=1e-9)
+    about.call = "the same from (1, 0, 0), after the first frame"
     wanted = true_spring(1.0, 0.0, 1e6, 200.0, 1.0, 1.0 / 60.0)
     got = faked(ZERO, (1.0, 0.0, 0.0), ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 1)[-1][0]
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
+    expect_close(got, wanted, tolerance=1e-10)
 
 
 @pytest.mark.exercise("B6.11")
 def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
-    read = "the docstring of FakeStiffSpring.update_force"
+    about.read = "the docstring of FakeStiffSpring.update_force"
     f, place = components(rng), components(rng)
-    call = f"p of 2 kg at {place}; s = FakeStiffSpring(Vector3{place}, 400, 3); "
-    call += f"p.add_force(Vector3{f}); s.update_force(p, 0.5); p.force_accumulator"
-    cause = "at the anchor and at rest there is no force; the others stay"
+    about.call = f"p of 2 kg at {place}; s = FakeStiffSpring(Vector3{place}, 400, 3); "
+    about.call += f"p.add_force(Vector3{f}); s.update_force(p, 0.5); p.force_accumulator"
+    about.cause = "at the anchor and at rest there is no force; the others stay"
     p, s = Particle(Vector3(*place), mass=2.0), FakeStiffSpring(Vector3(*place), 400.0, 3.0)
     p.add_force(Vector3(*f))
     s.update_force(p, 0.5)
-    expect_close(call, xyz(p.force_accumulator), f, cause=cause, read=read, tolerance=1e-12)
-    expect_unchanged(call, "s.anchor", xyz(s.anchor), place, read=read)
-    expect_unchanged(call, "p.position", xyz(p.position), place, read=read)
-    call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place}, velocity {f}"
-    call += "; s.update_force(p, 0.5)"
-    cause = "without stiffness and damping it coasts, by itself: no force; read the attributes"
+    expect_close(xyz(p.force_accumulator), f, tolerance=1e-12)
+    expect_unchanged("s.anchor", xyz(s.anchor), place, cause=UNCHANGED)
+    expect_unchanged("p.position", xyz(p.position), place, cause=UNCHANGED)
+    about.call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place}, "
+    about.call += f"velocity {f}; s.update_force(p, 0.5)"
+    about.cause = "without stiffness and damping it coasts, by itself: no force; read the "
+    about.cause += "attributes"
     s.anchor, s.stiffness, s.damping = Vector3(), 0.0, 0.0
     p = Particle(Vector3(*place), Vector3(*f))
     s.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(call, got, ZERO, cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, ZERO, tolerance=1e-12)
     s.stiffness = 100.0
-    call = "p immovable at (1, 0, 0); s.update_force(p, 0.5); p.force_accumulator"
-    cause = "an immovable particle is left alone: infinity times 0 is NaN"
+    about.call = "p immovable at (1, 0, 0); s.update_force(p, 0.5); p.force_accumulator"
+    about.cause = "an immovable particle is left alone: infinity times 0 is NaN"
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=math.inf)
     s.update_force(p, 0.5)
-    expect_close(call, xyz(p.force_accumulator), ZERO, cause=cause, read=read)
-    call = (
-        "p of 2 kg at (1, 0, 0), at rest, FakeStiffSpring(Vector3(), 100, 0).update_force(p, 0.5)"
-    )
-    cause = "2 ((cos(chi h) - 1) / h^2), chi the root of 100 / 2"
+    expect_close(xyz(p.force_accumulator), ZERO)
+    about.call = "p of 2 kg at (1, 0, 0), at rest, FakeStiffSpring(Vector3(), 100, "
+    about.call += "0).update_force(p, 0.5)"
+    about.cause = "2 ((cos(chi h) - 1) / h^2), chi the root of 100 / 2"
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=2.0)
     s.update_force(p, 0.5)
     wanted = (8.0 * (math.cos(0.5 * math.sqrt(50.0)) - 1.0), 0.0, 0.0)
     got = xyz(p.force_accumulator)
-    name = f"{call}; p.force_accumulator"
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.11")
 @pytest.mark.robust
 def test_a_faked_spring_needs_a_duration() -> None:
-    read = "the docstring of FakeStiffSpring.update_force"
-    cause = "refuse it with ValueError, for an immovable particle as well: positive() does"
+    about.read = "the docstring of FakeStiffSpring.update_force"
+    about.cause = "refuse it with ValueError, for an immovable particle as well: positive() does"
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):
         p = Particle(Vector3(1.0, 0.0, 0.0), mass=mass)
         for bad in (0.0, -1.0, math.inf, math.nan):
             expect_error(
-                f"p of {mass} kg; s.update_force(p, {bad})",
                 lambda p=p, bad=bad: s.update_force(p, bad),
                 ValueError,
+                call=f"p of {mass} kg; s.update_force(p, {bad})",
                 allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
-                cause=cause,
-                read=read,
             )
-    call = "FakeStiffSpring(Vector3(), 400, 3).update_force(p, 1/60), p at (1, 0, 0)"
-    cause = "a good duration must be answered"
+    about.call = "FakeStiffSpring(Vector3(), 400, 3).update_force(p, 1/60), p at (1, 0, 0)"
+    about.cause = "a good duration must be answered"
     p = Particle(Vector3(1.0, 0.0, 0.0))
     s.update_force(p, 1.0 / 60.0)
     wanted = (true_spring(1.0, 0.0, 400.0, 3.0, 1.0, 1.0 / 60.0) - 1.0) * 3600.0
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(name, got, (wanted, 0.0, 0.0), cause=cause, read=read, tolerance=1e-9)
+    expect_close(got, (wanted, 0.0, 0.0), call=name, tolerance=1e-9)

@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import chased
 from ch06_springs.springs import HomingBullet
 from draw import components, positive_number
-from expect import expect_close, expect_unchanged, named, xyz
+from expect import about, blame, expect_close, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.4 and the docstring of HomingBullet"
@@ -20,7 +20,7 @@ READ = "exercise 6.4 and the docstring of HomingBullet"
 
 @pytest.mark.exercise("6.4")
 def test_it_aims_at_where_both_will_be(rng: Random) -> None:
-    read = READ
+    about.read = READ
     here, v, there, w, f = (components(rng) for _ in range(5))
     k, ahead = positive_number(rng), positive_number(rng)
     for time, cause in (
@@ -31,8 +31,8 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
             "damping, acceleration or mass",
         ),
     ):
-        call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; "
-        call += f"p.add_force(Vector3{f}); HomingBullet(q, {k}, {time}).update_force(p, 0.5)"
+        about(f"p at {here}, velocity {v}; q at {there}, velocity {w}; ", cause=cause)
+        about.call += f"p.add_force(Vector3{f}); HomingBullet(q, {k}, {time}).update_force(p, 0.5)"
         down = Vector3(0.0, -9.0, 0.0)
         p = Particle(Vector3(*here), Vector3(*v), down, mass=3.0, damping=0.5)
         q = Particle(Vector3(*there), Vector3(*w), down * 2.0, mass=5.0, damping=0.7)
@@ -41,7 +41,7 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         wanted = tuple(
             f[i] + k * (there[i] + w[i] * time - here[i] - v[i] * time) for i in range(3)
         )
-        name = f"{call}; p.force_accumulator"
+        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
         now = [there[i] - here[i] for i in range(3)]
         closing = [w[i] - v[i] for i in range(3)]
@@ -64,21 +64,21 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
             ],
         }
         slips = {slip: [f[i] + pull[i] for i in range(3)] for slip, pull in pulls.items()}
-        cause = named(got, cause, slips)
+        blame(got, slips)
         # A few roundings of numbers up to 2000.
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
-        cause = "it leaves the target alone"
-        name = f"{call}; q.force_accumulator"
-        expect_close(name, xyz(q.force_accumulator), ZERO, cause=cause, read=read)
+        expect_close(got, wanted, call=name, tolerance=1e-11)
+        about.cause = "it leaves the target alone"
+        name = f"{about.call}; q.force_accumulator"
+        expect_close(xyz(q.force_accumulator), ZERO, call=name)
 
 
 @pytest.mark.exercise("6.4")
 def test_bullet_and_target_are_only_read(rng: Random) -> None:
-    read = READ
+    about.read = READ
     here, v, there, w = (components(rng) for _ in range(4))
-    call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; "
-    call += "b = HomingBullet(q, 2.0, 3.0); b.update_force(p, 0.5)"
-    cause = "add_scaled, += and *= work in place: use them on a vector of your own"
+    about.call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; b = HomingBullet(q, 2.0, "
+    about.call += "3.0); b.update_force(p, 0.5)"
+    about.cause = "add_scaled, += and *= work in place: use them on a vector of your own"
     p, q = Particle(Vector3(*here), Vector3(*v)), Particle(Vector3(*there), Vector3(*w))
     b = HomingBullet(q, 2.0, 3.0)
     b.update_force(p, 0.5)
@@ -88,42 +88,42 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         ("q.position", q.position, there),
         ("q.velocity", q.velocity, w),
     ):
-        expect_unchanged(call, name, xyz(now), before, cause=cause, read=read)
-    call += f"; p.clear_forces(); b.stiffness = 4.0; b.look_ahead = 1.0; q.velocity = Vector3{v}; "
-    call += "b.update_force(p, 0.5)"
-    cause = "read stiffness, look_ahead, and where the target is and goes, each time"
+        expect_unchanged(name, xyz(now), before)
+    about.call += "; p.clear_forces(); b.stiffness = 4.0; b.look_ahead = 1.0; q.velocity = "
+    about.call += f"Vector3{v}; "
+    about.call += "b.update_force(p, 0.5)"
+    about.cause = "read stiffness, look_ahead, and where the target is and goes, each time"
     p.clear_forces()
     b.stiffness, b.look_ahead, q.velocity = 4.0, 1.0, Vector3(*v)
     b.update_force(p, 0.5)
     wanted = tuple(4.0 * (there[i] - here[i]) for i in range(3))
     got = xyz(p.force_accumulator)
-    name = f"{call}; p.force_accumulator"
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
-    call += f"; p.clear_forces(); b.target = an immovable one at {w}; b.update_force(p, 0.5)"
-    cause = "read self.target each time; an immovable one is a target too"
+    name = f"{about.call}; p.force_accumulator"
+    expect_close(got, wanted, call=name, tolerance=1e-11)
+    about.call += f"; p.clear_forces(); b.target = an immovable one at {w}; b.update_force(p, 0.5)"
+    about.cause = "read self.target each time; an immovable one is a target too"
     p.clear_forces()
     b.target = Particle(Vector3(*w), mass=math.inf)
     b.update_force(p, 0.5)
     wanted = tuple(4.0 * (w[i] - here[i] - v[i]) for i in range(3))
     got = xyz(p.force_accumulator)
-    name = f"{call}; p.force_accumulator"
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    name = f"{about.call}; p.force_accumulator"
+    expect_close(got, wanted, call=name, tolerance=1e-11)
 
 
 @pytest.mark.exercise("6.4")
 def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
-    read = READ
+    about.read = READ
     start, w = components(rng), components(rng)
-    call = f"p at (0, 0, 0), at rest; q at {start}, velocity {w}; 20 s of "
-    call += "HomingBullet(q, 4.0, 1.0).update_force(p, h), p.integrate(h), h = 1/240: distance"
-    cause = (
-        "k T is a damping of the velocity seen from the target: the bullet comes to it and stays"
-    )
+    about.call = f"p at (0, 0, 0), at rest; q at {start}, velocity {w}; 20 s of HomingBullet(q, "
+    about.call += "4.0, 1.0).update_force(p, h), p.integrate(h), h = 1/240: distance"
+    about.cause = "k T is a damping of the velocity seen from the target: the bullet comes to it "
+    about.cause += "and stays"
     distances = chased(start, w, 4.0, 1.0, 1.0 / 240.0, 4800)
-    expect_close(f"{call} in the end", distances[-1], 0.0, cause=cause, read=read, tolerance=1e-6)
+    expect_close(distances[-1], 0.0, then=" in the end", tolerance=1e-6)
     # Critically damped, c = k T = 4 and c^2 = 4 k m, from rest: after t s (1 + 2 t) e^-2t of the
     # way is left, and w t e^-2t of the velocity's. Of first order, the step is 0.02 off at most.
     half = [(start[i] * (1.0 + 2.0) + w[i] * 1.0) * math.exp(-2.0) for i in range(3)]
-    name = f"{call} after 1 s"
+    name = f"{about.call} after 1 s"
     wanted = math.hypot(*half)
-    expect_close(name, distances[240], wanted, cause=cause, read=read, tolerance=0.05)
+    expect_close(distances[240], wanted, call=name, tolerance=0.05)

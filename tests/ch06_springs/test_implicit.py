@@ -11,7 +11,7 @@ from ch06_springs.integrators import backward_euler, trapezoidal
 from ch06_springs.step_probes import implicit_steps
 from draw import number as draw_number
 from draw import positive_number
-from expect import expect_close, expect_finite_numbers, named
+from expect import about, expect_close, expect_finite_numbers, named
 
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
 RULES = {
@@ -33,14 +33,14 @@ def off(
 @pytest.mark.exercise("B6.9")
 @pytest.mark.parametrize("method", METHODS)
 def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
-    read = f"the docstring of {method}"
+    about.read = f"the docstring of {method}"
     x, v = draw_number(rng), draw_number(rng)
     k, c, m, h = (positive_number(rng) for _ in range(4))
     for stiffness, damping in ((k, 0.0), (0.0, c), (k, c)):
-        call = f"{method}({x}, {v}, {stiffness}, {damping}, {m}, {h}) = (x', v')"
-        cause = f"{RULES[method]}, where m a = -k x - c v: solve them for v'"
+        about.call = f"{method}({x}, {v}, {stiffness}, {damping}, {m}, {h}) = (x', v')"
+        about.cause = f"{RULES[method]}, where m a = -k x - c v: solve them for v'"
         new = METHODS[method](x, v, stiffness, damping, m, h)
-        expect_close(f"{call}: how many numbers", len(new), 2, cause=cause, read=read)
+        expect_close(len(new), 2, then=": how many numbers")
         left = off(method, x, v, stiffness, damping, m, h, new)
         other = "trapezoidal" if method == "backward_euler" else "backward_euler"
         u = v + (-stiffness * x - damping * v) / m * h
@@ -60,82 +60,84 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
             ),
         }
         # Where the equations of a mistake are met, it was made.
-        cause = next(
-            (f"this is {slip}: {cause}" for slip in fits if max(map(abs, fits[slip])) < 1e-10),
-            named(new, cause, slips),
+        about.cause = next(
+            (
+                f"this is {slip}: {about.cause}"
+                for slip in fits
+                if max(map(abs, fits[slip])) < 1e-10
+            ),
+            named(new, about.cause, slips),
         )
-        if abs(new[0] - x - v * h) < 1e-10 and "this is" not in cause:
-            cause = f"this is x' = x + v h, with the old velocity alone: {cause}"
-        if abs(new[0] - x - new[1] * h) < 1e-10 and "this is" not in cause and left[0] != 0.0:
-            cause = f"this is x' = x + v' h, with the new velocity alone: {cause}"
+        if abs(new[0] - x - v * h) < 1e-10 and "this is" not in about.cause:
+            about.cause = f"this is x' = x + v h, with the old velocity alone: {about.cause}"
+        if abs(new[0] - x - new[1] * h) < 1e-10 and "this is" not in about.cause and left[0] != 0.0:
+            about.cause = f"this is x' = x + v' h, with the new velocity alone: {about.cause}"
         # A few roundings of numbers up to 4000.
-        name = f"{call}: what the equations for x' and v' are off"
-        expect_close(name, left, (0.0, 0.0), cause=cause, read=read, tolerance=1e-10)
+        name = f"{about.call}: what the equations for x' and v' are off"
+        expect_close(left, (0.0, 0.0), call=name, tolerance=1e-10)
 
 
 @pytest.mark.exercise("B6.9")
 @pytest.mark.parametrize(("method", "factor"), [("backward_euler", 2.0), ("trapezoidal", 4.0)])
 def test_half_the_frame_has_its_share_of_the_error(method: str, factor: float) -> None:
-    read = f"the docstring of {method}"
-    call = f"{method}(x, v, 4.0, 0.5, 1.0, h) from x = 1, v = 0 to 2 s: error of x"
-    cause = f"half the frame has 1/{factor:g} of the error: the order of the method"
+    about.read = f"the docstring of {method}"
+    about.call = f"{method}(x, v, 4.0, 0.5, 1.0, h) from x = 1, v = 0 to 2 s: error of x"
+    about.cause = f"half the frame has 1/{factor:g} of the error: the order of the method"
     # x(2) by the closed form: e^-0.5 (cos 2g + sin 2g / (4 g)), g the root of 3.9375
     g = math.sqrt(3.9375)
     exact = math.exp(-0.5) * (math.cos(2.0 * g) + 0.25 * math.sin(2.0 * g) / g)
     errors = [
         implicit_steps(method, 1.0, 0.0, 4.0, 0.5, 1.0, 2.0 / n, n)[0] - exact for n in (400, 800)
     ]
-    name = f"{call}, h = 1/200 over h = 1/400"
+    name = f"{about.call}, h = 1/200 over h = 1/400"
     # The next order adds some h of it.
-    expect_close(
-        name, errors[0] / errors[1], factor, cause=cause, read=read, tolerance=0.03 * factor
-    )
+    expect_close(errors[0] / errors[1], factor, call=name, tolerance=0.03 * factor)
 
 
 @pytest.mark.exercise("B6.9")
 @pytest.mark.parametrize("method", METHODS)
 def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
-    read = f"the docstring of {method}"
+    about.read = f"the docstring of {method}"
     v = draw_number(rng)
     causes = {
         "trapezoidal": "the trapezoidal rule keeps the energy of a spring without damping",
         "backward_euler": "each step of backward Euler divides the energy by 1 + k h^2 / m",
     }
-    cause = causes[method]
+    about.cause = causes[method]
     for k, steps in ((1e3, 5), (1e3, 1000), (1e6, 1000), (1e12, 1000)):
-        call = f"{steps} times {method}(x, v, {k}, 0.0, 1.0, 1/60) from x = 1, v = {v}: energy left"
+        about.call = f"{steps} times {method}(x, v, {k}, 0.0, 1.0, 1/60) from x = 1, v = {v}: "
+        about.call += "energy left"
         x, new = implicit_steps(method, 1.0, v, k, 0.0, 1.0, 1.0 / 60.0, steps)
         left = (k * x * x + new * new) / (k + v * v)
         wanted = 1.0 if method == "trapezoidal" else (1.0 + k / 3600.0) ** -steps
         # Each step of the trapezoidal rule rounds numbers that are up to 10^8 times as large as
         # what is left of them; what is lost at each is 1e-16 of that.
         tolerance = 1e-5 if method == "trapezoidal" else 1e-12 * wanted
-        expect_close(call, left, wanted, cause=cause, read=read, tolerance=tolerance)
+        expect_close(left, wanted, tolerance=tolerance)
 
 
 @pytest.mark.exercise("B6.9")
 def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
-    read = "the docstring of backward_euler"
+    about.read = "the docstring of backward_euler"
     x, v = draw_number(rng), draw_number(rng)
     k, m, h = (positive_number(rng) for _ in range(3))
-    call = f"backward_euler({x}, {v}, {k}, 0.0, {m}, {h}): energy after / before"
-    cause = "without damping a step divides the energy by 1 + k h^2 / m"
+    about.call = f"backward_euler({x}, {v}, {k}, 0.0, {m}, {h}): energy after / before"
+    about.cause = "without damping a step divides the energy by 1 + k h^2 / m"
     new = backward_euler(x, v, k, 0.0, m, h)
     energy = 0.5 * k * new[0] ** 2 + 0.5 * m * new[1] ** 2
     before = 0.5 * k * x * x + 0.5 * m * v * v
     wanted = 1.0 / (1.0 + k * h * h / m)
-    expect_close(call, energy / before, wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_close(energy / before, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B6.9")
 @pytest.mark.robust
 @pytest.mark.parametrize("method", METHODS)
 def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None:
-    read = f"the docstring of {method}"
+    about.read = f"the docstring of {method}"
     step = METHODS[method]
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0), (5, 0.0)]
-    expect_finite_numbers(method, step, (1, 2, 3, 4, 5, 6), bad, read=read)
-    call = f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)"
-    cause = "without a force it coasts: x + v h"
+    expect_finite_numbers(method, step, (1, 2, 3, 4, 5, 6), bad)
+    about(f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)", cause="without a force it coasts: x + v h")
     got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)
-    expect_close(call, got, (11.0, 3.0), cause=cause, read=read)
+    expect_close(got, (11.0, 3.0))

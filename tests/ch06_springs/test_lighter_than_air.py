@@ -12,20 +12,21 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import risen
 from ch06_springs.springs import LighterThanAir
 from draw import components, positive_number
-from expect import expect_close, expect_unchanged, named, xyz
+from expect import UNCHANGED, about, blame, expect_close, expect_unchanged, xyz
 
 READ = "exercise 6.2 and the docstring of LighterThanAir"
 
 
 @pytest.mark.exercise("6.2")
 def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
-    read = READ
+    about.read = READ
     most, scale, f = positive_number(rng, 5.0, 90.0), positive_number(rng), components(rng)
     for share in (0.3, 1.0, 2.5, 7.0):
         y = share * scale
-        call = f"p at (3, {y}, 5); p.add_force(Vector3{f}); "
-        call += f"LighterThanAir({most}, {scale}).update_force(p, 0.5); p.force_accumulator"
-        cause = "F e^(-y / H), upwards, beside the other forces: 1 / e of it at the scale height"
+        about.call = f"p at (3, {y}, 5); p.add_force(Vector3{f}); LighterThanAir({most}, "
+        about.call += f"{scale}).update_force(p, 0.5); p.force_accumulator"
+        about.cause = "F e^(-y / H), upwards, beside the other forces: 1 / e of it at the scale "
+        about.cause += "height"
         p = Particle(Vector3(3.0, y, 5.0), mass=7.0)
         p.add_force(Vector3(*f))
         LighterThanAir(most, scale).update_force(p, 0.5)
@@ -43,13 +44,13 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
             "the lift times the mass of 7 kg": 7.0 * lift,
         }
         slips = {name: (f[0], f[1] + size, f[2]) for name, size in lifts.items()}
-        cause = named(got, cause, slips)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+        blame(got, slips)
+        expect_close(got, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("6.2")
 def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
-    read = READ
+    about.read = READ
     most, scale = positive_number(rng, 5.0, 90.0), positive_number(rng)
     balloon = LighterThanAir(most, scale)
     for y, cause in (
@@ -57,32 +58,33 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
         (-0.5 * scale, "below the ground it is as at the ground: it does not grow any more"),
         (-1e6, "below the ground it is as at the ground, not e^(a million)"),
     ):
-        call = f"p at (0, {y}, 0); LighterThanAir({most}, {scale}).update_force(p, 0.5)"
+        about.cause = cause
+        about.call = f"p at (0, {y}, 0); LighterThanAir({most}, {scale}).update_force(p, 0.5)"
         p = Particle(Vector3(0.0, y, 0.0))
         balloon.update_force(p, 0.5)
-        name = f"{call}; p.force_accumulator"
+        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
-        expect_close(name, got, (0.0, most, 0.0), cause=cause, read=read)
-        expect_unchanged(call, "p.position", xyz(p.position), (0.0, y, 0.0), read=read)
-    call = f"balloon = LighterThanAir({most}, {scale}); balloon.max_lift = {2 * most}; "
-    call += f"balloon.scale_height = {3 * scale}; p at (0, {3 * scale}, 0); "
-    call += "balloon.update_force(p, 0.5)"
-    cause = "read the attributes each time"
+        expect_close(got, (0.0, most, 0.0), call=name)
+        expect_unchanged("p.position", xyz(p.position), (0.0, y, 0.0), cause=UNCHANGED)
+    about.call = f"balloon = LighterThanAir({most}, {scale}); balloon.max_lift = {2 * most}; "
+    about.call += f"balloon.scale_height = {3 * scale}; p at (0, {3 * scale}, 0); "
+    about.call += "balloon.update_force(p, 0.5)"
+    about.cause = "read the attributes each time"
     balloon.max_lift, balloon.scale_height = 2.0 * most, 3.0 * scale
     p = Particle(Vector3(0.0, 3.0 * scale, 0.0))
     balloon.update_force(p, 0.5)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     wanted = (0.0, 2.0 * most / math.e, 0.0)
-    expect_close(name, xyz(p.force_accumulator), wanted, cause=cause, read=read)
+    expect_close(xyz(p.force_accumulator), wanted, call=name)
 
 
 @pytest.mark.exercise("6.2")
 def test_a_balloon_comes_to_rest_where_its_lift_is_its_weight() -> None:
-    read = READ
-    call = "p of 2 kg, damping 0.5, g = 9.81; 60 s of LighterThanAir(30, 8).update_force(p, h), "
-    call += "p.integrate(h) in frames of 1/60 s; p.position.y"
-    cause = "it rises until F e^(-y / H) is m g: to H ln(F / (m g)), where it stays"
+    about.read = READ
+    about.call = "p of 2 kg, damping 0.5, g = 9.81; 60 s of LighterThanAir(30, 8).update_force(p, "
+    about.call += "h), p.integrate(h) in frames of 1/60 s; p.position.y"
+    about.cause = "it rises until F e^(-y / H) is m g: to H ln(F / (m g)), where it stays"
     y = risen(30.0, 8.0, 2.0, 0.5, 9.81, 1.0 / 60.0, 3600)
     wanted = 8.0 * math.log(30.0 / (2.0 * 9.81))
     # By then the swings have died out to e^-20 of some metres.
-    expect_close(call, y, wanted, cause=cause, read=read, tolerance=1e-6)
+    expect_close(y, wanted, tolerance=1e-6)

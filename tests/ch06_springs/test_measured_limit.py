@@ -9,7 +9,7 @@ import pytest
 
 from ch06_springs.exercises import largest_stable_stiffness, swings_wider
 from ch06_springs.step_probes import measured, never_safe, released, wider
-from expect import expect_close, expect_error, expect_exactly, named
+from expect import about, blame, expect_close, expect_error, expect_exactly, named
 
 WIDER = "the docstring of swings_wider"
 LARGEST = "the docstring of largest_stable_stiffness"
@@ -32,37 +32,36 @@ def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
 
 @pytest.mark.exercise("6.5")
 def test_how_the_particle_is_released() -> None:
-    read = WIDER
-    call = "swings_wider(integrator, 7.0, 0.25, 0.125): what the integrator gets"
-    cause = "one particle of 1 kg and this damping, START m away from the anchor and at rest; "
-    cause += "apply_forces is that of a registry with one AnchoredSpring"
+    about("swings_wider(integrator, 7.0, 0.25, 0.125): what the integrator gets", read=WIDER)
+    about.cause = "one particle of 1 kg and this damping, START m away from the anchor and at "
+    about.cause += "rest; apply_forces is that of a registry with one AnchoredSpring"
     seen = released()
     name = "swings_wider(integrator, 7.0, 0.25, 0.125): is the integrator called"
     calls = "the integrator that is given makes the steps, whichever it is; no formula knows it"
-    expect_exactly(name, len(seen) > 0, True, cause=calls, read=read)
+    expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
-    name = f"{call}: particles, their mass and damping, the duration"
+    name = f"{about.call}: particles, their mass and damping, the duration"
     numbers = (count, mass, damping, h)
     slips = {"a particle without damping; it is the particle's, not the spring's": (1, 1, 1, 0.125)}
-    why = named(numbers, cause, slips)
-    expect_close(name, numbers, (1, 1.0, 0.25, 0.125), cause=why, read=read)
-    name = f"{call}: distance from the anchor"
-    expect_close(name, math.hypot(*place), 10.0, cause=cause, read=read)
-    name = f"{call}: acceleration"
-    expect_close(name, drift, (0.0, 0.0, 0.0), cause=cause, read=read)
-    name = f"{call}: velocity"
-    expect_close(name, velocity, (0.0, 0.0, 0.0), cause=cause, read=read)
-    name = f"{call}: the force that is there before apply_forces is called"
-    expect_close(name, before, (0.0, 0.0, 0.0), cause=cause, read=read)
-    name = f"{call}: the force that apply_forces adds"
+    why = named(numbers, about.cause, slips)
+    expect_close(numbers, (1, 1.0, 0.25, 0.125), call=name, cause=why)
+    name = f"{about.call}: distance from the anchor"
+    expect_close(math.hypot(*place), 10.0, call=name)
+    name = f"{about.call}: acceleration"
+    expect_close(drift, (0.0, 0.0, 0.0), call=name)
+    name = f"{about.call}: velocity"
+    expect_close(velocity, (0.0, 0.0, 0.0), call=name)
+    name = f"{about.call}: the force that is there before apply_forces is called"
+    expect_close(before, (0.0, 0.0, 0.0), call=name)
+    name = f"{about.call}: the force that apply_forces adds"
     wanted = tuple(-7.0 * part for part in place)
-    expect_close(name, force, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(force, wanted, call=name, tolerance=1e-11)
 
 
 @pytest.mark.exercise("6.5")
 @pytest.mark.parametrize("explicit", [True, False], ids=["the_book_s_step", "velocity_first"])
 def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None:
-    read = WIDER
+    about.read = WIDER
     h = 1.0 / 60.0
     share, damping = draw_step(rng)
     limit = limit_of(share, explicit, damping, h)
@@ -78,43 +77,43 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (4.0, True, "far beyond the limit they grow beyond all bounds: stop before it overflows"),
         (1e6, True, "in some frames they are too large for a float: stop before that"),
     ):
+        about.cause = cause
         k = part * limit
-        call = (
-            f"swings_wider(integrator, {k!r}, {damping}, 1/60), a step that bears {limit:.6g} N/m"
-        )
+        about.call = f"swings_wider(integrator, {k!r}, {damping}, 1/60), a step that bears "
+        about.call += f"{limit:.6g} N/m"
         got = wider(share, explicit, k, damping, h)
-        expect_exactly(call, got, wanted, cause=cause, read=read)
+        expect_exactly(got, wanted)
 
 
 @pytest.mark.exercise("6.5")
 def test_swings_that_stay_as_they_are_are_not_wider() -> None:
-    read = WIDER
-    cause = (
-        "without damping the velocity-first step keeps the size of the swings, though one may be "
-    )
-    cause += "seen nearer to its end than another: compare many late swings with many early ones"
+    about.read = WIDER
+    about.cause = "without damping the velocity-first step keeps the size of the swings, though "
+    about.cause += "one may be seen nearer to its end than another: compare many late swings with "
+    about.cause += "many early ones"
     for share in (0.1, 0.9, 0.97, 0.98):
         k = share * 14_400.0
-        call = f"swings_wider(integrator, {k}, 1.0, 1/60), a step that bears 14400 N/m"
+        about.call = f"swings_wider(integrator, {k}, 1.0, 1/60), a step that bears 14400 N/m"
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
-        expect_exactly(call, got, False, cause=cause, read=read)
-    call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that bears 14400 N/m"
-    cause = "2 % beyond the limit they grow"
+        expect_exactly(got, False)
+    about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that bears 14400 N/m"
+    about.cause = "2 % beyond the limit they grow"
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
-    expect_exactly(call, got, True, cause=cause, read=read)
+    expect_exactly(got, True)
 
 
 @pytest.mark.exercise("6.5")
 @pytest.mark.parametrize("explicit", [True, False], ids=["the_book_s_step", "velocity_first"])
 def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
-    read = LARGEST
+    about.read = LARGEST
     share, damping = draw_step(rng)
     h = 1.0 / 20.0
     if explicit:
         damping = 0.9  # with which it bears some 1 N/m
-    call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), a step of the check's own"
-    cause = "measure it with the integrator that is given, by halving the gap between a "
-    cause += "stiffness that is safe and one that is not: no formula knows this step"
+    about.call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), a step of the check's "
+    about.call += "own"
+    about.cause = "measure it with the integrator that is given, by halving the gap between a "
+    about.cause += "stiffness that is safe and one that is not: no formula knows this step"
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
     begun = "/ h^2, where the search began, and"
@@ -122,43 +121,45 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
         f"SOFTEST {begun} a middle that is safe is the new low end": 1e-7 / h**2,
         f"STIFFEST {begun} one that is not safe is the new high end": 16.0 / h**2,
     }
-    cause = named(got, cause, slips)
+    blame(got, slips)
     # 1 % is promised; as much again for those who measure in another way.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=0.02 * wanted)
+    expect_close(got, wanted, tolerance=0.02 * wanted)
 
 
 @pytest.mark.exercise("6.5")
 def test_the_ends_of_what_is_measured() -> None:
-    read = LARGEST
+    about.read = LARGEST
     h = 1.0 / 60.0
-    call = "largest_stable_stiffness(integrator, 1.0, 1/60), the book's step"
-    cause = "without damping the book's step bears no spring at all: 0, or next to it"
+    about.call = "largest_stable_stiffness(integrator, 1.0, 1/60), the book's step"
+    about.cause = "without damping the book's step bears no spring at all: 0, or next to it"
     got = measured(1.0, True, 1.0, h)
     # With k h^2 / m = 1e-4 a swing grows by 10 % in FRAMES.
-    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-4 * 3600.0)
-    call = "largest_stable_stiffness(integrator, 0.5, 1/60), a step that makes every swing wider"
-    cause = "where no spring is safe it is 0, or next to it"
+    expect_close(got, 0.0, tolerance=1e-4 * 3600.0)
+    about.call = "largest_stable_stiffness(integrator, 0.5, 1/60), a step that makes every swing "
+    about.call += "wider"
+    about.cause = "where no spring is safe it is 0, or next to it"
     got = never_safe(h)
-    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-4 * 3600.0)
-    cause = "nothing beyond STIFFEST / h^2 is looked at: that is returned"
+    expect_close(got, 0.0, tolerance=1e-4 * 3600.0)
+    about.cause = "nothing beyond STIFFEST / h^2 is looked at: that is returned"
     for rate in (60.0, 30.0, 1.25):
-        call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step that bears 400 / h^2"
+        about.call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step that bears "
+        about.call += "400 / h^2"
         most = 16.0 * rate**2
         got = measured(0.01, False, 0.5, 1.0 / rate)
-        expect_close(call, got, most, cause=cause, read=read, tolerance=0.01 * most)
-    call = "largest_stable_stiffness(integrator, 0.0, 1/60), the velocity-first step"
-    cause = "a damping of 0 is a damping: at the end of each frame everything stands still"
+        expect_close(got, most, tolerance=0.01 * most)
+    about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), the velocity-first step"
+    about.cause = "a damping of 0 is a damping: at the end of each frame everything stands still"
     got = measured(1.0, False, 0.0, h)
     most = 16.0 * 3600.0
-    expect_close(call, got, most, cause=cause, read=read, tolerance=0.01 * most)
+    expect_close(got, most, tolerance=0.01 * most)
 
 
 @pytest.mark.exercise("6.5")
 @pytest.mark.robust
 def test_measuring_needs_numbers_that_mean_something() -> None:
-    read = WIDER
-    cause = "refuse it with ValueError: Particle and AnchoredSpring do for theirs; look at the "
-    cause += "duration yourself, since this integrator does not"
+    about.read = WIDER
+    about.cause = "refuse it with ValueError: Particle and AnchoredSpring do for theirs; look at "
+    about.cause += "the duration yourself, since this integrator does not"
 
     def step(particles: list, apply_forces: object, duration: float) -> None:
         """Do nothing: the particle never swings wider."""
@@ -173,26 +174,22 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
         (1.0, 0.5, math.nan),
     ):
         expect_error(
-            "swings_wider(integrator, {}, {}, {})".format(*bad),
             lambda bad=bad: swings_wider(step, *bad),
             ValueError,
+            call="swings_wider(integrator, {}, {}, {})".format(*bad),
             allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
-            cause=cause,
-            read=read,
         )
-    read = LARGEST
+    about.read = LARGEST
     for damping, duration in ((-0.5, 0.25), (math.nan, 0.25), (0.5, 0.0), (0.5, math.inf)):
         expect_error(
-            f"largest_stable_stiffness(integrator, {damping}, {duration})",
             lambda damping=damping, duration=duration: largest_stable_stiffness(
                 step, damping, duration
             ),
             ValueError,
+            call=f"largest_stable_stiffness(integrator, {damping}, {duration})",
             allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
-            cause=cause,
-            read=read,
         )
-    call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
-    cause = "what means something must be answered: 10 N/m is below the limit of 41.8"
+    about.call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
+    about.cause = "what means something must be answered: 10 N/m is below the limit of 41.8"
     got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
-    expect_exactly(call, got, False, cause=cause, read=read)
+    expect_exactly(got, False)

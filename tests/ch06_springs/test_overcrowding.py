@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import crowded
 from ch06_springs.springs import Overcrowding
 from draw import components, direction, positive_number
-from expect import expect_close, expect_exactly, named, xyz
+from expect import about, blame, expect_close, expect_exactly, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "exercise 6.3 and the docstring of Overcrowding"
@@ -20,7 +20,7 @@ READ = "exercise 6.3 and the docstring of Overcrowding"
 
 @pytest.mark.exercise("6.3")
 def test_who_is_too_near_pushes(rng: Random) -> None:
-    read = READ
+    about.read = READ
     here, d, f = components(rng), direction(rng), components(rng)
     distance, k = positive_number(rng, 1.0, 9.0), positive_number(rng)
     for share, cause in (
@@ -32,16 +32,17 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         (0.9, "a little nearer than the distance: a little push, away from the other one"),
         (1.1, "farther than the distance nobody minds: no push, and no pull"),
     ):
+        about.cause = cause
         there = tuple(h + share * distance * part for h, part in zip(here, d, strict=True))
-        call = f"p of 2 kg at {here}, q of 3 kg at {there}; p.add_force(Vector3{f}); "
-        call += f"Overcrowding([p, q], {distance}, {k}).update_force(p, 0.5)"
+        about.call = f"p of 2 kg at {here}, q of 3 kg at {there}; p.add_force(Vector3{f}); "
+        about.call += f"Overcrowding([p, q], {distance}, {k}).update_force(p, 0.5)"
         p = Particle(Vector3(*here), Vector3(1.0, 2.0, 3.0), mass=2.0)
         q = Particle(Vector3(*there), Vector3(-3.0, 2.0, 1.0), mass=3.0)
         p.add_force(Vector3(*f))
         Overcrowding([p, q], distance, k).update_force(p, 0.5)
         push = k * distance * max(1.0 - share, 0.0)
         wanted = tuple(g - push * part for g, part in zip(f, d, strict=True))
-        name = f"{call}; p.force_accumulator"
+        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
         near = share * distance
         pushes = {
@@ -56,87 +57,87 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
                 slip: [g - size * part for g, part in zip(f, d, strict=True)]
                 for slip, size in pushes.items()
             }
-            cause = named(got, cause, slips)
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
-        name = f"{call}; q.force_accumulator"
-        cause = "the other one is pushed when it is asked for, not now"
-        expect_close(name, xyz(q.force_accumulator), ZERO, cause=cause, read=read)
+            blame(got, slips)
+        expect_close(got, wanted, call=name, tolerance=1e-11)
+        name = f"{about.call}; q.force_accumulator"
+        about.cause = "the other one is pushed when it is asked for, not now"
+        expect_close(xyz(q.force_accumulator), ZERO, call=name)
 
 
 @pytest.mark.exercise("6.3")
 def test_every_one_who_is_too_near_counts(rng: Random) -> None:
-    read = READ
+    about.read = READ
     here = components(rng)
     offsets = [(1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.5), (0.0, -4.0, 0.0)]
     k = positive_number(rng)
-    call = f"p at {here}, others at distances of 1, 2, 1.5 and 4 m along x, y, -z and -y; "
-    call += f"crowd = Overcrowding(all, 3.0, {k}); crowd.update_force(p, 0.5)"
-    cause = "the pushes of all who are nearer than the distance add up: do not stop at the first"
+    about.call = f"p at {here}, others at distances of 1, 2, 1.5 and 4 m along x, y, -z and -y; "
+    about.call += f"crowd = Overcrowding(all, 3.0, {k}); crowd.update_force(p, 0.5)"
+    about.cause = "the pushes of all who are nearer than the distance add up: do not stop at the "
+    about.cause += "first"
     p = Particle(Vector3(*here))
     others = [Particle(p.position + Vector3(*offset)) for offset in offsets]
     crowd = Overcrowding([others[0], others[1], p, others[2], others[3]], 3.0, k)
     crowd.update_force(p, 0.5)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     wanted = (-2.0 * k, -1.0 * k, 1.5 * k)
     got = xyz(p.force_accumulator)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12)
-    call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
-    call += f"crowd.stiffness = {2 * k}; crowd.update_force(p, 0.5)"
-    cause = "read particles, distance and stiffness each time: only one is nearer than 1.25 m"
+    expect_close(got, wanted, call=name, tolerance=1e-12)
+    about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
+    about.call += f"crowd.stiffness = {2 * k}; crowd.update_force(p, 0.5)"
+    about.cause = "read particles, distance and stiffness each time: only one is nearer than 1.25 m"
     p.clear_forces()
     crowd.particles.pop()
     crowd.distance, crowd.stiffness = 1.25, 2.0 * k
     crowd.update_force(p, 0.5)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     wanted = (-0.5 * k, 0.0, 0.0)
     got = xyz(p.force_accumulator)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, wanted, call=name, tolerance=1e-12)
 
 
 @pytest.mark.exercise("6.3")
 def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) -> None:
-    read = READ
+    about.read = READ
     here = components(rng)
-    call = f"p and q at {here}, r 1 m above; Overcrowding([p, q, r], 3.0, 5.0).update_force(p, 0.5)"
-    cause = "p itself and q have no direction from p, and do not push; r does, downwards"
+    about.call = f"p and q at {here}, r 1 m above; Overcrowding([p, q, r], 3.0, "
+    about.call += "5.0).update_force(p, 0.5)"
+    about.cause = "p itself and q have no direction from p, and do not push; r does, downwards"
     p, q = Particle(Vector3(*here)), Particle(Vector3(*here))
     r = Particle(p.position + Vector3(0.0, 1.0, 0.0), mass=math.inf)
     crowd = Overcrowding([r, p, q], 3.0, 5.0)
     crowd.update_force(p, 0.5)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(name, got, (0.0, -10.0, 0.0), cause=cause, read=read, tolerance=1e-12)
-    name = f"{call}; the positions in crowd.particles, as they were: r, p, q"
-    cause = "the list is the caller's: leave its order and its particles alone"
+    expect_close(got, (0.0, -10.0, 0.0), call=name, tolerance=1e-12)
+    name = f"{about.call}; the positions in crowd.particles, as they were: r, p, q"
+    about.cause = "the list is the caller's: leave its order and its particles alone"
     got = [part for one in crowd.particles for part in xyz(one.position)]
     wanted = [here[0], here[1] + 1.0, here[2], *here, *here]
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12)
-    call = "p at (0, 1e-9, 0), not in the crowd; Overcrowding([q], 3.0, 5.0).update_force(p, 0.5), "
-    call += "q at (0, 0, 0); p.force_accumulator"
-    cause = "who is asked for need not be one of the crowd; near is not at the same place"
+    expect_close(got, wanted, call=name, tolerance=1e-12)
+    about.call = "p at (0, 1e-9, 0), not in the crowd; Overcrowding([q], 3.0, 5.0).update_force(p, "
+    about.call += "0.5), q at (0, 0, 0); p.force_accumulator"
+    about.cause = "who is asked for need not be one of the crowd; near is not at the same place"
     p, q = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     Overcrowding([q], 3.0, 5.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(call, got, (0.0, 15.0, 0.0), cause=cause, read=read, tolerance=1e-7)
+    expect_close(got, (0.0, 15.0, 0.0), tolerance=1e-7)
 
 
 @pytest.mark.exercise("6.3")
 def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
-    read = READ
+    about.read = READ
     places = [components(rng) for _ in range(6)]
     places = [(0.1 * x, 0.1 * y, 0.1 * z) for x, y, z in places]
     x, y, z = places[0]
     places[1] = (0.9 * x, 0.9 * y, 0.9 * z)  # two are too near, wherever the others are
-    call = f"6 particles at {places[0]} ..., damping 0.2, Overcrowding(all, 1.0, 40.0) for each; "
-    call += "600 frames of registry.update_forces(h), p.integrate(h)"
-    cause = "everybody who is nearer than 1 m is pushed away, and pushes back"
+    about.call = f"6 particles at {places[0]} ..., damping 0.2, Overcrowding(all, 1.0, 40.0) for "
+    about.call += "each; 600 frames of registry.update_forces(h), p.integrate(h)"
+    about.cause = "everybody who is nearer than 1 m is pushed away, and pushes back"
     nearest, momentum = crowded(places, 1.0, 40.0, 0.2, 1.0 / 60.0, 600)
-    name = f"{call}: 1.0 less the smallest distance, or 0"
+    name = f"{about.call}: 1.0 less the smallest distance, or 0"
     # Pushed out of the way, each coasts on a little, slowed by the damping.
-    expect_close(name, max(1.0 - nearest, 0.0), 0.0, cause=cause, read=read, tolerance=0.01)
+    expect_close(max(1.0 - nearest, 0.0), 0.0, call=name, tolerance=0.01)
     before = min(math.dist(a, b) for a in places for b in places if a is not b)
-    name = f"{call}: farther apart than at the start"
-    expect_exactly(name, nearest > before, True, cause=cause, read=read)
-    name = f"{call}: the sum of all m v"
+    expect_exactly(nearest > before, True, then=": farther apart than at the start")
     # The pushes of each frame are opposite but for rounding, some 1e-14 N.
-    expect_close(name, momentum, ZERO, cause=cause, read=read, tolerance=1e-11)
+    expect_close(momentum, ZERO, then=": the sum of all m v", tolerance=1e-11)

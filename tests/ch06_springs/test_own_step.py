@@ -10,7 +10,7 @@ import pytest
 
 from ch06_springs.step_probes import own_steps
 from draw import Components, components, direction, dot, positive_number
-from expect import expect_close, expect_exactly
+from expect import about, expect_close, expect_exactly
 
 STEP = "the docstring of my_step"
 FRAMES, ECCENTRICITY = 60, 0.5
@@ -74,15 +74,13 @@ def turn_of_an_orbit(rng: Random) -> tuple[int, float]:
 
 @pytest.mark.exercise("G6.3")
 def test_it_moves_all_by_their_forces(rng: Random) -> None:
-    read = STEP
+    about.read = STEP
     m, n = positive_number(rng, 1.0, 4.0), positive_number(rng, 1.0, 4.0)
     stiffness, along = positive_number(rng, 5.0, 20.0), direction(rng)
     v, a, middle = components(rng), components(rng), components(rng)
-    call = f"my_step with two particles of {m} and {n} kg on a spring of {stiffness} N/m"
-    cause = (
-        "each has its own mass, velocity and acceleration, forces are cleared after use, and asked "
-    )
-    cause += f"for {MOST} times at most"
+    about.call = f"my_step with two particles of {m} and {n} kg on a spring of {stiffness} N/m"
+    about.cause = "each has its own mass, velocity and acceleration, forces are cleared after use, "
+    about.cause += f"and asked for {MOST} times at most"
 
     def ends(swung: float, t: float) -> list[Components]:
         """Where the two are: their middle falls, the spring between them swings."""
@@ -104,45 +102,42 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
     for frame in (15, 40, 60):
         true = ends(math.cos(2.0 * math.pi * frame / FRAMES), period * frame / FRAMES)
         for which, place in enumerate(true):
-            name = f"{call}: particles[{which}].position after {frame} of {FRAMES} frames"
+            name = f"{about.call}: particles[{which}].position after {frame} of {FRAMES} frames"
             # Of a length of 1 m; velocity Verlet, once a frame, is off by 3e-3 at most.
             got = places[frame - 1][which]
-            expect_close(name, got, place, cause=cause, read=read, tolerance=5e-3)
+            expect_close(got, place, call=name, tolerance=5e-3)
     falling = [p + q * period for p, q in zip(v, a, strict=True)]
     # After a whole period the spring has its velocity of the start, none; it has up to 9 m/s.
-    name = f"{call}: particles[0].velocity after {FRAMES} frames"
-    expect_close(name, velocities[-1][0], falling, cause=cause, read=read, tolerance=5e-2)
-    name = f"{call}: particles[0].force_accumulator after it"
-    expect_close(name, left[0], (0.0, 0.0, 0.0), cause=cause, read=read, tolerance=0.0)
+    name = f"{about.call}: particles[0].velocity after {FRAMES} frames"
+    expect_close(velocities[-1][0], falling, call=name, tolerance=5e-2)
+    name = f"{about.call}: particles[0].force_accumulator after it"
+    expect_close(left[0], (0.0, 0.0, 0.0), call=name, tolerance=0.0)
 
 
 @pytest.mark.exercise("G6.3")
 def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], None]) -> None:
-    read = STEP
-    call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
-    cause = (
-        f"a step of order 2 or more, of as many parts as it takes, up to {MOST} evaluations in all"
-    )
+    about.read = STEP
+    about.call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
+    about.cause = f"a step of order 2 or more, of as many parts as it takes, up to {MOST} "
+    about.cause += "evaluations in all"
     count, error = turn_of_an_orbit(rng)
     on_chart(count, error)
-    name = f"{call}: largest distance from the true orbit / half axis"
+    name = f"{about.call}: largest distance from the true orbit / half axis"
     # Velocity Verlet in 16 parts a frame is off by 2e-3, explicit Euler in 80 by 0.3.
-    expect_close(name, error, 0.0, cause=cause, read=read, tolerance=0.01)
+    expect_close(error, 0.0, call=name, tolerance=0.01)
 
 
 @pytest.mark.exercise("G6.3")
 @pytest.mark.parametrize("most", [1e-3, 1e-4], ids=["a good one", "a better one"])
 def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
-    read = STEP
-    call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
-    cause = f"{FEW} are allowed: take fewer parts, or a formula that asks less often"
+    about.read = STEP
+    about.call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
+    about.cause = f"{FEW} are allowed: take fewer parts, or a formula that asks less often"
     count, error = turn_of_an_orbit(rng)
-    name = f"{call}: evaluations of the forces beyond {FEW}, with an error of {error:.1e}"
-    expect_exactly(name, max(count - FEW, 0), 0, cause=cause, read=read)
-    cause = (
-        f"yours makes {count} evaluations of {FEW}: take more parts where the orbit is fast, or a "
-    )
-    cause += "better formula"
-    name = f"{call}: largest distance from the true orbit / half axis"
+    name = f"{about.call}: evaluations of the forces beyond {FEW}, with an error of {error:.1e}"
+    expect_exactly(max(count - FEW, 0), 0, call=name)
+    about.cause = f"yours makes {count} evaluations of {FEW}: take more parts where the orbit is "
+    about.cause += "fast, or a better formula"
+    name = f"{about.call}: largest distance from the true orbit / half axis"
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
-    expect_close(name, error, 0.0, cause=cause, read=read, tolerance=most)
+    expect_close(error, 0.0, call=name, tolerance=most)

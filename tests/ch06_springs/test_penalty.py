@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.penalty import PenaltyGround
 from ch06_springs.probes import on_penalty_ground
 from draw import components, number, positive_number
-from expect import expect_close, named, xyz
+from expect import about, blame, expect_close, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "the docstring of PenaltyGround"
@@ -20,13 +20,14 @@ READ = "the docstring of PenaltyGround"
 
 @pytest.mark.exercise("G6.1")
 def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
-    read = READ
+    about.read = READ
     high, k, depth = positive_number(rng, 0.5, 9.5), positive_number(rng), positive_number(rng)
     f = components(rng)
     for height in (-high, high):
-        call = f"p at (3, {height - depth}, 5); p.add_force(Vector3{f}); "
-        call += f"PenaltyGround({height}, {k}).update_force(p, 0.5); p.force_accumulator"
-        cause = "a push of k times the depth below the height, upwards, beside the other forces"
+        about.call = f"p at (3, {height - depth}, 5); p.add_force(Vector3{f}); "
+        about.call += f"PenaltyGround({height}, {k}).update_force(p, 0.5); p.force_accumulator"
+        about.cause = "a push of k times the depth below the height, upwards, beside the other "
+        about.cause += "forces"
         p = Particle(Vector3(3.0, height - depth, 5.0), Vector3(7.0, 0.0, 7.0), mass=2.0)
         p.add_force(Vector3(*f))
         PenaltyGround(height, k).update_force(p, 0.5)
@@ -39,43 +40,45 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
             "no push, though p is below the ground": 0.0,
         }
         slips = {slip: (f[0], f[1] + size, f[2]) for slip, size in pushes.items()}
-        cause = named(got, cause, slips)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+        blame(got, slips)
+        expect_close(got, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("G6.1")
 def test_above_the_ground_nothing_pushes(rng: Random) -> None:
-    read = READ
+    about.read = READ
     height, k, c = number(rng), positive_number(rng), positive_number(rng)
     for above, speed, cause in (
         (0.5, 0.0, "above the ground there is no force: it does not pull down"),
         (0.5, -9.0, "above the ground there is no damping, however fast a body comes"),
         (0.0, -9.0, "a body that just touches the ground has no depth yet"),
     ):
-        call = f"p at (0, {height + above}, 0), velocity (0, {speed}, 0); "
-        call += f"PenaltyGround({height}, {k}, {c}).update_force(p, 0.5); p.force_accumulator"
+        about(f"p at (0, {height + above}, 0), velocity (0, {speed}, 0); ", cause=cause)
+        about.call += f"PenaltyGround({height}, {k}, {c}).update_force(p, 0.5); p.force_accumulator"
         p = Particle(Vector3(0.0, height + above, 0.0), Vector3(0.0, speed, 0.0))
         PenaltyGround(height, k, c).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
-        expect_close(call, got, ZERO, cause=cause, read=read)
-    call = f"p at (0, -1e-6, 0); PenaltyGround(0, {k}).update_force(p, 0.5); p.force_accumulator"
-    cause = "a little below the ground it pushes a little"
+        expect_close(got, ZERO)
+    about.call = f"p at (0, -1e-6, 0); PenaltyGround(0, {k}).update_force(p, 0.5); "
+    about.call += "p.force_accumulator"
+    about.cause = "a little below the ground it pushes a little"
     p = Particle(Vector3(0.0, -1e-6, 0.0))
     PenaltyGround(0.0, k).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    expect_close(call, got, (0.0, 1e-6 * k, 0.0), cause=cause, read=read)
-    call = f"p at (0, {height - 1}, 0); PenaltyGround({height}, {k}, {c}).update_force(p, 0.5)"
-    cause = "below the ground it pushes"
+    expect_close(got, (0.0, 1e-6 * k, 0.0))
+    about.call = f"p at (0, {height - 1}, 0); PenaltyGround({height}, {k}, {c}).update_force(p, "
+    about.call += "0.5)"
+    about.cause = "below the ground it pushes"
     p = Particle(Vector3(0.0, height - 1.0, 0.0))
     PenaltyGround(height, k, c).update_force(p, 0.5)
-    name = f"{call}; p.force_accumulator"
+    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(name, got, (0.0, k, 0.0), cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, (0.0, k, 0.0), call=name, tolerance=1e-12)
 
 
 @pytest.mark.exercise("G6.1")
 def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
-    read = "the docstring of PenaltyGround.update_force"
+    about.read = "the docstring of PenaltyGround.update_force"
     k, c, depth = positive_number(rng), positive_number(rng), positive_number(rng)
     free = k * depth / c  # m/s upwards, at which nothing is left of the push
     ground = PenaltyGround(0.0, k, c)
@@ -84,9 +87,10 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         (0.5, "a body on its way out is pushed less: k depth - c v_y"),
         (2.0, "a body that leaves faster than the damping allows is not held back: no pull"),
     ):
+        about.cause = cause
         v = share * free
-        call = f"p at (0, {-depth}, 0), velocity (4, {v}, 4); "
-        call += f"PenaltyGround(0, {k}, {c}).update_force(p, 0.5); p.force_accumulator"
+        about.call = f"p at (0, {-depth}, 0), velocity (4, {v}, 4); PenaltyGround(0, {k}, "
+        about.call += f"{c}).update_force(p, 0.5); p.force_accumulator"
         p = Particle(Vector3(0.0, -depth, 0.0), Vector3(4.0, v, 4.0), mass=2.0)
         ground.update_force(p, 0.5)
         push = k * depth
@@ -102,29 +106,28 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
             "damping along the ground too, and only v_y counts": (-4.0 * c, wanted[1], -4.0 * c),
             "a pull downwards": (0.0, push * (1.0 - share), 0.0),
         }
-        cause = named(got, cause, slips)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+        blame(got, slips)
+        expect_close(got, wanted, tolerance=1e-11)
 
 
 @pytest.mark.exercise("G6.1")
 def test_a_body_comes_to_rest_in_the_sponge() -> None:
-    read = "E-36, and the docstring of PenaltyGround"
-    call = (
-        "p of 2 kg falls 0.5 m, g = 10, on PenaltyGround(0, 400, 10); 20 s of update_force(p, h), "
-    )
-    call += "a step of semi-implicit Euler, h = 1/240: p.position.y"
-    cause = "what lies on a ground of springs has sunk in by m g / k: 5 cm"
+    about.read = "E-36, and the docstring of PenaltyGround"
+    about.call = "p of 2 kg falls 0.5 m, g = 10, on PenaltyGround(0, 400, 10); 20 s of "
+    about.call += "update_force(p, h), a step of semi-implicit Euler, h = 1/240: p.position.y"
+    about.cause = "what lies on a ground of springs has sunk in by m g / k: 5 cm"
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
-    expect_close(call, end, -0.05, cause=cause, read=read, tolerance=1e-9)
-    name = f"{call}, at its lowest"
-    cause = "it falls at the root of 10 m/s, and is stopped by the spring within some 0.2 m"
+    expect_close(end, -0.05, tolerance=1e-9)
+    name = f"{about.call}, at its lowest"
+    about.cause = "it falls at the root of 10 m/s, and is stopped by the spring within some 0.2 m"
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
-    expect_close(name, lowest, 0.8 * deepest, cause=cause, read=read, tolerance=0.2 * -deepest)
-    call = "PenaltyGround(0, 400, 0) with height, stiffness and damping changed to 1, 3 and 0.5"
-    call += "; p at (0, 0, 0), velocity (0, 2, 0); update_force(p, 0.5); p.force_accumulator"
-    cause = "read the attributes each time: 3 N less 0.5 times 2"
+    expect_close(lowest, 0.8 * deepest, call=name, tolerance=0.2 * -deepest)
+    about.call = "PenaltyGround(0, 400, 0) with height, stiffness and damping changed to 1, 3 and "
+    about.call += "0.5; p at (0, 0, 0), velocity (0, 2, 0); update_force(p, 0.5); "
+    about.call += "p.force_accumulator"
+    about.cause = "read the attributes each time: 3 N less 0.5 times 2"
     ground, p = PenaltyGround(0.0, 400.0), Particle(velocity=Vector3(0.0, 2.0, 0.0))
     ground.height, ground.stiffness, ground.damping = 1.0, 3.0, 0.5
     ground.update_force(p, 0.5)
-    expect_close(call, xyz(p.force_accumulator), (0.0, 2.0, 0.0), cause=cause, read=read)
+    expect_close(xyz(p.force_accumulator), (0.0, 2.0, 0.0))

@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import hung_bridge, loaded, settled_bridge
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from draw import Components, components, number, positive_number
-from expect import expect_close, expect_error, named, xyz
+from expect import about, expect_close, expect_error, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 HANG = "the docstring of hang_bridge"
@@ -42,30 +42,29 @@ def draw_places(rng: Random) -> list[Components]:
 
 @pytest.mark.exercise("G6.2")
 def test_a_new_bridge_is_at_rest(rng: Random) -> None:
-    read = HANG
+    about.read = HANG
     places = draw_places(rng)
     numbers = positive_number(rng), positive_number(rng), positive_number(rng)
-    call = "hang_bridge(registry, planks, {}, {}, {}); registry.update_forces(0.5)".format(*numbers)
-    cause = (
-        "all springs are as long at rest as they are now: the hangers as the height, the others "
+    about.call = "hang_bridge(registry, planks, {}, {}, {}); registry.update_forces(0.5)".format(
+        *numbers
     )
-    cause += "as the planks are apart"
+    about.cause = "all springs are as long at rest as they are now: the hangers as the height, the "
+    about.cause += "others as the planks are apart"
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     for i, force in enumerate(forces):
-        name = f"{call}; planks[{i}].force_accumulator"
-        expect_close(name, force, ZERO, cause=cause, read=read, tolerance=1e-12)
-    call += ", the first plank 0.5 m lower"
-    cause = "out of its place a plank is pulled back"
+        expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator", tolerance=1e-12)
+    about.call += ", the first plank 0.5 m lower"
+    about.cause = "out of its place a plank is pulled back"
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
     wanted = (0.0, 0.5 * numbers[1], 0.0)
-    expect_close(f"{call}, and no others", got[0], wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got[0], wanted, then=", and no others", tolerance=1e-11)
 
 
 @pytest.mark.exercise("G6.2")
 def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
-    read = HANG
+    about.read = HANG
     places = draw_places(rng)
     height, k, c = positive_number(rng, 2.0, 9.0), positive_number(rng), positive_number(rng)
     moved = [tuple(0.05 * part for part in components(rng)) for _ in places]
@@ -73,10 +72,10 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         ((p[0] + m[0], p[1] + m[1], p[2] + m[2]), components(rng))
         for p, m in zip(places, moved, strict=True)
     ]
-    call = f"hang_bridge(registry, planks, {height}, {k}, {c}); all planks moved a little, "
-    call += "with velocities; registry.update_forces(0.5)"
-    cause = "one AnchoredSpring straight above each plank, and a spring between each plank and the "
-    cause += "next, once: connect serves both ends"
+    about.call = f"hang_bridge(registry, planks, {height}, {k}, {c}); all planks moved a little, "
+    about.call += "with velocities; registry.update_forces(0.5)"
+    about.cause = "one AnchoredSpring straight above each plank, and a spring between each plank "
+    about.cause += "and the next, once: connect serves both ends"
     forces = hung_bridge(places, after, (height, k, c))
     for i, end in enumerate(after):
         if i == 2:  # it is immovable, and no spring asks for it: how much it gets is left open
@@ -87,7 +86,7 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
             if 0 <= j < len(places):
                 parts.append(pull(end, after[j], k, math.dist(places[i], places[j]), c))
         wanted = tuple(math.fsum(part[axis] for part in parts) for axis in range(3))
-        name = f"{call}; planks[{i}].force_accumulator"
+        name = f"{about.call}; planks[{i}].force_accumulator"
         below = pull(end, ((x, y - height, z), ZERO), k, height, c)
         slips = {
             "a force of anchors below the planks": [
@@ -99,16 +98,16 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],
         }
-        why = named(forces[i], cause, slips)
-        expect_close(name, forces[i], wanted, cause=why, read=read, tolerance=1e-11)
-    name = f"{call}; the force of another spring that the registry had before, upwards"
-    cause = "hang the bridge beside what the registry has already"
-    expect_close(name, forces[-1], (0.0, -2.0, 0.0), cause=cause, read=read)
+        why = named(forces[i], about.cause, slips)
+        expect_close(forces[i], wanted, call=name, cause=why, tolerance=1e-11)
+    name = f"{about.call}; the force of another spring that the registry had before, upwards"
+    about.cause = "hang the bridge beside what the registry has already"
+    expect_close(forces[-1], (0.0, -2.0, 0.0), call=name)
 
 
 @pytest.mark.exercise("G6.2")
 def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
-    read = LOAD
+    about.read = LOAD
     places = [(-1.5, 0.0, 0.0), (-0.5, 0.5, 0.0), (1.5, 0.0, 1.0)]
     weight = positive_number(rng, 1.0, 900.0)
     for x, shares, cause in (
@@ -120,7 +119,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (-1.5, (1.0, 0.0, 0.0), "over the first plank, that one carries all"),
         (1.5, (0.0, 0.0, 1.0), "over the last plank, that one carries all"),
     ):
-        call = f"planks at x = -1.5, -0.5 and 1.5; load_bridge(planks, {x}, {weight})"
+        about(f"planks at x = -1.5, -0.5 and 1.5; load_bridge(planks, {x}, {weight})", cause=cause)
         forces = loaded(places, x, weight)
         got = [force[1] - 2.0 for force in forces]
         wanted = [-weight * share for share in shares]
@@ -133,52 +132,49 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             "a weight that points up": [-part for part in wanted],
             "the weight times 9.81, and it is in N already": [9.81 * part for part in wanted],
         }
-        cause = named(got, cause, slips) if beside else cause
-        name = f"{call}: forces upwards, less the 2 N that were there"
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12 * weight)
-        name = f"{call}: forces along x and z stay"
+        about.cause = named(got, about.cause, slips) if beside else about.cause
+        name = f"{about.call}: forces upwards, less the 2 N that were there"
+        expect_close(got, wanted, call=name, tolerance=1e-12 * weight)
+        name = f"{about.call}: forces along x and z stay"
         got = [part for force in forces for part in (force[0], force[2])]
-        expect_close(name, got, [1.0, 3.0] * 3, cause=cause, read=read)
-    call = f"one plank at x = -1.5; load_bridge([plank], 4.0, {weight})"
-    cause = "a single plank carries all"
+        expect_close(got, [1.0, 3.0] * 3, call=name)
+    about.call = f"one plank at x = -1.5; load_bridge([plank], 4.0, {weight})"
+    about.cause = "a single plank carries all"
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
-    expect_close(call, got, -weight, cause=cause, read=read, tolerance=1e-12 * weight)
-    call = "load_bridge(planks, 0.0, 4.0), both planks at x = 0; the sum of what they carry"
-    cause = "however near they are, both carry all of the weight"
+    expect_close(got, -weight, tolerance=1e-12 * weight)
+    about.call = "load_bridge(planks, 0.0, 4.0), both planks at x = 0; the sum of what they carry"
+    about.cause = "however near they are, both carry all of the weight"
     got = math.fsum(force[1] - 2.0 for force in loaded([ZERO, ZERO], 0.0, 4.0))
-    expect_close(call, got, -4.0, cause=cause, read=read)
+    expect_close(got, -4.0)
 
 
 @pytest.mark.exercise("G6.2")
 def test_a_loaded_bridge_sags_under_its_walker() -> None:
-    read = "the docstrings of hang_bridge and load_bridge"
+    about.read = "the docstrings of hang_bridge and load_bridge"
     places = [(float(i), 0.0, 0.0) for i in range(7)]
-    call = (
-        "7 planks of 2 kg, hang_bridge(registry, planks, 3, 200, 20); load_bridge(planks, 3, 100) "
-    )
-    call += "in every frame, 20 s: the pull of all hangers less 7 m g and 100 N"
-    cause = "at rest the springs carry the planks and the walker"
+    about.call = "7 planks of 2 kg, hang_bridge(registry, planks, 3, 200, 20); load_bridge(planks, "
+    about.call += "3, 100) in every frame, 20 s: the pull of all hangers less 7 m g and 100 N"
+    about.cause = "at rest the springs carry the planks and the walker"
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 2400)
     up = math.fsum(
         pull((end, ZERO), ((place[0], 3.0, 0.0), ZERO), 200.0, 3.0, 0.0)[1]
         for end, place in zip(ends, places, strict=True)
     )
     # By then the swings have died out to e^-20 of some 100 N.
-    expect_close(call, up, 7.0 * 2.0 * 10.0 + 100.0, cause=cause, read=read, tolerance=1e-4)
-    call = "the same bridge: its sag is the same on both sides of the walker in the middle"
+    expect_close(up, 7.0 * 2.0 * 10.0 + 100.0, tolerance=1e-4)
+    about.call = "the same bridge: its sag is the same on both sides of the walker in the middle"
     sags = [-end[1] for end in ends]
-    expect_close(call, sags[:3], sags[:3:-1], cause=cause, read=read, tolerance=1e-6)
-    call = "the same bridge: the sag in the middle, less that at the end"
-    cause = "the planks beside the walker sag more than those far away"
+    expect_close(sags[:3], sags[:3:-1], tolerance=1e-6)
+    about.call = "the same bridge: the sag in the middle, less that at the end"
+    about.cause = "the planks beside the walker sag more than those far away"
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
-    expect_close(call, sags[3] - sags[0], 0.35, cause=cause, read=read, tolerance=0.15)
+    expect_close(sags[3] - sags[0], 0.35, tolerance=0.15)
 
 
 @pytest.mark.exercise("G6.2")
 @pytest.mark.robust
 def test_a_bridge_needs_numbers_that_mean_something() -> None:
-    read = HANG
-    cause = "look at all arguments before the first add"
+    about(cause="look at all arguments before the first add", read=HANG)
     planks = [Particle(), Particle()]
     registry = ForceRegistry()
     for bad in (
@@ -192,22 +188,20 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
     ):
         for some, name in ((planks, "planks"), ([], "[]")):
             expect_error(
-                "hang_bridge(registry, {}, {}, {}, {})".format(name, *bad),
                 lambda bad=bad, some=some: hang_bridge(registry, some, *bad),
                 ValueError,
+                call="hang_bridge(registry, {}, {}, {}, {})".format(name, *bad),
                 allowed=lambda: hang_bridge(ForceRegistry(), planks, 1.0, 1.0, 1.0),
-                cause=cause,
-                read=read,
             )
-    call = "hang_bridge(registry, planks, ...) was refused; planks[0] is moved; "
-    call += "registry.update_forces(0.5)"
-    cause = "what is refused registers nothing"
+    about.call = "hang_bridge(registry, planks, ...) was refused; planks[0] is moved; "
+    about.call += "registry.update_forces(0.5)"
+    about.cause = "what is refused registers nothing"
     planks[0].position.y = -0.5
     registry.update_forces(0.5)
     got = xyz(planks[0].force_accumulator)
-    expect_close(f"{call}; its force_accumulator", got, ZERO, cause=cause, read=read)
-    read = LOAD
-    cause = "refuse it with ValueError: the functions of arguments.py do, and ask for a plank"
+    expect_close(got, ZERO, then="; its force_accumulator")
+    about.read = LOAD
+    about.cause = "refuse it with ValueError: the functions of arguments.py do, and ask for a plank"
     for count, x, weight in (
         (0, 1.0, 1.0),
         (2, math.nan, 1.0),
@@ -218,10 +212,8 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
         (2, 1.0, math.nan),
     ):
         expect_error(
-            f"load_bridge({count} planks, {x}, {weight})",
             lambda count=count, x=x, weight=weight: load_bridge(planks[:count], x, weight),
             ValueError,
+            call=f"load_bridge({count} planks, {x}, {weight})",
             allowed=lambda: load_bridge(planks, 1.0, 0.0),
-            cause=cause,
-            read=read,
         )

@@ -11,7 +11,7 @@ import pytest
 from ch06_springs.springs import max_stable_stiffness
 from ch06_springs.step_probes import step_matrix
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly, named
+from expect import about, blame, expect_close, expect_error, expect_exactly, named
 
 READ = "exercise 6.6 and the docstring of max_stable_stiffness"
 
@@ -25,10 +25,9 @@ def largest_eigenvalue(matrix: tuple[float, float, float, float]) -> float:
 
 @pytest.mark.exercise("6.6b")
 def test_the_largest_stiffness_by_known_values() -> None:
-    read = READ
-    cause = "m (d^-h - 1) / h^2, with the damping d per second and the frame h"
+    about(cause="m (d^-h - 1) / h^2, with the damping d per second and the frame h", read=READ)
     for d, wanted in ((0.999, 0.060030520518), (0.9, 6.327184608887), (0.5, 41.829985086921)):
-        call = f"max_stable_stiffness({d}, 1/60)"
+        about.call = f"max_stable_stiffness({d}, 1/60)"
         got = max_stable_stiffness(d, 1.0 / 60.0)
         keep = d ** (1.0 / 60.0)
         slips = {
@@ -39,75 +38,75 @@ def test_the_largest_stiffness_by_known_values() -> None:
             * 3600.0,
             "the limit of semi-implicit Euler": 2.0 * (1.0 + keep) / keep * 3600.0,
         }
-        why = named(got, cause, slips)
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-10 * wanted)
+        why = named(got, about.cause, slips)
+        expect_close(got, wanted, cause=why, tolerance=1e-10 * wanted)
     for mass in (2.0, 0.25):
-        call = f"max_stable_stiffness(0.5, 1/60, {mass})"
-        cause = "it is in proportion to the mass"
+        about(f"max_stable_stiffness(0.5, 1/60, {mass})", cause="it is in proportion to the mass")
         got = max_stable_stiffness(0.5, 1.0 / 60.0, mass)
         wanted = mass * 41.829985086921
         slips = {
             "the stiffness for 1 kg": 41.829985086921,
             "the stiffness for 1 kg, divided by the mass": 41.829985086921 / mass,
         }
-        cause = named(got, cause, slips)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10 * wanted)
+        blame(got, slips)
+        expect_close(got, wanted, tolerance=1e-10 * wanted)
 
 
 @pytest.mark.exercise("6.6b")
 def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
-    read = READ
+    about.read = READ
     for _ in range(5):
         d, h = round(rng.uniform(0.05, 0.99), 3), positive_number(rng, 0.005, 0.2)
         m = positive_number(rng)
-        call = f"k = max_stable_stiffness({d}, {h}, {m}); Particle.integrate with a spring of "
-        cause = "there the largest eigenvalue of the step is 1: its square is d^h (1 + k h^2 / m)"
+        about.call = f"k = max_stable_stiffness({d}, {h}, {m}); Particle.integrate with a spring "
+        about.call += "of "
+        about.cause = "there the largest eigenvalue of the step is 1: its square is d^h (1 + k h^2 "
+        about.cause += "/ m)"
         limit = max_stable_stiffness(d, h, m)
         for share in (0.98, 1.0, 1.02):
             size = largest_eigenvalue(step_matrix(share * limit, d, h, m))
-            name = f"{call}{share} k N/m: the largest eigenvalue of the step"
+            name = f"{about.call}{share} k N/m: the largest eigenvalue of the step"
             wanted = math.sqrt(1.0 + (share - 1.0) * (1.0 - d**h))
-            expect_close(name, size, wanted, cause=cause, read=read, tolerance=1e-12)
+            expect_close(size, wanted, call=name, tolerance=1e-12)
 
 
 @pytest.mark.exercise("6.6b")
 def test_the_ends_of_the_damping() -> None:
-    read = READ
+    about.read = READ
     for d, wanted, cause in (
         (1.0, 0.0, "without damping no spring is safe: 0, and not -0"),
         (1.5, 0.0, "where the velocity grows by itself no spring is safe: 0, and nothing negative"),
         (0.0, math.inf, "a damping of 0 stops everything in each frame: every spring is safe"),
     ):
-        call = f"max_stable_stiffness({d}, 0.25)"
+        about(f"max_stable_stiffness({d}, 0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)
-        expect_exactly(f"{call} as text", f"{got:.15g}", f"{wanted:.15g}", cause=cause, read=read)
-    call = "max_stable_stiffness(1 - 1e-12, 1e-3)"
-    cause = "d^-h - 1 loses its digits where d is close to 1: math.expm1 keeps them"
+        expect_exactly(f"{got:.15g}", f"{wanted:.15g}", then=" as text")
+    about.call = "max_stable_stiffness(1 - 1e-12, 1e-3)"
+    about.cause = "d^-h - 1 loses its digits where d is close to 1: math.expm1 keeps them"
     d = 1.0 - 1e-12
     got = max_stable_stiffness(d, 1e-3)
     wanted = -math.log(d) / 1e-3
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9 * wanted)
-    call = "max_stable_stiffness(0.5, 2.0)"
-    cause = "(0.5^-2 - 1) / 2^2 is 0.75"
+    expect_close(got, wanted, tolerance=1e-9 * wanted)
+    about("max_stable_stiffness(0.5, 2.0)", cause="(0.5^-2 - 1) / 2^2 is 0.75")
     got = max_stable_stiffness(0.5, 2.0)
-    expect_close(call, got, 0.75, cause=cause, read=read)
+    expect_close(got, 0.75)
 
 
 @pytest.mark.exercise("6.6b")
 @pytest.mark.robust
 def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
-    read = READ
-    call = "max_stable_stiffness(1e-300, 1000.0)"
-    cause = "what is too large for a float is math.inf, and no OverflowError"
+    about("max_stable_stiffness(1e-300, 1000.0)", read=READ)
+    about.cause = "what is too large for a float is math.inf, and no OverflowError"
     got = max_stable_stiffness(1e-300, 1000.0)
-    expect_exactly(call, got, math.inf, cause=cause, read=read)
+    expect_exactly(got, math.inf)
 
 
 @pytest.mark.exercise("6.6b")
 @pytest.mark.robust
 def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
-    read = READ
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    about.read = READ
+    about.cause = "refuse it with ValueError: the functions of arguments.py do, one for each "
+    about.cause += "argument"
     for bad in (
         (-0.5, 0.25, 1.0),
         (math.nan, 0.25, 1.0),
@@ -123,14 +122,12 @@ def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
         (0.5, 0.25, math.nan),
     ):
         expect_error(
-            "max_stable_stiffness({}, {}, {})".format(*bad),
             lambda bad=bad: max_stable_stiffness(*bad),
             ValueError,
+            call="max_stable_stiffness({}, {}, {})".format(*bad),
             allowed=lambda: max_stable_stiffness(0.5, 0.25, 1.0),
-            cause=cause,
-            read=read,
         )
-    call = "max_stable_stiffness(0.25, 1.0, 2.0)"
-    cause = "what means something must be answered: 2 (4 - 1)"
+    about.call = "max_stable_stiffness(0.25, 1.0, 2.0)"
+    about.cause = "what means something must be answered: 2 (4 - 1)"
     got = max_stable_stiffness(0.25, 1.0, 2.0)
-    expect_close(call, got, 6.0, cause=cause, read=read)
+    expect_close(got, 6.0)

@@ -9,7 +9,7 @@ import pytest
 
 from ch06_springs.step_probes import Body, refused, stepped
 from draw import Components, components, positive_number
-from expect import expect_close, expect_error, expect_exactly, named
+from expect import about, expect_close, expect_error, expect_exactly, named
 
 ZERO = (0.0, 0.0, 0.0)
 EXERCISES = {
@@ -192,7 +192,7 @@ def call_of(method: str, what: str) -> str:
 
 @methods
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
-    read = f"the docstring of {method}"
+    about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
     by_hand = "a force that was added by hand before the step counts in every evaluation"
     for what, body, frames, cause in (
@@ -207,92 +207,90 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
         ),
         ("one step", (*draw_body(rng)[:4], 0.0, ZERO), 1, "at d = 0 all of the velocity goes"),
     ):
+        about.cause = cause
         p, v, a, mass, d, hand = body
         pushed = f", by hand {hand}" if any(hand) else ""
-        call = call_of(method, f"{what}: m = {mass}, d = {d}, a = {a}{pushed}, forces ")
-        call += f"-{k} x - {c} v, from {p}, velocity {v}, h = {h}"
+        about.call = call_of(method, f"{what}: m = {mass}, d = {d}, a = {a}{pushed}, forces ")
+        about.call += f"-{k} x - {c} v, from {p}, velocity {v}, h = {h}"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
         slips = slips_of(method, body, k, c, h, frames)
-        slip = named((*ends["positions"][0], *ends["velocities"][0]), cause, slips)
-        expect_exactly(f"{call}: p.damping", ends["dampings"], [d], cause=cause, read=read)
+        slip = named((*ends["positions"][0], *ends["velocities"][0]), about.cause, slips)
+        expect_exactly(ends["dampings"], [d], then=": p.damping")
         # A few roundings of numbers up to 10^4.
         for name, got, numbers in (
             ("p.position", ends["positions"][0], slice(3)),
             ("p.velocity", ends["velocities"][0], slice(3, 6)),
         ):
             parts = {f"the {name} of {one}": slips[one][numbers] for one in slips}
-            why = named(got, cause, parts) if slip == cause else slip
+            why = named(got, about.cause, parts) if slip == about.cause else slip
             wanted = states[numbers]
-            expect_close(f"{call}: {name}", got, wanted, cause=why, read=read, tolerance=1e-10)
+            expect_close(got, wanted, then=f": {name}", cause=why, tolerance=1e-10)
 
 
 @methods
 def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Random) -> None:
-    read = f"the docstring of {method}, and that of the module"
+    about.read = f"the docstring of {method}, and that of the module"
     s, h, mass = positive_number(rng), positive_number(rng, 0.1, 0.3), positive_number(rng)
     one, two = components(rng), components(rng)
     v, w = components(rng), components(rng)
     bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
-    call = call_of(method, f"two particles of {mass} kg joined by a spring of {s} N/m, h = {h}")
-    cause = "forces are asked for while no particle has moved yet, and again only after all have: "
-    cause += "each looks at the others"
+    about.call = call_of(
+        method, f"two particles of {mass} kg joined by a spring of {s} N/m, h = {h}"
+    )
+    about.cause = "forces are asked for while no particle has moved yet, and again only after all "
+    about.cause += "have: each looks at the others"
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
     states = [
         one_step(method, one[i] - two[i], v[i] - w[i], 0.0, 2.0 * s / mass, 0.0, 1.0, h)
         for i in range(3)
     ]
     got = tuple(ends["positions"][0][i] - ends["positions"][1][i] for i in range(3))
-    name = f"{call}: the distance from one to the other"
+    name = f"{about.call}: the distance from one to the other"
     wanted = tuple(state[0] for state in states)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, wanted, call=name, tolerance=1e-11)
     got = tuple(ends["velocities"][0][i] - ends["velocities"][1][i] for i in range(3))
-    name = f"{call}: the velocity of one seen from the other"
+    name = f"{about.call}: the velocity of one seen from the other"
     wanted = tuple(state[1] for state in states)
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, wanted, call=name, tolerance=1e-11)
     got = tuple(0.5 * (ends["positions"][0][i] + ends["positions"][1][i]) for i in range(3))
-    name = f"{call}: the middle of the two"
+    name = f"{about.call}: the middle of the two"
     wanted = tuple(0.5 * (one[i] + two[i] + (v[i] + w[i]) * h) for i in range(3))
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, wanted, call=name, tolerance=1e-11)
 
 
 @methods
 def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
-    read = f"the docstring of {method}, and that of the module"
+    about.read = f"the docstring of {method}, and that of the module"
     h, hand = positive_number(rng, 0.05, 0.2), components(rng)
     frames = rng.randint(2, 5)
     bodies = [draw_body(rng, hand), draw_body(rng)]
-    call = call_of(method, f"{frames} steps of h = {h}, {hand} N added by hand before each")
-    cause = f"{EVALUATIONS[method]} evaluations a step, no more and no fewer"
+    about.call = call_of(method, f"{frames} steps of h = {h}, {hand} N added by hand before each")
+    about.cause = f"{EVALUATIONS[method]} evaluations a step, no more and no fewer"
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
-    name = f"{call}: how often apply_forces is called"
-    expect_exactly(name, len(asked), frames * EVALUATIONS[method], cause=cause, read=read)
-    cause = "apply_forces gets the duration of the whole step, each time"
-    name = f"{call}: the durations that apply_forces is called with"
-    expect_close(name, [d for d, _, _ in asked], [h] * len(asked), cause=cause, read=read)
-    cause = (
-        "before each evaluation clear the accumulators, and add again what was there before the "
-    )
-    cause += "step; after the step they are empty"
+    name = f"{about.call}: how often apply_forces is called"
+    expect_exactly(len(asked), frames * EVALUATIONS[method], call=name)
+    about.cause = "apply_forces gets the duration of the whole step, each time"
+    name = f"{about.call}: the durations that apply_forces is called with"
+    expect_close([d for d, _, _ in asked], [h] * len(asked), call=name)
+    about.cause = "before each evaluation clear the accumulators, and add again what was there "
+    about.cause += "before the step; after the step they are empty"
     for number, (_, sums, _) in enumerate(asked, 1):
-        name = (
-            f"{call}: force_accumulator of the first one when apply_forces is called, no. {number}"
-        )
-        expect_close(name, sums[0], hand, cause=cause, read=read, tolerance=1e-12)
-        name = (
-            f"{call}: force_accumulator of the other one when apply_forces is called, no. {number}"
-        )
-        expect_close(name, sums[1], ZERO, cause=cause, read=read, tolerance=1e-12)
+        for one, got, wanted in (("first", sums[0], hand), ("other", sums[1], ZERO)):
+            then = f": force_accumulator of the {one} one when apply_forces is called, no. {number}"
+            expect_close(got, wanted, then=then, tolerance=1e-12)
 
 
 @methods
 def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
-    read = f"the docstring of {method}"
+    about.read = f"the docstring of {method}"
     k, h = positive_number(rng), positive_number(rng, 0.1, 0.4)
     body = draw_body(rng)
     p, v, a, mass, _, _ = body
-    call = call_of(method, f"m = {mass}, a = {a}, force -{k} x, from {p}, velocity {v}, h = {h}")
-    cause = RULES[method]
+    about.call = call_of(
+        method, f"m = {mass}, a = {a}, force -{k} x, from {p}, velocity {v}, h = {h}"
+    )
+    about.cause = RULES[method]
     asked = stepped(method, [body], (k, 0.0), h, 1)["asked"]
     wanted = []
     for i in range(3):
@@ -303,98 +301,97 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
         elif method == "velocity_verlet":
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
-            cause = (
-                "at the start, where the velocity leads in half of the frame, where that of the "
-            )
-            cause += "middle leads in half of it, and where that one leads in all of it"
+            about.cause = "at the start, where the velocity leads in half of the frame, where that "
+            about.cause += "of the middle leads in half of it, and where that one leads in all of "
+            about.cause += "it"
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
             places.append(p[i] + 0.5 * h * (v[i] + 0.5 * h * first))
             places.append(p[i] + h * (v[i] + 0.5 * h * second))
         wanted.append(places)
-    name = f"{call}: where the particle is when apply_forces is called"
+    name = f"{about.call}: where the particle is when apply_forces is called"
     got = [part for _, _, places in asked for part in places[0]]
     flat = [wanted[i][n] for n in range(len(wanted[0])) for i in range(3)]
-    expect_close(name, got, flat, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, flat, call=name, tolerance=1e-11)
 
 
 @methods
 def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
-    read = "the docstring of the module, and Particle.last_acceleration"
+    about.read = "the docstring of the module, and Particle.last_acceleration"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
     body = draw_body(rng, components(rng))
     p, v, a, mass, d, hand = body
-    call = call_of(method, f"m = {mass}, a = {a}, by hand {hand}, forces -{k} x - {c} v, h = {h}")
-    cause = "at the end of the step the accumulators are empty"
-    ends = stepped(method, [body], (k, c), h, 1)
-    name = f"{call}: p.force_accumulator"
-    expect_close(name, ends["forces"][0], ZERO, cause=cause, read=read)
-    cause = (
-        "last_acceleration is the mean acceleration of the step: let integrate make the velocity "
+    about.call = call_of(
+        method, f"m = {mass}, a = {a}, by hand {hand}, forces -{k} x - {c} v, h = {h}"
     )
-    cause += "from the mean force"
+    about.cause = "at the end of the step the accumulators are empty"
+    ends = stepped(method, [body], (k, c), h, 1)
+    name = f"{about.call}: p.force_accumulator"
+    expect_close(ends["forces"][0], ZERO, call=name)
+    about.cause = "last_acceleration is the mean acceleration of the step: let integrate make the "
+    about.cause += "velocity from the mean force"
     wanted = tuple(
         one_step(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)[2]
         for i in range(3)
     )
-    name = f"{call}: p.last_acceleration"
+    name = f"{about.call}: p.last_acceleration"
     got = ends["accelerations"][0]
-    expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-9)
+    expect_close(got, wanted, call=name, tolerance=1e-9)
 
 
 @methods
 def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
-    read = "the docstring of the module"
+    about.read = "the docstring of the module"
     place, velocity, a = components(rng), components(rng), components(rng)
     still: Body = (place, velocity, a, math.inf, 0.5, components(rng))
     other: Body = ((1.0, 2.0, 3.0), ZERO, ZERO, 2.0, 1.0, ZERO)
-    call = call_of(method, f"an immovable particle at {place}, velocity {velocity}, beside another")
-    cause = "what has no finite mass stays where it is, whatever its velocity and acceleration are"
+    about.call = call_of(
+        method, f"an immovable particle at {place}, velocity {velocity}, beside another"
+    )
+    about.cause = "what has no finite mass stays where it is, whatever its velocity and "
+    about.cause += "acceleration are"
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
-    name = f"{call}: its position"
-    expect_close(name, ends["positions"][0], place, cause=cause, read=read, tolerance=0.0)
-    name = f"{call}: its velocity"
-    expect_close(name, ends["velocities"][0], velocity, cause=cause, read=read, tolerance=0.0)
-    name = f"{call}: its force_accumulator"
-    cause = "its accumulator is empty after the step, like every other one"
-    expect_close(name, ends["forces"][0], ZERO, cause=cause, read=read)
+    name = f"{about.call}: its position"
+    expect_close(ends["positions"][0], place, call=name, tolerance=0.0)
+    name = f"{about.call}: its velocity"
+    expect_close(ends["velocities"][0], velocity, call=name, tolerance=0.0)
+    name = f"{about.call}: its force_accumulator"
+    about.cause = "its accumulator is empty after the step, like every other one"
+    expect_close(ends["forces"][0], ZERO, call=name)
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
-    name = f"{call}: the position of the other one, x"
-    cause = "the others move all the same"
+    name = f"{about.call}: the position of the other one, x"
+    about.cause = "the others move all the same"
     got = ends["positions"][1][0]
-    expect_close(name, got, x, cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, x, call=name, tolerance=1e-12)
 
 
 @methods
 @pytest.mark.robust
 def test_a_step_needs_a_duration(method: str) -> None:
-    read = "the docstring of the module"
+    about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    cause = "refuse it with ValueError before anything is done: positive() does"
+    about.cause = "refuse it with ValueError before anything is done: positive() does"
     for bad in (0.0, -1.0, math.inf, math.nan):
-        call = f"{method}([p], apply_forces, {bad})"
+        about.call = f"{method}([p], apply_forces, {bad})"
         expect_error(
-            call,
             lambda bad=bad: stepped(method, [body], (5.0, 0.0), bad, 1),
             ValueError,
             allowed=lambda: stepped(method, [body], (5.0, 0.0), 0.5, 1),
-            cause=cause,
-            read=read,
         )
         after = refused(method, bad)
-        name = f"{call} was refused; p.position, p.velocity and p.force_accumulator"
+        name = f"{about.call} was refused; p.position, p.velocity and p.force_accumulator"
         got = (*after["position"], *after["velocity"], *after["force"])
         wanted = (1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0)
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=0.0)
-        name = f"{call} was refused; how often apply_forces was called"
-        cause = "look at the duration before you ask for forces"
-        expect_exactly(name, after["asked"], [0], cause=cause, read=read)
-    call = f"{method}([], apply_forces, 0.5), and with one particle"
-    cause = "no particle is no error, and one must move"
+        expect_close(got, wanted, call=name, tolerance=0.0)
+        name = f"{about.call} was refused; how often apply_forces was called"
+        about.cause = "look at the duration before you ask for forces"
+        expect_exactly(after["asked"], [0], call=name)
+    about.call = f"{method}([], apply_forces, 0.5), and with one particle"
+    about.cause = "no particle is no error, and one must move"
     ends = stepped(method, [], (5.0, 0.0), 0.5, 1)
-    expect_exactly(f"{call}: positions", ends["positions"], [], cause=cause, read=read)
+    expect_exactly(ends["positions"], [], then=": positions")
     ends = stepped(method, [body], (0.0, 0.0), 0.5, 1)
     got = ends["positions"][0]
-    expect_close(f"{call}: position", got, (1.0, 1.0, 0.0), cause=cause, read=read)
+    expect_close(got, (1.0, 1.0, 0.0), then=": position")

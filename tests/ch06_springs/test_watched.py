@@ -10,7 +10,7 @@ import pytest
 from ch06_springs.integrators import watched
 from ch06_springs.step_probes import exploding, watching, watching_on
 from draw import positive_number
-from expect import expect_close, expect_error, expect_exactly, named
+from expect import about, blame, expect_close, expect_error, expect_exactly
 
 READ = "the docstring of watched"
 CALL = "step = watched(integrator, {}); step(particles, apply_forces, h)"
@@ -18,37 +18,40 @@ CALL = "step = watched(integrator, {}); step(particles, apply_forces, h)"
 
 @pytest.mark.exercise("B6.10")
 def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
-    read = READ
+    about.read = READ
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
-    call = f"{CALL.format(limit)}, {frames} times, h = 0.25, 1.25, ..."
-    cause = "pass particles, apply_forces and duration on as they are, once a call"
+    about.call = f"{CALL.format(limit)}, {frames} times, h = 0.25, 1.25, ..."
+    about.cause = "pass particles, apply_forces and duration on as they are, once a call"
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
-    name = f"{call}, speeds at the limit and below: SimulationDiverged"
+    name = f"{about.call}, speeds at the limit and below: SimulationDiverged"
     at_limit = (
         "the speed is |v|, the root of the sum of the squares, and no speed here is over the "
     )
     at_limit += "limit"
-    expect_exactly(name, error, None, cause=at_limit, read=read)
-    name = f"{call}: what the integrator gets, how many particles and which duration"
+    expect_exactly(error, None, call=name, cause=at_limit)
+    name = f"{about.call}: what the integrator gets, how many particles and which duration"
     wanted = [(3, 0.25 + i) for i in range(frames)]
-    expect_exactly(name, [tuple(one) for one in calls], wanted, cause=cause, read=read)
+    expect_exactly([tuple(one) for one in calls], wanted, call=name)
 
 
 @pytest.mark.exercise("B6.10")
 def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
-    read = READ
+    about.read = READ
     limit = positive_number(rng, 2.0, 90.0)
     calm = [0.5 * limit] * 4
     for number, fast in ((1, 0), (1, 3), (3, 2), (6, 1)):
         speeds = [[*calm] for _ in range(6)]
         speeds[number - 1][3] = 2.0 * limit
         speeds[number - 1][fast] = -1.25 * limit
-        call = f"{CALL.format(limit)}; particle {fast} has {1.25 * limit} m/s after step {number}"
-        cause = "look at every particle after each step, and raise SimulationDiverged(i, steps, "
-        cause += "speed, speed_limit) for the first; the first step is number 1"
+        about.call = f"{CALL.format(limit)}; particle {fast} has {1.25 * limit} m/s after step "
+        about.call += f"{number}"
+        about.cause = "look at every particle after each step, and raise SimulationDiverged(i, "
+        about.cause += "steps, speed, speed_limit) for the first; the first step is number 1"
         calls, error = watching(limit, speeds)
-        name = f"{call}: (particle, step, speed, limit) of the error, nan where none is raised"
+        name = (
+            f"{about.call}: (particle, step, speed, limit) of the error, nan where none is raised"
+        )
         wanted = (fast, number, 1.25 * limit, limit)
         got = (math.nan,) * 4 if error is None else tuple(error)
         size = 1.25 * limit
@@ -68,111 +71,101 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
             ),
             "limit and speed, in the wrong order": (fast, number, limit, size),
         }
-        cause = named(got, cause, slips)
+        blame(got, slips)
         if error is None:
-            cause = f"nothing was raised: {cause}"
+            about.cause = f"nothing was raised: {about.cause}"
         elif got[1] > number:
-            cause = "this is a later step: look right after each step that was made, and let each "
-            cause += "watch count its own steps, from 1"
-        expect_close(name, got, wanted, cause=cause, read=read)
-        name = f"{call}: how many steps were made"
-        cause = "it raises right after that step"
-        expect_exactly(name, len(calls), number, cause=cause, read=read)
+            about.cause = "this is a later step: look right after each step that was made, and let "
+            about.cause += "each watch count its own steps, from 1"
+        expect_close(got, wanted, call=name)
+        name = f"{about.call}: how many steps were made"
+        about.cause = "it raises right after that step"
+        expect_exactly(len(calls), number, call=name)
 
 
 @pytest.mark.exercise("B6.10")
 def test_a_speed_at_the_limit_is_not_over_it() -> None:
-    read = READ
-    call = "watched(integrator, 7.0); a velocity of (2, 3, 6), whose speed is 7: SimulationDiverged"
-    cause = "a speed at the limit is not over it: raise where `not speed <= speed_limit`"
+    about("watched(integrator, 7.0); a velocity of (2, 3, 6), whose speed is 7: ", read=READ)
+    about.call += "SimulationDiverged"
+    about.cause = "a speed at the limit is not over it: raise where `not speed <= speed_limit`"
     _, error = watching(7.0, [[7.0]])
-    expect_exactly(call, error, None, cause=cause, read=read)
-    call = (
-        "watched(integrator, 1.0), 2 m/s after the first step: (particle, step) of the error, nan "
-    )
-    call += "where none is raised"
-    cause = "what means something must be watched"
+    expect_exactly(error, None)
+    about.call = "watched(integrator, 1.0), 2 m/s after the first step: (particle, step) of the "
+    about.call += "error, nan where none is raised"
+    about.cause = "what means something must be watched"
     _, error = watching(1.0, [[2.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
-    expect_close(call, got, (0.0, 1.0), cause=cause, read=read)
+    expect_close(got, (0.0, 1.0))
 
 
 @pytest.mark.exercise("B6.10")
 @pytest.mark.robust
 def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
-    read = READ
+    about.read = READ
     for speed, what in ((math.nan, "NaN"), (math.inf, "infinity"), (-math.inf, "-infinity")):
-        call = f"{CALL.format(1e300)}; the velocity of particle 1 has {what} along y after step 2"
-        cause = "NaN compares false with everything: ask `not speed <= speed_limit`"
+        about.call = f"{CALL.format(1e300)}; the velocity of particle 1 has {what} along y after "
+        about.call += "step 2"
+        about.cause = "NaN compares false with everything: ask `not speed <= speed_limit`"
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
-        name = f"{call}: (particle, step) of the error, nan where none is raised"
-        expect_close(name, got, (1.0, 2.0), cause=cause, read=read)
+        name = f"{about.call}: (particle, step) of the error, nan where none is raised"
+        expect_close(got, (1.0, 2.0), call=name)
 
 
 @pytest.mark.exercise("B6.10")
 def test_an_explosion_is_told_with_its_step(rng: Random) -> None:
-    read = READ
+    about.read = READ
     # The first speed over 480 m/s is on the way back, that over the smaller limit is not.
     for limit in (positive_number(rng, 130.0, 470.0), positive_number(rng, 490.0, 950.0)):
-        call = f"{CALL.format(limit)}; explicit Euler, k = 3600, 1 kg, h = 1/60, from 1 m: step "
-        call += "and speed"
-        cause = "the speed after a step is what counts; k h^2 / m is 1 here, so each step is a "
-        cause += "turn by 45 degrees and a growth by the root of 2"
+        about.call = f"{CALL.format(limit)}; explicit Euler, k = 3600, 1 kg, h = 1/60, from 1 m: "
+        about.call += "step and speed"
+        about.cause = "the speed after a step is what counts; k h^2 / m is 1 here, so each step is "
+        about.cause += "a turn by 45 degrees and a growth by the root of 2"
         step, speed, told = exploding(limit)
         number, v, x = 0, 0.0, 1.0
         while abs(v) <= limit:
             x, v = x + v / 60.0, v - 60.0 * x
             number += 1
         wanted = (float(number), abs(v), limit)
-        expect_close(call, (step, speed, told), wanted, cause=cause, read=read, tolerance=1e-9)
+        expect_close((step, speed, told), wanted, tolerance=1e-9)
 
 
 @pytest.mark.exercise("B6.10")
 def test_two_watches_count_for_themselves() -> None:
-    read = READ
-    call = (
-        "two steps by watched(integrator, 5.0), one after the other; the second is too fast at once"
-    )
-    cause = "the count belongs to what watched returns, not to the module"
+    about.read = READ
+    about.call = "two steps by watched(integrator, 5.0), one after the other; the second is too "
+    about.call += "fast at once"
+    about.cause = "the count belongs to what watched returns, not to the module"
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
-    name = f"{call}: (particle, step) of the error, nan where none is raised"
-    expect_close(name, got, (0.0, 1.0), cause=cause, read=read)
-    call = "watched(integrator, 5.0), watched(integrator, 9.0): 7 m/s under the second one"
-    cause = "each has its own limit"
+    expect_close(got, (0.0, 1.0), then=": (particle, step) of the error, nan where none is raised")
+    about.call = "watched(integrator, 5.0), watched(integrator, 9.0): 7 m/s under the second one"
+    about.cause = "each has its own limit"
     _, error = watching(9.0, [[7.0]])
-    expect_exactly(f"{call}: SimulationDiverged", error, None, cause=cause, read=read)
+    expect_exactly(error, None, then=": SimulationDiverged")
 
 
 @pytest.mark.exercise("B6.10")
 def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
-    read = READ
+    about.read = READ
     limit = positive_number(rng, 5.0, 90.0)  # half of it is over its root
-    call = (
-        f"{CALL.format(limit)}; the first step raises ValueError, the third and the fifth call end "
-    )
-    call += "too fast; of each error its step, or -1 for the ValueError"
-    cause = (
-        "what the integrator raises comes out, and is no step that was made; after an alarm the "
-    )
-    cause += "watch goes on counting"
+    about.call = f"{CALL.format(limit)}; the first step raises ValueError, the third and the fifth "
+    about.call += "call end too fast; of each error its step, or -1 for the ValueError"
+    about.cause = "what the integrator raises comes out, and is no step that was made; after an "
+    about.cause += "alarm the watch goes on counting"
     got = watching_on(limit)
-    expect_close(call, got, (-1.0, 2.0, 4.0), cause=cause, read=read)
+    expect_close(got, (-1.0, 2.0, 4.0))
 
 
 @pytest.mark.exercise("B6.10")
 @pytest.mark.robust
 def test_a_watch_needs_a_limit() -> None:
-    read = READ
-    cause = "refuse it with ValueError when the watch is made: positive() does"
+    about(cause="refuse it with ValueError when the watch is made: positive() does", read=READ)
     for bad in (0.0, -1.0, math.inf, math.nan):
         expect_error(
-            f"watched(integrator, {bad})",
             lambda bad=bad: watched(print, bad),
             ValueError,
+            call=f"watched(integrator, {bad})",
             allowed=lambda: watched(print, 1.0),
-            cause=cause,
-            read=read,
         )

@@ -7,82 +7,79 @@ import math
 import pytest
 
 from ch06_springs.step_probes import Body, energy_left, growth, stepped
-from expect import expect_close, expect_exactly
+from expect import about, expect_close, expect_exactly
 
 ZERO = (0.0, 0.0, 0.0)
 
 
 @pytest.mark.exercise("B6.6")
 def test_explicit_euler_gains_energy_by_its_factor() -> None:
-    read = "the docstring of explicit_euler, and E-17"
-    call = (
-        "explicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, 600 steps"
-    )
-    call += ": energy after / before"
-    cause = (
-        "each step multiplies the energy by 1 + k h^2 / m: the position moves by the old velocity"
-    )
+    about.read = "the docstring of explicit_euler, and E-17"
+    about.call = "explicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, "
+    about.call += "600 steps: energy after / before"
+    about.cause = "each step multiplies the energy by 1 + k h^2 / m: the position moves by the old "
+    about.cause += "velocity"
     wanted = (1.0 + 100.0 / 3600.0) ** 600
     got = energy_left("explicit_euler", 100.0, 1.0 / 60.0, 600)
     # 600 steps of a few roundings each.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11 * wanted)
+    expect_close(got, wanted, tolerance=1e-11 * wanted)
 
 
 @pytest.mark.exercise("B6.6")
 def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
-    read = "the docstring of semi_implicit_euler"
-    cause = "x^2 + v^2 / chi^2 - h x v stays: the energy swings by chi h / 2 of itself, and no more"
+    about.read = "the docstring of semi_implicit_euler"
+    about.cause = "x^2 + v^2 / chi^2 - h x v stays: the energy swings by chi h / 2 of itself, and "
+    about.cause += "no more"
     for frames in (600, 6000):
-        call = (
-            "semi_implicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, "
-        )
-        call += f"{frames} steps: energy after / before"
+        about.call = "semi_implicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h "
+        about.call += f"= 1/60, {frames} steps: energy after / before"
         got = energy_left("semi_implicit_euler", 100.0, 1.0 / 60.0, frames)
         # chi h / 2 is 1/12; its square comes on top.
-        expect_close(call, got, 1.0, cause=cause, read=read, tolerance=0.1)
-    call = "semi_implicit_euler([p], apply_forces, h) with the same spring, 1 step: energy"
-    cause = "from rest at 1 m the step goes to 1 - k h^2 / m, with the velocity -k h / m"
+        expect_close(got, 1.0, tolerance=0.1)
+    about.call = "semi_implicit_euler([p], apply_forces, h) with the same spring, 1 step: energy"
+    about.cause = "from rest at 1 m the step goes to 1 - k h^2 / m, with the velocity -k h / m"
     kappa = 100.0 / 3600.0
     wanted = (1.0 - kappa) ** 2 + kappa
     got = energy_left("semi_implicit_euler", 100.0, 1.0 / 60.0, 1)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B6.6b")
 def test_leapfrog_swings_as_its_frequency_says() -> None:
-    read = "the docstring of leapfrog"
-    cause = "cos(w h) is 1 - k h^2 / (2 m), so the swing is a little faster than the true one, and "
-    cause += "its energy comes back"
+    about.read = "the docstring of leapfrog"
+    about.cause = "cos(w h) is 1 - k h^2 / (2 m), so the swing is a little faster than the true "
+    about.cause += "one, and its energy comes back"
     h, k = 1.0 / 60.0, 100.0
     kappa = k * h * h
     for frames in (1, 600, 6000):
-        call = "leapfrog([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, from rest "
-        call += f"at 1 m, {frames} steps: energy after / before"
+        about.call = "leapfrog([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, "
+        about.call += f"from rest at 1 m, {frames} steps: energy after / before"
         angle = frames * 2.0 * math.asin(0.5 * math.sqrt(kappa))
         # From rest x is cos(n w h), and v / chi is -sin(n w h) / sqrt(1 - kappa / 4).
         wanted = math.cos(angle) ** 2 + math.sin(angle) ** 2 / (1.0 - kappa / 4.0)
         got = energy_left("leapfrog", k, h, frames)
         # Each step has a few roundings; the angle gathers those of all of them.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9)
+        expect_close(got, wanted, tolerance=1e-9)
 
 
 @pytest.mark.exercise("B6.6")
 def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
-    read = "the docstring of explicit_euler and of max_stable_stiffness"
+    about.read = "the docstring of explicit_euler and of max_stable_stiffness"
     h, d, frames = 1.0 / 60.0, 0.5, 2000
     keep = d**h
     limit = (1.0 / keep - 1.0) / h**2
     for share in (0.98, 1.02):
         k = share * limit
-        call = f"explicit_euler([p], apply_forces, h) with a spring of {k:.4f} N/m, 1 kg, d = 0.5, "
-        call += "h = 1/60: the farthest in frames 1500 to 2000, over that in frames 0 to 500"
-        cause = "a step multiplies the size of a swing by the root of d^h (1 + k h^2 / m)"
+        about.call = f"explicit_euler([p], apply_forces, h) with a spring of {k:.4f} N/m, 1 kg, d "
+        about.call += "= 0.5, h = 1/60: the farthest in frames 1500 to 2000, over that in frames 0 "
+        about.call += "to 500"
+        about.cause = "a step multiplies the size of a swing by the root of d^h (1 + k h^2 / m)"
         wanted = (keep * (1.0 + k * h * h)) ** 750
         near = growth("explicit_euler", k, d, h, 500)
         far = growth("explicit_euler", k, d, h, frames, since=1500)
         # The farthest of a swing lies between frames, at most 0.2 % farther, and is up to half a
         # swing of 58 frames from where the 500 begin or end, in which it changes by 0.4 %.
-        expect_close(call, far / near, wanted, cause=cause, read=read, tolerance=0.01)
+        expect_close(far / near, wanted, tolerance=0.01)
 
 
 @pytest.mark.parametrize(
@@ -96,7 +93,7 @@ def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
     ],
 )
 def test_the_order_of_a_step(method: str) -> None:
-    read = f"the docstring of {method}"
+    about.read = f"the docstring of {method}"
     body: Body = ((1.0, 0.0, 0.5), (0.0, 1.0, 0.0), ZERO, 1.0, 1.0, ZERO)
     order = {"leapfrog": 2, "velocity_verlet": 2, "runge_kutta_4": 4}.get(method, 1)
     for what, forces in (
@@ -105,14 +102,16 @@ def test_the_order_of_a_step(method: str) -> None:
     ):
         if method == "leapfrog" and forces[1]:
             order = 1  # it asks with the old velocity for forces that depend on it
-        cause = f"half the duration has {0.5**order:g} of the error: the method is of order {order}"
-        call = f"{method}(particles, apply_forces, h) with {what} for 1 s, in 80, 160 and 320 steps"
+        about.cause = f"half the duration has {0.5**order:g} of the error: the method is of order "
+        about.cause += f"{order}"
+        about.call = f"{method}(particles, apply_forces, h) with {what} for 1 s, in 80, 160 and "
+        about.call += "320 steps"
         ends = [stepped(method, [body], forces, 1.0 / n, n)["positions"][0] for n in (80, 160, 320)]
         long, short = math.dist(ends[0], ends[1]), math.dist(ends[1], ends[2])
-        name = f"{call}: log2 of the ratio of the differences of where it ends"
+        name = f"{about.call}: log2 of the ratio of the differences of where it ends"
         # The next order adds some h to it: 0.01 at most here.
         got = math.log2(long / short) if short > 0.0 else math.nan
-        expect_close(name, got, float(order), cause=cause, read=read, tolerance=0.1)
+        expect_close(got, float(order), call=name, tolerance=0.1)
 
 
 @pytest.mark.parametrize(
@@ -125,16 +124,14 @@ def test_the_order_of_a_step(method: str) -> None:
     ],
 )
 def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: float) -> None:
-    read = f"the docstring of {method}"
+    about.read = f"the docstring of {method}"
     h = 1.0 / 60.0
     frames = 500
     for share in (0.98, 1.02):
         k = share * limit / h**2
-        call = f"{method}(particles, apply_forces, h) with a spring of {k} N/m, 1 kg, h = 1/60, "
-        call += f"from 1 m, {frames} steps"
-        cause = f"stable for k h^2 / m < {limit:g}: this one is {share * limit:g}"
+        about.call = f"{method}(particles, apply_forces, h) with a spring of {k} N/m, 1 kg, h = "
+        about.call += f"1/60, from 1 m, {frames} steps"
+        about.cause = f"stable for k h^2 / m < {limit:g}: this one is {share * limit:g}"
         far = growth(method, k, 1.0, h, frames)
-        name = f"{call}: the farthest is below 100 m"
-        expect_exactly(name, far < 100.0, share < 1.0, cause=cause, read=read)
-        name = f"{call}: the farthest is beyond 1e6 m"
-        expect_exactly(name, far > 1e6, share > 1.0, cause=cause, read=read)
+        expect_exactly(far < 100.0, share < 1.0, then=": the farthest is below 100 m")
+        expect_exactly(far > 1e6, share > 1.0, then=": the farthest is beyond 1e6 m")

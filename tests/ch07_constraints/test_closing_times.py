@@ -9,14 +9,14 @@ import pytest
 
 from ch07_constraints.detectors import time_to_close
 from draw import positive_number
-from expect import cause_of, expect_close, expect_exactly
+from expect import about, blame, expect_close, expect_exactly
 
 CLOSE = "the docstring of time_to_close"
 
 
 @pytest.mark.exercise("B7.10")
 def test_when_a_gap_closes(rng: Random) -> None:
-    read = CLOSE
+    about.read = CLOSE
     t, pull = positive_number(rng), positive_number(rng)
     for gap, v, a, wanted, cause in (
         (12.0, -4.0, 0.0, 3.0, "without an acceleration it is gap / -v"),
@@ -31,22 +31,22 @@ def test_when_a_gap_closes(rng: Random) -> None:
         (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998), "a little inside it leaves, and returns"),
         (-5.0, 3.0, -10.0, 0.3, "too deep to get out: from where it turns round it closes on"),
     ):
-        call = f"time_to_close({gap}, {v}, {a})"
+        about(f"time_to_close({gap}, {v}, {a})", cause=cause)
         got = time_to_close(gap, v, a)
         mistakes = [(-wanted, "a time before now: the sign of the velocity or acceleration")]
         if a:
             other = -2.0 * v / a - wanted  # both solutions add up to that
-            mistakes.append((other, f"gap + v t + a t^2 / 2 is 0 then too, but: {cause}"))
+            mistakes.append((other, f"gap + v t + a t^2 / 2 is 0 then too, but: {about.cause}"))
         if not v:
             half = wanted / math.sqrt(2.0)
             mistakes.append((half, "that is with a t^2: gap + v t + a t^2 / 2 has a half"))
-        cause = cause_of(got, mistakes, cause)
-        expect_close(call, got, wanted, cause=cause, read=read)
+        blame(got, mistakes)
+        expect_close(got, wanted)
 
 
 @pytest.mark.exercise("B7.10")
 def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
-    read = CLOSE
+    about.read = CLOSE
     x = positive_number(rng)
     for gap, v, a, wanted, cause in (
         (0.0, -x, 0.0, 0.0, "it touches and closes: now"),
@@ -68,18 +68,18 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
         (-x, x, 1.0, math.inf, "it leaves, if it takes some time to get out"),
         (0.0, -1e-13, 0.0, math.inf, "less than VELOCITY_TOLERANCE against nothing is rounding"),
     ):
-        call = f"time_to_close({gap}, {v}, {a})"
+        about(f"time_to_close({gap}, {v}, {a})", cause=cause)
         got = time_to_close(gap, v, a)
-        expect_exactly(call, float(got), wanted, cause=cause, read=read)
+        expect_exactly(float(got), wanted)
 
 
 @pytest.mark.exercise("B7.10")
 def test_the_digits_of_a_time_are_kept() -> None:
-    read = CLOSE
+    about.read = CLOSE
     for a in (-10.0, 10.0):
-        cause = "2 gap / (sqrt(v v - 2 a gap) - v) keeps its digits: (-v - sqrt(...)) / a takes "
-        cause += "nearly equal numbers apart, and loses them"
-        call = f"time_to_close(1e-10, -1000.0, {a})"
+        about.cause = "2 gap / (sqrt(v v - 2 a gap) - v) keeps its digits: (-v - sqrt(...)) / a "
+        about.cause += "takes nearly equal numbers apart, and loses them"
+        about.call = f"time_to_close(1e-10, -1000.0, {a})"
         got = time_to_close(1e-10, -1000.0, a)
         # The acceleration changes it by 1e-15 of it.
-        expect_close(call, got, 1e-13, cause=cause, read=read, tolerance=1e-22)
+        expect_close(got, 1e-13, tolerance=1e-22)

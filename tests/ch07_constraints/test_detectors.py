@@ -21,7 +21,7 @@ from ch07_constraints.probes import (
     told,
 )
 from draw import Components, components, direction, number, positive_number
-from expect import cause_of, expect_close, expect_exactly
+from expect import about, cause_of, expect_close, expect_exactly, scoped
 
 UP = (0.0, 1.0, 0.0)
 GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"
@@ -30,12 +30,12 @@ PAIRS = "the docstring of ParticlePairs.contacts"
 
 @pytest.mark.exercise("7.5")
 def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
-    read = GROUND
+    about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
     lowest = "its lowest point, y less the radius, is below the height: a contact, of that depth, "
     lowest += "whatever its velocity"
     for radius in (0.0, 0.25):
-        call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
+        about.call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
         # Eighths of a metre are exact beside a radius of a quarter.
         for above, depths, cause in (
             (0.125, [], "above the ground there is no contact"),
@@ -45,12 +45,13 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             (0.0, [0.0], "what only just touches is in contact, with a penetration of 0"),
             (-80.0, [80.0], "all below the height is ground, however deep"),
         ):
+            about.cause = cause
             y = height + radius + above
             x, z = number(rng), number(rng)
             p = Particle(Vector3(x, y, z), Vector3(1.0, 50.0, 3.0), mass=3.0)
             got = told(GroundPlane([p], height, radius, c).contacts(), [p])
-            name = f"p at ({x}, {y}, {z}); {call}"
-            expect_exactly(f"{name}: how many", len(got), len(depths), cause=cause, read=read)
+            name = f"p at ({x}, {y}, {z}); {about.call}"
+            expect_exactly(len(got), len(depths), call=f"{name}: how many")
             for (a, b, normal, restitution, depth), wanted in zip(got, depths, strict=True):
                 # Rounding of heights up to 10 m.
                 shown = f"{name}: penetration"
@@ -60,52 +61,52 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                     (-wanted, "the sign is turned round: a penetration is positive"),
                     (wanted - height, "the height of the ground is left out"),
                 ]
-                why = cause_of(depth, mistakes, cause)
-                expect_close(shown, depth, wanted, cause=why, read=read, tolerance=2e-14)
+                why = cause_of(depth, mistakes, about.cause)
+                expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14)
                 seen = (a, b, *normal, restitution)
                 why = "the particle, no other, the normal (0, 1, 0), and the restitution"
                 down = (0, -1, 0, -1, 0, c)
                 why = cause_of(seen, [(down, "the normal is turned round: it leads up")], why)
                 shown = f"{name}: particle by number, -1 for None, normal, restitution"
-                expect_close(shown, seen, (0, -1, *UP, c), cause=why, read=read)
+                expect_close(seen, (0, -1, *UP, c), call=shown, cause=why)
 
 
 @pytest.mark.exercise("7.5")
 def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
-    read = GROUND
+    about.read = GROUND
     heights = [number(rng) for _ in range(6)]
-    call = f"particles at the heights {heights}; g = GroundPlane(particles); g.contacts(): which"
-    cause = "each particle at or below the height, in the order of the list"
+    about.call = f"particles at the heights {heights}; g = GroundPlane(particles); g.contacts(): "
+    about.call += "which"
+    about.cause = "each particle at or below the height, in the order of the list"
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
-    expect_exactly(call, first, wanted, cause=cause, read=read)
-    call += "; all moved to -1, the second one immovable, one more in the list; g.contacts(): which"
-    cause = "immovable particles have none; look at the list as it is now"
-    expect_exactly(call, second, [0, 2, 3, 4, 5, 6], cause=cause, read=read)
-    call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): which"
-    cause = "read the attributes each time"
-    expect_exactly(call, third, [], cause=cause, read=read)
+    expect_exactly(first, wanted)
+    about.call += "; all moved to -1, the second one immovable, one more in the list; "
+    about.call += "g.contacts(): which"
+    about.cause = "immovable particles have none; look at the list as it is now"
+    expect_exactly(second, [0, 2, 3, 4, 5, 6])
+    about.call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): which"
+    about.cause = "read the attributes each time"
+    expect_exactly(third, [])
 
 
 @pytest.mark.exercise("7.5")
 def test_nothing_is_too_fast_for_the_ground(rng: Random) -> None:
-    read = GROUND
+    about.read = GROUND
     speed = positive_number(rng, 500.0, 2000.0)
-    call = f"a particle 1 m above the ground, with {speed} m/s downwards; a frame of 1/60 s, "
-    call += "GroundPlane([p]).contacts(), and their penetration added to its height"
-    cause = (
-        "it is metres below the ground by then, and still in contact: the ground is all that is "
-    )
-    cause += "below, not a line to be crossed"
+    about.call = f"a particle 1 m above the ground, with {speed} m/s downwards; a frame of 1/60 s, "
+    about.call += "GroundPlane([p]).contacts(), and their penetration added to its height"
+    about.cause = "it is metres below the ground by then, and still in contact: the ground is all "
+    about.cause += "that is below, not a line to be crossed"
     fallen, got = thrown_down(speed, 1.0 / 60.0)
-    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, 0.0, tolerance=1e-12)
     name = f"a particle 1 m above the ground, with {speed} m/s downwards, after 1/60 s: its height"
-    expect_close(name, fallen, 1.0 - speed / 60.0, cause=cause, read=read, tolerance=1e-12)
+    expect_close(fallen, 1.0 - speed / 60.0, call=name, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B7.9")
 def test_spheres_touch_at_two_radii(rng: Random) -> None:
-    read = PAIRS
+    about.read = PAIRS
     n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
     q = components(rng)
     cells = "in any two cells, also below 0: math.floor, where int cuts off towards 0"
@@ -114,41 +115,37 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         (0.75, 1.25, 0.25, f"middles 1.25 m apart, two radii 1.5 m: they touch, {cells}"),
         (4.0, 0.5, 7.5, f"middles 0.5 m apart, two radii 8 m: they touch, {cells}"),
     ):
+        about.cause = cause
         p = tuple(x + distance * part for x, part in zip(q, n, strict=True))
-        call = f"a at {p}, b at {q}; ParticlePairs([a, b], {radius}, {c}).contacts()"
+        about.call = f"a at {p}, b at {q}; ParticlePairs([a, b], {radius}, {c}).contacts()"
         pair = [Particle(Vector3(*p)), Particle(Vector3(*q))]
         got = told(ParticlePairs(pair, radius, c).contacts(), pair)
-        expect_pairs(
-            call, got, [] if wanted is None else [(0, 1, n, c, wanted)], cause, read, 2 * radius
-        )
-    call = "a at (-2, 0, 0), b at (-1, 0, 0); ParticlePairs([a, b], 0.75).contacts()"
-    cause = f"middles 1 m apart, two radii 1.5 m: they touch, {cells}"
+        expect_pairs(got, [] if wanted is None else [(0, 1, n, c, wanted)], 2 * radius)
+    about.call = "a at (-2, 0, 0), b at (-1, 0, 0); ParticlePairs([a, b], 0.75).contacts()"
+    about.cause = f"middles 1 m apart, two radii 1.5 m: they touch, {cells}"
     pair = [Particle(Vector3(-2.0)), Particle(Vector3(-1.0))]
     got = told(ParticlePairs(pair, 0.75).contacts(), pair)
-    expect_pairs(call, got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.5)], cause, read, 1.5)
-    call = "a at (3, 0, 0), b at (5, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
-    cause = "exactly two radii apart they touch, with a penetration of 0"
+    expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.5)], 1.5)
+    about.call = "a at (3, 0, 0), b at (5, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
+    about.cause = "exactly two radii apart they touch, with a penetration of 0"
     pair = [Particle(Vector3(3.0)), Particle(Vector3(5.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
-    expect_pairs(call, got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)], cause, read)
-    call = "a at (-1e-17, 0, 0), b at (2, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
-    cause = (
-        "to rounding they are two radii apart: cells must be a little larger than that, or there "
-    )
-    cause += "is one between the two"
+    expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
+    about.call = "a at (-1e-17, 0, 0), b at (2, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
+    about.cause = "to rounding they are two radii apart: cells must be a little larger than that, "
+    about.cause += "or there is one between the two"
     pair = [Particle(Vector3(-1e-17)), Particle(Vector3(2.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
-    expect_pairs(call, got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)], cause, read)
-    call = f"a and b at {q}; ParticlePairs([a, b], 1.0).contacts()"
-    cause = "at one place there is no direction: the normal is +Y"
+    expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
+    about.call = f"a and b at {q}; ParticlePairs([a, b], 1.0).contacts()"
+    about.cause = "at one place there is no direction: the normal is +Y"
     pair = [Particle(Vector3(*q)), Particle(Vector3(*q))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
-    expect_pairs(call, got, [(0, 1, UP, 0.0, 2.0)], cause, read)
+    expect_pairs(got, [(0, 1, UP, 0.0, 2.0)])
 
 
-def expect_pairs(
-    call: str, got: list, wanted: list[tuple], cause: str, read: str, size: float = 2.0
-) -> None:
+@scoped
+def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
     """Expect these contacts, in this order: both numbers, normal, restitution, penetration.
 
     ``size`` is that of two radii.
@@ -156,23 +153,22 @@ def expect_pairs(
     seen, pairs = ([(a, b) for a, b, *_ in contacts] for contacts in (got, wanted))
     found = {frozenset(pair) for pair in seen}
     if len(found) < len(seen):
-        cause = "a pair is found twice, from both of its ends or cells: each pair once"
+        about.cause = "a pair is found twice, from both of its ends or cells: each pair once"
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
-        cause = f"{missing[0]} is missing: {cause}"
+        about.cause = f"{missing[0]} is missing: {about.cause}"
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
-        cause = f"{extra[0]} is too many: {cause}"
+        about.cause = f"{extra[0]} is too many: {about.cause}"
     else:
-        cause = "pairs come in the order of the list, the first of two before the second"
-    expect_exactly(f"{call}: how many pairs", len(got), len(wanted), cause=cause, read=read)
-    name = f"{call}: the pairs, each by its two numbers"
-    expect_exactly(name, seen, pairs, cause=cause, read=read)
+        about.cause = "pairs come in the order of the list, the first of two before the second"
+    expect_exactly(len(got), len(wanted), then=": how many pairs")
+    expect_exactly(seen, pairs, then=": the pairs, each by its two numbers")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
-        cause = "the normal leads to the first of the pair, from the second"
+        about.cause = "the normal leads to the first of the pair, from the second"
         # Differences of places of up to 10 m, over a distance of half a metre or more.
-        expect_close(f"{call}: normal", normal, right[2], cause=cause, read=read, tolerance=1e-13)
-        cause = "a contact has the restitution of its detector"
-        expect_close(f"{call}: restitution", restitution, right[3], cause=cause, read=read)
+        expect_close(normal, right[2], then=": normal", tolerance=1e-13)
+        about.cause = "a contact has the restitution of its detector"
+        expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
             (size * size - apart * apart, "those are squares: take the distance, with its root"),
@@ -180,23 +176,22 @@ def expect_pairs(
             (0.5 * size - apart, "each has a radius: two radii less the distance"),
             (apart, "that is the distance of the middles: take it off two radii"),
         ]
-        cause = cause_of(depth, mistakes, "two radii less the distance of the middles")
-        name = f"{call}: penetration"
-        expect_close(name, depth, right[4], cause=cause, read=read, tolerance=1e-13)
+        about.cause = cause_of(depth, mistakes, "two radii less the distance of the middles")
+        expect_close(depth, right[4], then=": penetration", tolerance=1e-13)
 
 
 @pytest.mark.exercise("B7.9")
 def test_every_pair_is_found_once(rng: Random) -> None:
-    read = PAIRS
+    about.read = PAIRS
     for count, size, radius in ((40, 1.0, 0.25), (60, 9.0, 0.8), (30, 0.5, 2.0)):
         places: list[Components] = [
             (rng.uniform(-size, size), rng.uniform(-size, size), rng.uniform(-size, size))
             for _ in range(count)
         ]
         walls = {3, 4, 5, 6}
-        call = f"{count} particles in a cube of {2 * size:g} m, 3 to 6 of them immovable; "
-        call += f"ParticlePairs(particles, {radius}).contacts()"
-        cause = "all that touch have a contact, but two immovable ones (3 to 6) have none"
+        about.call = f"{count} particles in a cube of {2 * size:g} m, 3 to 6 of them immovable; "
+        about.call += f"ParticlePairs(particles, {radius}).contacts()"
+        about.cause = "all that touch have a contact, but two immovable ones (3 to 6) have none"
         particles = [
             Particle(Vector3(*place), mass=math.inf if i in walls else 1.0)
             for i, place in enumerate(places)
@@ -208,67 +203,65 @@ def test_every_pair_is_found_once(rng: Random) -> None:
             if distance <= 2.0 * radius and not {i, j} <= walls:
                 n = tuple((p - q) / distance for p, q in zip(places[i], places[j], strict=True))
                 wanted.append((i, j, n, 0.0, 2.0 * radius - distance))
-        expect_pairs(call, got, wanted, cause, read, 2.0 * radius)
+        expect_pairs(got, wanted, 2.0 * radius)
 
 
 @pytest.mark.exercise("B7.9")
 def test_not_every_pair_is_looked_at() -> None:
-    read = PAIRS
-    call = "400 spheres of radius 0.5 m in a cube of 40 m; ParticlePairs(spheres, 0.5).contacts(): "
-    call += "how often a position was asked for something (at most 100,000 times is well)"
-    cause = (
-        "all 79,800 pairs ask their two places more than 400,000 times: look only at what is near, "
-    )
-    cause += "in a grid or along an axis"
+    about("400 spheres of radius 0.5 m in a cube of 40 m; ParticlePairs(spheres, ", read=PAIRS)
+    about.call += "0.5).contacts(): how often a position was asked for something (at most 100,000 "
+    about.call += "times is well)"
+    about.cause = "all 79,800 pairs ask their two places more than 400,000 times: look only at "
+    about.cause += "what is near, in a grid or along an axis"
     asked, found, wanted = looked(400, 40.0)
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
-    expect_close(call, asked, 0, cause=cause, read=read, tolerance=100_000)
+    expect_close(asked, 0, tolerance=100_000)
     name = "the same: how many pairs touch"
-    expect_exactly(name, found, wanted, cause="the pairs that touch", read=read)
+    expect_exactly(found, wanted, call=name, cause="the pairs that touch")
 
 
 @pytest.mark.exercise("B7.9")
 def test_pairs_are_those_of_now(rng: Random) -> None:
-    read = PAIRS
+    about.read = PAIRS
     radius = positive_number(rng, 0.5, 1.5)
-    call = f"four particles in a row, three radii apart, {radius} m each; "
-    call += f"p = ParticlePairs(particles, {radius}); p.contacts(): the pairs, by number"
-    cause = "more than two radii apart there is no contact"
+    about.call = f"four particles in a row, three radii apart, {radius} m each; p = "
+    about.call += f"ParticlePairs(particles, {radius}); p.contacts(): the pairs, by number"
+    about.cause = "more than two radii apart there is no contact"
     first, second, third = pairs_of_a_list(radius)
-    expect_exactly(call, first, [], cause=cause, read=read)
-    call += "; the last one moved to the first, and one more between the two in the middle"
-    cause = "look at the list, and at the places, as they are now"
-    expect_exactly(call, second, [0, 3, 1, 4, 2, 4], cause=cause, read=read)
-    call += "; p.radius doubled"
-    cause = "read the attributes each time"
-    expect_exactly(call, third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4], cause=cause, read=read)
+    expect_exactly(first, [])
+    about.call += "; the last one moved to the first, and one more between the two in the middle"
+    about.cause = "look at the list, and at the places, as they are now"
+    expect_exactly(second, [0, 3, 1, 4, 2, 4])
+    about.call += "; p.radius doubled"
+    about.cause = "read the attributes each time"
+    expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4])
 
 
 @pytest.mark.exercise("B7.9")
 def test_a_grid_has_no_seams(rng: Random) -> None:
-    read = PAIRS
+    about.read = PAIRS
     radius = positive_number(rng, 0.3, 0.9)
-    cause = "what touches may be in different cells, in any of the 26 around, also below 0: "
-    cause += "math.floor is for that, where int cuts off towards 0"
+    about.cause = "what touches may be in different cells, in any of the 26 around, also below 0: "
+    about.cause += "math.floor is for that, where int cuts off towards 0"
     for way in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, -1, 0), (1, 1, 1), (-1, 1, 1)):
         length = math.hypot(*way)
         step = tuple(1.8 * radius * part / length for part in way)
         places = [tuple((i - 10) * part for part in step) for i in range(21)]
-        call = f"21 particles in a row through (0, 0, 0), {step} apart; ParticlePairs(particles, "
-        call += f"{radius}).contacts(): the pairs, by number"
+        about.call = f"21 particles in a row through (0, 0, 0), {step} apart; "
+        about.call += f"ParticlePairs(particles, {radius}).contacts(): the pairs, by number"
         particles = [Particle(Vector3(*place)) for place in places]
         got = told(ParticlePairs(particles, radius).contacts(), particles)
         seen = [number for a, b, *_ in got for number in (a, b)]
         wanted = [number for i in range(20) for number in (i, i + 1)]
-        expect_exactly(call, seen, wanted, cause=cause, read=read)
+        expect_exactly(seen, wanted)
 
 
 @pytest.mark.exercise("B7.9")
 def test_a_pile_of_ten_holds() -> None:
-    read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
-    call = "ten spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 frames of 1/60 s, "
-    call += "velocity first, ParticlePairs and ContactResolver with 50 iterations a contact"
-    cause = "each sphere touches the one below it, and is told so in every frame"
+    about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
+    about.call = "ten spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 frames of 1/60 s, "
+    about.call += "velocity first, ParticlePairs and ContactResolver with 50 iterations a contact"
+    about.cause = "each sphere touches the one below it, and is told so in every frame"
     particles = [
         Particle(Vector3(0.0, i + 0.5, 0.0), acceleration=Vector3(0.0, -9.81, 0.0))
         for i in range(10)
@@ -278,7 +271,5 @@ def test_a_pile_of_ten_holds() -> None:
     )
     wanted = tuple(i + 0.5 for i in range(10))
     # Measured: 0.02 m of overlap at most; 6 % of the diameter is what such a stack may have.
-    name = f"{call}: heights"
-    expect_close(name, heights, wanted, cause=cause, read=read, tolerance=0.06)
-    name = f"{call}: the largest overlap after a frame, m"
-    expect_close(name, overlap, 0.0, cause=cause, read=read, tolerance=0.06)
+    expect_close(heights, wanted, then=": heights", tolerance=0.06)
+    expect_close(overlap, 0.0, then=": the largest overlap after a frame, m", tolerance=0.06)

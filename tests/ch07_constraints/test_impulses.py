@@ -13,7 +13,15 @@ from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact
 from ch07_constraints.probes import lying
 from draw import Components, components, direction, dot, number, positive_number
-from expect import cause_of, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import (
+    about,
+    cause_of,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    xyz,
+)
 
 ZERO = (0.0, 0.0, 0.0)
 UP = (0.0, 1.0, 0.0)
@@ -38,7 +46,7 @@ def closing_velocities(rng: Random, n: Components) -> tuple[Components, Componen
 
 @pytest.mark.exercise("B7.3")
 def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
-    read = IMPULSE
+    about.read = IMPULSE
     n = direction(rng)
     v, w = closing_velocities(rng, n)
     samples = [
@@ -46,12 +54,12 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
         (v, w, n, positive_number(rng), positive_number(rng), round(rng.uniform(0.1, 0.9), 3)),
     ]
     for v, w, n, ma, mb, c in samples:
-        call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; "
-        call += f"Contact(a, b, Vector3{n}, {c}).resolve_velocity()"
+        about.call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; Contact(a, b, "
+        about.call += f"Vector3{n}, {c}).resolve_velocity()"
         a = Particle(velocity=Vector3(*v), mass=ma)
         b = Particle(velocity=Vector3(*w), mass=mb)
-        cause = "the impulse is the change of the separating velocity, from v_s to -c v_s, divided "
-        cause += "by 1 / ma + 1 / mb; it acts along n, and divided by the mass"
+        about.cause = "the impulse is the change of the separating velocity, from v_s to -c v_s, "
+        about.cause += "divided by 1 / ma + 1 / mb; it acts along n, and divided by the mass"
         Contact(a, b, Vector3(*n), c).resolve_velocity()
         closing = dot(v, n) - dot(w, n)
         change = -(1.0 + c) * closing
@@ -69,51 +77,49 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
             (unlike / ma, "the change is from v_s to -c v_s, their difference: v_s is left out"),
             (impulse, f"{momentum} g / ma"),
         ]
-        seen = cause_of(got, along(v, n, mistakes), cause)
+        seen = cause_of(got, along(v, n, mistakes), about.cause)
         # A few roundings of numbers up to 40.
-        name = f"{call}; a.velocity"
-        expect_close(name, got, wanted_a, cause=seen, read=read, tolerance=1e-12)
+        expect_close(got, wanted_a, then="; a.velocity", cause=seen, tolerance=1e-12)
         got = xyz(b.velocity)
         mistakes = [
             (0.0, "b gets nothing: the opposite impulse is its own, -g / mb"),
             (impulse / mb, "b gets the impulse with the same sign as a: it is -g / mb"),
             (-impulse, f"{momentum} -g / mb"),
         ]
-        cause = cause_of(got, along(w, n, mistakes), "b gets the opposite impulse: -g / mb")
-        name = f"{call}; b.velocity"
-        expect_close(name, got, wanted_b, cause=cause, read=read, tolerance=1e-12)
+        about.cause = cause_of(got, along(w, n, mistakes), "b gets the opposite impulse: -g / mb")
+        expect_close(got, wanted_b, then="; b.velocity", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B7.3")
 def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
-    read = "book 7.1.2 and E-7"
+    about.read = "book 7.1.2 and E-7"
     n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
     for c in (0.0, 0.5, 1.0):
         v, w = closing_velocities(rng, n)
-        call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; "
-        call += f"Contact(a, b, Vector3{n}, {c}).resolve_velocity()"
-        cause = "momentum is kept whatever the restitution: what a gains b loses"
+        about.call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; Contact(a, b, "
+        about.call += f"Vector3{n}, {c}).resolve_velocity()"
+        about.cause = "momentum is kept whatever the restitution: what a gains b loses"
         a = Particle(velocity=Vector3(*v), mass=ma)
         b = Particle(velocity=Vector3(*w), mass=mb)
         Contact(a, b, Vector3(*n), c).resolve_velocity()
         va, vb = xyz(a.velocity), xyz(b.velocity)
         got = tuple(ma * p + mb * q for p, q in zip(va, vb, strict=True))
         wanted = tuple(ma * p + mb * q for p, q in zip(v, w, strict=True))
-        name = f"{call}; the momentum of both"
+        name = f"{about.call}; the momentum of both"
         # Some roundings of numbers up to 200.
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-11)
+        expect_close(got, wanted, call=name, tolerance=1e-11)
         lost = 0.5 * ma * (dot(v, v) - dot(va, va)) + 0.5 * mb * (dot(w, w) - dot(vb, vb))
         closing = dot(w, n) - dot(v, n)
         wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * closing * closing
-        name = f"{call}; the kinetic energy that is lost"
-        cause = "mu (1 - c^2) v_s^2 / 2, with mu = ma mb / (ma + mb): none of it at restitution 1, "
-        cause += "and that is what elastic means (E-7)"
-        expect_close(name, lost, wanted, cause=cause, read=read, tolerance=1e-10)
+        name = f"{about.call}; the kinetic energy that is lost"
+        about.cause = "mu (1 - c^2) v_s^2 / 2, with mu = ma mb / (ma + mb): none of it at "
+        about.cause += "restitution 1, and that is what elastic means (E-7)"
+        expect_close(lost, wanted, call=name, tolerance=1e-10)
 
 
 @pytest.mark.exercise("B7.3")
 def test_a_wall_takes_any_impulse(rng: Random) -> None:
-    read = IMPULSE
+    about.read = IMPULSE
     n, c, mass = direction(rng), round(rng.uniform(0.1, 0.9), 3), positive_number(rng)
     v = components(rng)
     if dot(v, n) > 0.0:
@@ -121,23 +127,23 @@ def test_a_wall_takes_any_impulse(rng: Random) -> None:
     wanted = tuple(p - (1.0 + c) * dot(v, n) * q for p, q in zip(v, n, strict=True))
     turned = tuple(-part for part in n)
     for told, normal in (("Contact(a, None", n), ("Contact(a, w", n), ("Contact(w, a", turned)):
-        call = f"a of {mass} kg, velocity {v}; w immovable; "
-        call += f"{told}, Vector3{normal}, {c}).resolve_velocity()"
-        cause = "a takes all of the change, whatever its mass: the inverse mass of the other is 0"
+        about.call = f"a of {mass} kg, velocity {v}; w immovable; {told}, Vector3{normal}, "
+        about.call += f"{c}).resolve_velocity()"
+        about.cause = "a takes all of the change, whatever its mass: the inverse mass of the other "
+        about.cause += "is 0"
         a, w = Particle(velocity=Vector3(*v), mass=mass), Particle(mass=math.inf)
         ends = {"Contact(a, None": (a, None), "Contact(a, w": (a, w), "Contact(w, a": (w, a)}[told]
         Contact(*ends, Vector3(*normal), c).resolve_velocity()
         got = xyz(a.velocity)
-        name = f"{call}; a.velocity"
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-12)
-        cause = "what is immovable stays as it is"
+        expect_close(got, wanted, then="; a.velocity", tolerance=1e-12)
+        about.cause = "what is immovable stays as it is"
         got = xyz(w.velocity)
-        expect_close(f"{call}; w.velocity", got, ZERO, cause=cause, read=read)
+        expect_close(got, ZERO, then="; w.velocity")
 
 
 @pytest.mark.exercise("B7.3")
 def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
-    read = IMPULSE
+    about.read = IMPULSE
     v, w, n = components(rng), components(rng), direction(rng)
     if dot(v, n) < dot(w, n):
         v, w = w, v
@@ -145,77 +151,74 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
         (2.0, v, w, "they part already: an impulse would pull them together, or speed them up"),
         (math.inf, w, v, "both are immovable: 0 / 0 is an error, or a NaN"),
     ):
-        call = f"a and b of {mass} kg, velocities {first} and {second}; "
-        call += f"Contact(a, b, Vector3{n}, 0.5, 1.0).resolve_velocity(0.5)"
+        about(f"a and b of {mass} kg, velocities {first} and {second}; Contact(a, b, ", cause=cause)
+        about.call += f"Vector3{n}, 0.5, 1.0).resolve_velocity(0.5)"
         a, b = (Particle(velocity=Vector3(*u), mass=mass) for u in (first, second))
         Contact(a, b, Vector3(*n), 0.5, 1.0).resolve_velocity(0.5)
         got = xyz(a.velocity)
-        expect_unchanged(call, "a.velocity", got, first, cause=cause, read=read)
+        expect_unchanged("a.velocity", got, first)
         got = xyz(b.velocity)
-        expect_unchanged(call, "b.velocity", got, second, cause=cause, read=read)
-    call = f"a with velocity {w}, b with {v}; c = Contact(a, b, Vector3{n}, 0.0, -1.0); "
-    call += "a.add_force(Vector3(1, 2, 3)); c.resolve_velocity(0.5)"
-    cause = "at restitution 0 what closes does not part, whatever the penetration: the separating "
-    cause += "velocity is 0"
+        expect_unchanged("b.velocity", got, second)
+    about.call = f"a with velocity {w}, b with {v}; c = Contact(a, b, Vector3{n}, 0.0, -1.0); "
+    about.call += "a.add_force(Vector3(1, 2, 3)); c.resolve_velocity(0.5)"
+    about.cause = "at restitution 0 what closes does not part, whatever the penetration: the "
+    about.cause += "separating velocity is 0"
     a, b = (Particle(velocity=Vector3(*u)) for u in (w, v))
     a.add_force(Vector3(1.0, 2.0, 3.0))
     c = Contact(a, b, Vector3(*n), 0.0, -1.0)
     c.resolve_velocity(0.5)
     got = dot(xyz(a.velocity), n) - dot(xyz(b.velocity), n)
-    expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-13)
+    expect_close(got, 0.0, tolerance=1e-13)
     for name, now, before in (
         ("c.normal", xyz(c.normal), n),
         ("c.restitution and c.penetration", (c.restitution, c.penetration), (0.0, -1.0)),
         ("a.force_accumulator", xyz(a.force_accumulator), (1.0, 2.0, 3.0)),
     ):
-        cause = "velocities, and nothing else"
-        expect_unchanged(call, name, now, before, cause=cause, read=read)
+        about.cause = "velocities, and nothing else"
+        expect_unchanged(name, now, before)
 
 
 @pytest.mark.exercise("B7.3")
 def test_an_impulse_leaves_rest_at_rest(rng: Random) -> None:
-    read = "book 7.2.3, and the docstring of Contact.resolve_velocity"
+    about.read = "book 7.2.3, and the docstring of Contact.resolve_velocity"
     h, c, side = 0.02, round(rng.uniform(0.3, 0.9), 3), number(rng)
-    call = f"a with velocity ({side}, {-9.0 * h}, 0), acceleration (0, -9, 0); "
-    call += f"Contact(a, None, Vector3(0, 1, 0), {c}, 0.125).resolve_velocity({h})"
-    cause = "give velocity_after the duration: what the frame has built up is taken away, and no "
-    cause += "more"
+    about.call = f"a with velocity ({side}, {-9.0 * h}, 0), acceleration (0, -9, 0); Contact(a, "
+    about.call += f"None, Vector3(0, 1, 0), {c}, 0.125).resolve_velocity({h})"
+    about.cause = "give velocity_after the duration: what the frame has built up is taken away, "
+    about.cause += "and no more"
     a = Particle(None, Vector3(side, -9.0 * h, 0.0), Vector3(0.0, -9.0, 0.0), mass=3.0)
     Contact(a, None, Vector3(*UP), c, 0.125).resolve_velocity(h)
     got = xyz(a.velocity)
-    expect_close(f"{call}; a.velocity", got, (side, 0.0, 0.0), cause=cause, read=read)
-    cause = "velocities only: resolve_penetration moves"
+    expect_close(got, (side, 0.0, 0.0), then="; a.velocity")
+    about.cause = "velocities only: resolve_penetration moves"
     got = xyz(a.position)
-    expect_close(f"{call}; a.position", got, ZERO, cause=cause, read=read)
+    expect_close(got, ZERO, then="; a.position")
 
 
 @pytest.mark.exercise("B7.3")
 @pytest.mark.robust
 def test_an_impulse_needs_a_duration_that_means_something() -> None:
-    read = IMPULSE
+    about.read = IMPULSE
     for velocity, mass in ((-1.0, 2.0), (1.0, 2.0), (-1.0, math.inf)):
         for duration in (-0.5, math.nan, math.inf):
-            call = f"Contact(a, None, Vector3(0, 1, 0)).resolve_velocity({duration}), "
-            call += f"a of {mass} kg with velocity (0, {velocity}, 0)"
-            cause = "velocity_after refuses it: ask that first, whatever else is the case"
+            about.call = f"Contact(a, None, Vector3(0, 1, 0)).resolve_velocity({duration}), a of "
+            about.call += f"{mass} kg with velocity (0, {velocity}, 0)"
+            about.cause = "velocity_after refuses it: ask that first, whatever else is the case"
             a = Particle(velocity=Vector3(0.0, velocity, 0.0), mass=mass)
             contact = Contact(a, None, Vector3(*UP))
             expect_error(
-                call,
                 lambda contact=contact, duration=duration: contact.resolve_velocity(duration),
                 ValueError,
                 allowed=lambda: Contact(Particle(), None, Vector3(*UP)).resolve_velocity(0.5),
-                cause=cause,
-                read=read,
             )
             got = xyz(a.velocity)
             before = (0.0, velocity, 0.0)
-            expect_unchanged(call, "a.velocity", got, before, cause=cause, read=read)
+            expect_unchanged("a.velocity", got, before)
 
 
 @pytest.mark.exercise("B7.4")
 def test_the_lighter_one_moves_more(rng: Random) -> None:
-    read = MOVE
+    about.read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
     ma, mb, depth = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
     wall = math.inf
@@ -229,15 +232,16 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         (small, wall, mb, 0.0, "a is immovable: b moves all the way"),
         (small, ma, None, 1.0, "there is no other: a moves all the way, whatever its mass"),
     ):
-        call = f"a of {first} kg at {p}, b {'None' if second is None else f'of {second} kg'}; "
-        call += f"moves = Contact(a, b, Vector3{n}, 0.5, {depth}).resolve_penetration()"
+        about(f"a of {first} kg at {p}, b ", cause=cause)
+        about.call += f"{'None' if second is None else f'of {second} kg'}; moves = Contact(a, b, "
+        about.call += f"Vector3{n}, 0.5, {depth}).resolve_penetration()"
         a = Particle(Vector3(*p), mass=first)
         b = None if second is None else Particle(Vector3(*q), mass=second)
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
         got = xyz(contact.normal)
         whole = "the normal is only read: *= and normalize would change the contact's own"
-        expect_unchanged(call, "the normal", got, n, cause=whole, read=read)
+        expect_unchanged("the normal", got, n, cause=whole)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
         wanted = tuple(x + m for x, m in zip(p, move, strict=True))
@@ -250,30 +254,29 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
             (0.0, "a has not moved: it is its position that moves, not its velocity"),
         ]
         both = first != wall and second not in (wall, None)
-        seen = cause_of(got, along(p, n, mistakes), cause) if both else cause
+        seen = cause_of(got, along(p, n, mistakes), about.cause) if both else about.cause
         # A few roundings of numbers up to 10.
-        name = f"{call}; a.position"
-        expect_close(name, got, wanted, cause=seen, read=read, tolerance=1e-14 * 8)
+        expect_close(got, wanted, then="; a.position", cause=seen, tolerance=1e-14 * 8)
         got = xyz(moves[0])
-        expect_close(f"{call}; moves[0]", got, move, cause=cause, read=read, tolerance=1e-15)
-        cause = "b moves against the normal, by the rest of the depth"
+        expect_close(got, move, then="; moves[0]", tolerance=1e-15)
+        about.cause = "b moves against the normal, by the rest of the depth"
         got = xyz(moves[1])
         turned = tuple(-part for part in back)
-        seen = cause_of(got, [(turned, "the move of b has the wrong sign: it is -n")], cause)
-        expect_close(f"{call}; moves[1]", got, back, cause=seen, read=read, tolerance=1e-15)
+        seen = cause_of(got, [(turned, "the move of b has the wrong sign: it is -n")], about.cause)
+        expect_close(got, back, then="; moves[1]", cause=seen, tolerance=1e-15)
         if b is not None:
             wanted = tuple(x + m for x, m in zip(q, back, strict=True))
             got = xyz(b.position)
-            name = f"{call}; b.position"
-            expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-14 * 8)
-        cause = "they touch now: set the penetration to 0, which the listing leaves as it is (E-8)"
+            expect_close(got, wanted, then="; b.position", tolerance=1e-14 * 8)
+        about.cause = "they touch now: set the penetration to 0, which the listing leaves as it is "
+        about.cause += "(E-8)"
         got = contact.penetration
-        expect_close(f"{call}; penetration", got, 0.0, cause=cause, read=read)
+        expect_close(got, 0.0, then="; penetration")
 
 
 @pytest.mark.exercise("B7.4")
 def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
-    read = "E-27, and the docstring of Contact.resolve_penetration"
+    about.read = "E-27, and the docstring of Contact.resolve_penetration"
     p, q, n = components(rng), components(rng), direction(rng)
     for depth, mass, cause in (
         (0.0, 2.0, "what only touches is not moved"),
@@ -282,96 +285,102 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
         (-1e-10, 2.0, "a gap is not closed, however small: it is the resolver that has tolerances"),
         (1.0, math.inf, "both are immovable: 0 / 0 is an error, or a NaN"),
     ):
-        call = f"a and b of {mass} kg; c = Contact(a, b, Vector3{n}, 0.5, {depth}); "
-        call += "moves = c.resolve_penetration()"
+        about.cause = cause
+        about.call = f"a and b of {mass} kg; c = Contact(a, b, Vector3{n}, 0.5, {depth}); moves = "
+        about.call += "c.resolve_penetration()"
         a, b = Particle(Vector3(*p), mass=mass), Particle(Vector3(*q), mass=mass)
         c = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = c.resolve_penetration()
         none = "two moves come back, also where nothing is moved: zero vectors then"
-        expect_exactly(f"{call}; moves is None", moves is None, False, cause=none, read=read)
+        expect_exactly(moves is None, False, then="; moves is None", cause=none)
         for name, now, before in (
             ("a.position", xyz(a.position), p),
             ("b.position", xyz(b.position), q),
             ("moves[0]", xyz(moves[0]), ZERO),
             ("moves[1]", xyz(moves[1]), ZERO),
         ):
-            expect_close(f"{call}; {name}", now, before, cause=cause, read=read, tolerance=0.0)
+            expect_close(now, before, then=f"; {name}", tolerance=0.0)
         got = c.penetration
-        cause = "nothing was moved, so the penetration stays"
-        expect_close(f"{call}; c.penetration", got, depth, cause=cause, read=read)
+        about.cause = "nothing was moved, so the penetration stays"
+        expect_close(got, depth, then="; c.penetration")
         moves[0].x += 1.0
-        cause = "two vectors, not one twice"
+        about.cause = "two vectors, not one twice"
         got = xyz(moves[1])
-        expect_close(f"{call}; moves[0].x += 1; moves[1]", got, ZERO, cause=cause, read=read)
-    call = f"a and b of 2 kg; c = Contact(a, b, Vector3{n}, 0.5, 0.5); c.resolve_penetration()"
+        expect_close(got, ZERO, then="; moves[0].x += 1; moves[1]")
+    about.call = f"a and b of 2 kg; c = Contact(a, b, Vector3{n}, 0.5, 0.5); "
+    about.call += "c.resolve_penetration()"
     a, b = Particle(Vector3(*p), mass=2.0), Particle(Vector3(*q), mass=2.0)
     c = Contact(a, b, Vector3(*n), 0.5, 0.5)
     c.resolve_penetration()
-    cause = "they touch now: set the penetration to 0, or the next call moves them again (E-8)"
+    about.cause = "they touch now: set the penetration to 0, or the next call moves them again "
+    about.cause += "(E-8)"
     got = c.penetration
-    expect_close(f"{call}; c.penetration", got, 0.0, cause=cause, read=read)
-    call += "; moves = c.resolve_penetration()"
-    cause = "what is returned is the move of this call, and not of an earlier one (E-27)"
+    expect_close(got, 0.0, then="; c.penetration")
+    about.call += "; moves = c.resolve_penetration()"
+    about.cause = "what is returned is the move of this call, and not of an earlier one (E-27)"
     moves = c.resolve_penetration()
     got = (*xyz(moves[0]), *xyz(moves[1]))
-    expect_close(f"{call}; both moves", got, ZERO + ZERO, cause=cause, read=read)
+    expect_close(got, ZERO + ZERO, then="; both moves")
 
 
 @pytest.mark.exercise("B7.4")
 def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
-    read = MOVE
+    about.read = MOVE
     p, q, n = components(rng), components(rng), direction(rng)
-    call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); "
-    call += "moves = c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
-    cause = "the normal, the position and the moves are three things: work on vectors of your own"
+    about.call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); moves = "
+    about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
+    about.cause = "the normal, the position and the moves are three things: work on vectors of "
+    about.cause += "your own"
     a = Particle(Vector3(*p))
     c = Contact(a, None, Vector3(*n), 0.5, 1.0)
     moves = c.resolve_penetration()
     moves[0].x += 1.0
     moves[1].x += 1.0
     got = xyz(c.normal)
-    expect_unchanged(call, "c.normal", got, n, cause=cause, read=read)
+    expect_unchanged("c.normal", got, n)
     got = xyz(a.position)
     wanted = tuple(x + part for x, part in zip(p, n, strict=True))
-    shown = f"{call}; a.position"
-    expect_close(shown, got, wanted, cause=cause, read=read, tolerance=1e-14 * 8)
-    call = f"a at {p}, b at {q}; c = Contact(a, b, Vector3{n}, 0.5, 0.5); "
-    call += "moves = c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
-    cause = "the normal, the positions and the moves are three things: work on vectors of your own"
+    shown = f"{about.call}; a.position"
+    expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
+    about.call = f"a at {p}, b at {q}; c = Contact(a, b, Vector3{n}, 0.5, 0.5); moves = "
+    about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
+    about.cause = "the normal, the positions and the moves are three things: work on vectors of "
+    about.cause += "your own"
     a, b = Particle(Vector3(*p)), Particle(Vector3(*q))
     c = Contact(a, b, Vector3(*n), 0.5, 0.5)
     moves = c.resolve_penetration()
     moves[0].x += 1.0
     moves[1].x += 1.0
     got = xyz(c.normal)
-    expect_unchanged(call, "c.normal", got, n, cause=cause, read=read)
+    expect_unchanged("c.normal", got, n)
     for name, particle, place, sign in (("a", a, p, 0.25), ("b", b, q, -0.25)):
         wanted = tuple(x + sign * part for x, part in zip(place, n, strict=True))
         got = xyz(particle.position)
-        shown = f"{call}; {name}.position"
-        expect_close(shown, got, wanted, cause=cause, read=read, tolerance=1e-14 * 8)
+        shown = f"{about.call}; {name}.position"
+        expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
         got = xyz(particle.velocity)
-        shown = f"{call}; {name}.velocity"
-        cause = "places only: resolve_velocity changes velocities"
-        expect_close(shown, got, ZERO, cause=cause, read=read)
+        shown = f"{about.call}; {name}.velocity"
+        about.cause = "places only: resolve_velocity changes velocities"
+        expect_close(got, ZERO, call=shown)
 
 
 @pytest.mark.exercise("B7.4")
 def test_what_lies_on_the_ground_stays_there() -> None:
-    read = "book 7.2.3, E-26, and the docstring of Contact.resolve"
+    about.read = "book 7.2.3, E-26, and the docstring of Contact.resolve"
     for restitution, generated in ((0.0, False), (0.5, True), (0.9, False), (0.9, True)):
         gravity = "a force in every frame" if generated else "its acceleration"
-        call = f"a body of restitution {restitution} lies on the ground, its weight is {gravity}; "
-        call += "60 s of velocity first, h = 1/60, and Contact.resolve(h): how far it moves, m"
-        cause = "resolve_velocity takes away what the frame has built up, resolve_penetration "
-        cause += "what it has sunk; a body that jitters bounces by the first, one that sinks "
-        cause += "lacks the second"
+        about.call = f"a body of restitution {restitution} lies on the ground, its weight is "
+        about.call += f"{gravity}; 60 s of velocity first, h = 1/60, and Contact.resolve(h): how "
+        about.call += "far it moves, m"
+        about.cause = "resolve_velocity takes away what the frame has built up, "
+        about.cause += "resolve_penetration what it has sunk; a body that jitters bounces by the "
+        about.cause += "first, one that sinks lacks the second"
         heights, fastest = lying(restitution, generated, 3600, 1.0 / 60.0)
         got = max(abs(height) for height in heights)
         # A millimetre is what rest may be; rounding leaves some 1e-15 m.
-        expect_close(call, got, 0.0, cause=cause, read=read, tolerance=1e-3)
-        name = f"{call[: call.rindex(':')]}: the fastest that it is after a frame, m/s"
+        expect_close(got, 0.0, tolerance=1e-3)
+        name = f"{about.call[: about.call.rindex(':')]}: the fastest that it is after a frame, m/s"
         # Without the rule it is at 0.08 m/s, at a restitution of 0.5, and more.
-        expect_close(name, fastest, 0.0, cause=cause, read=read, tolerance=1e-6)
+        expect_close(fastest, 0.0, call=name, tolerance=1e-6)
         got = float(len(heights))
-        expect_close(f"{call}: frames", got, 3600.0, cause=cause, read=read)
+        expect_close(got, 3600.0, then=": frames")

@@ -14,7 +14,7 @@ from ch05_forces.particle import Particle
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod, TwoSidedRod
 from ch07_constraints.probes import swung, told
 from draw import Components, components, positive_number
-from expect import cause_of, expect_close, expect_exactly, expect_unchanged, xyz
+from expect import about, cause_of, expect_close, expect_exactly, expect_unchanged, scoped, xyz
 
 UP = (0.0, 1.0, 0.0)
 CABLE = "book 7.4.1, and the docstring of Cable.contacts"
@@ -41,13 +41,12 @@ def ends(rng: Random, anchored: bool) -> tuple[list[Any], Components, float, str
     return [a, b], (x, y, z), 7.0 * size, f"a at {p}, {'the anchor' if anchored else 'b'} at {q}"
 
 
+@scoped
 def expect_contacts(
     call: str,
     link: Any,
     particles: list[Any],
     wanted: list[tuple],
-    cause: str,
-    read: str,
     counts: Sequence[tuple[int, str]] = (),
     far: float = math.nan,
 ) -> None:
@@ -55,27 +54,28 @@ def expect_contacts(
 
     ``counts`` are mistakes by how many contacts they give, ``far`` how far apart the ends are.
     """
+    about.call = call
     got = told(link.contacts(), particles)
-    why = cause_of(len(got), counts, cause)
-    expect_exactly(f"{call}: how many", len(got), len(wanted), cause=why, read=read)
+    why = cause_of(len(got), counts, about.cause)
+    expect_exactly(len(got), len(wanted), then=": how many", cause=why)
     for seen, right in zip(got, wanted, strict=True):
         a, b, normal, restitution, depth = seen
-        name = f"{call}: particle and other, by number, -1 for None"
+        name = f"{about.call}: particle and other, by number, -1 for None"
         why = "the particle is the end a; the other is the end b, or None for an anchor"
-        expect_close(name, (a, b), right[:2], cause=why, read=read)
+        expect_close((a, b), right[:2], call=name, cause=why)
         back = tuple(-part for part in right[2])
-        why = cause_of(normal, [(back, f"the normal is turned round: {cause}")], cause)
-        expect_close(f"{call}: normal", normal, right[2], cause=why, read=read, tolerance=1e-15)
+        why = cause_of(normal, [(back, f"the normal is turned round: {about.cause}")], about.cause)
+        expect_close(normal, right[2], then=": normal", cause=why, tolerance=1e-15)
         why = "a contact has the restitution of its link; a rod has none: 0"
-        expect_close(f"{call}: restitution", restitution, right[3], cause=why, read=read)
+        expect_close(restitution, right[3], then=": restitution", cause=why)
         depths = [
             (-right[4], "the sign is turned round: a penetration is positive beyond the limit"),
             (far, "that is how far apart the ends are: penetration is how far beyond the limit"),
         ]
-        why = cause_of(depth, depths, cause)
+        why = cause_of(depth, depths, about.cause)
         # Lengths of up to 20 m, rounded a few times.
-        name = f"{call}: penetration"
-        expect_close(name, depth, right[4], cause=why, read=read, tolerance=1e-14)
+        name = f"{about.call}: penetration"
+        expect_close(depth, right[4], call=name, cause=why, tolerance=1e-14)
 
 
 def places(pair: list[Any]) -> Components:
@@ -84,15 +84,16 @@ def places(pair: list[Any]) -> Components:
     return a + b
 
 
-def expect_ends(call: str, pair: list[Any], before: Components, read: str) -> None:
-    cause = "to look at a link moves nothing: b - a is new, -= changes an end in place"
-    expect_unchanged(call, "the pair of places", places(pair), before, cause=cause, read=read)
+@scoped
+def expect_ends(pair: list[Any], before: Components) -> None:
+    about.cause = "to look at a link moves nothing: b - a is new, -= changes an end in place"
+    expect_unchanged("the pair of places", places(pair), before)
 
 
 @pytest.mark.exercise("B7.7")
 @pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
 def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
-    read = CABLE
+    about.read = CABLE
     pair, n, length, told_ends = ends(rng, anchored)
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
     c = round(rng.uniform(0.1, 0.9), 3)
@@ -111,36 +112,37 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
             "a cable that is just as long as it may be is taut, with a penetration of 0: >=, not >",
         ),
     ):
-        call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, {max_length}, {c})"
-        call += ".contacts()"
+        about.cause = cause
+        about.call = f"{told_ends}; {name}(a, {'anchor' if anchored else 'b'}, {max_length}, "
+        about.call += f"{c}).contacts()"
         wanted = [(0, other, n, c, length - max_length)]
-        expect_contacts(call, make(*pair, max_length, c), pair, wanted, cause, read, far=length)
-        expect_ends(call, pair, before, read)
+        expect_contacts(about.call, make(*pair, max_length, c), pair, wanted, far=length)
+        expect_ends(pair, before)
 
 
 @pytest.mark.exercise("B7.7")
 @pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
 def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
-    read = CABLE
+    about.read = CABLE
     pair, n, length, told_ends = ends(rng, anchored)
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
-    call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, {1.25 * length}); "
-    call += "c.contacts()"
-    cause = "a cable that is shorter than it may be has no contact"
+    about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, {1.25 * length}); "
+    about.call += "c.contacts()"
+    about.cause = "a cable that is shorter than it may be has no contact"
     before = places(pair)
     cable = make(*pair, 1.25 * length)
     for max_length in (1.25 * length, 1025.0 / 1024.0 * length):
         cable.max_length = max_length
-        expect_contacts(f"{call}, {max_length} long", cable, pair, [], cause, read)
+        expect_contacts(f"{about.call}, {max_length} long", cable, pair, [])
         now = [pair[0], cable.anchor] if anchored else pair
-        expect_ends(call, now, before, read)
-    call += "; c.max_length, c.restitution changed to a quarter of it, and 0.5; c.contacts()"
-    cause = "read the attributes each time: a winch draws it in"
+        expect_ends(now, before)
+    about.call += "; c.max_length, c.restitution changed to a quarter of it, and 0.5; c.contacts()"
+    about.cause = "read the attributes each time: a winch draws it in"
     cable.max_length, cable.restitution = 0.3125 * length, 0.5
     wanted = [(0, -1 if anchored else 1, n, 0.5, 0.6875 * length)]
-    expect_contacts(call, cable, pair, wanted, cause, read)
-    call += "; the other end moved to the other side of a; c.contacts()"
-    cause = "look where the ends are each time"
+    expect_contacts(about.call, cable, pair, wanted)
+    about.call += "; the other end moved to the other side of a; c.contacts()"
+    about.cause = "look where the ends are each time"
     x, y, z = xyz(pair[0].position)
     back = (-n[0], -n[1], -n[2])
     there = Vector3(x - length * n[0], y - length * n[1], z - length * n[2])
@@ -149,24 +151,22 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     else:
         pair[1].position = there
     wanted = [(0, -1 if anchored else 1, back, 0.5, 0.6875 * length)]
-    expect_contacts(call, cable, pair, wanted, cause, read)
+    expect_contacts(about.call, cable, pair, wanted)
     n = back
-    cause = "to look at a link changes nothing: take vectors of your own"
+    about.cause = "to look at a link changes nothing: take vectors of your own"
     got = xyz(pair[0].position)
     there = cable.anchor if anchored else pair[1].position
     way = tuple(p - q for p, q in zip(xyz(there), got, strict=True))
     wanted_way = tuple(length * part for part in n)
-    expect_close(
-        f"{call}; the way from a to the other end", way, wanted_way, cause=cause, read=read
-    )
+    expect_close(way, wanted_way, then="; the way from a to the other end")
     got = xyz(pair[0].velocity)
-    expect_unchanged(call, "a.velocity", got, (1.0, 2.0, 3.0), cause=cause, read=read)
+    expect_unchanged("a.velocity", got, (1.0, 2.0, 3.0))
 
 
 @pytest.mark.exercise("B7.8")
 @pytest.mark.parametrize("anchored", [False, True], ids=["between two", "anchored"])
 def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
-    read = ROD
+    about.read = ROD
     pair, n, length, told_ends = ends(rng, anchored)
     make, name = (AnchoredRod, "AnchoredRod") if anchored else (Rod, "Rod")
     other = -1 if anchored else 1
@@ -198,43 +198,45 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
         ),
         (length, [], "a rod that is as long as it should be has no contact"),
     ):
-        call = f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, {rod}); r.contacts()"
+        about(f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, {rod}); ", cause=cause)
+        about.call += "r.contacts()"
         link = make(*pair, rod)
-        expect_contacts(call, link, pair, wanted, cause, read, two, length)
-        call += f"; r.length = {0.5 * length}; r.contacts()"
-        cause = "read the attributes each time"
+        expect_contacts(about.call, link, pair, wanted, two, length)
+        about.call += f"; r.length = {0.5 * length}; r.contacts()"
+        about.cause = "read the attributes each time"
         link.length = 0.5 * length
         wanted = [(0, other, n, 0.0, 0.5 * length)]
-        expect_contacts(call, link, pair, wanted, cause, read)
+        expect_contacts(about.call, link, pair, wanted)
 
 
 @pytest.mark.exercise("B7.8")
 def test_a_rod_without_a_direction_stands_up(rng: Random) -> None:
-    read = ROD
+    about.read = ROD
     p, length = components(rng), positive_number(rng)
     down = (0.0, -1.0, 0.0)
-    cause = "both ends at one place have no direction: +Y stands for the one from a to b, so a is "
-    cause += "pushed down; direction_of gives it, where normalized() stays zero"
-    call = f"a and b at {p}; Rod(a, b, {length}).contacts()"
+    about.cause = "both ends at one place have no direction: +Y stands for the one from a to b, so "
+    about.cause += "a is pushed down; direction_of gives it, where normalized() stays zero"
+    about.call = f"a and b at {p}; Rod(a, b, {length}).contacts()"
     pair = [Particle(Vector3(*p)), Particle(Vector3(*p))]
-    expect_contacts(call, Rod(*pair, length), pair, [(0, 1, down, 0.0, length)], cause, read)
-    call = f"a at {p}; r = AnchoredRod(a, Vector3{p}, {length}); r.contacts()"
+    expect_contacts(about.call, Rod(*pair, length), pair, [(0, 1, down, 0.0, length)])
+    about.call = f"a at {p}; r = AnchoredRod(a, Vector3{p}, {length}); r.contacts()"
     rod = AnchoredRod(pair[0], Vector3(*p), length)
-    expect_contacts(call, rod, pair, [(0, -1, down, 0.0, length)], cause, read)
-    call += "; r.anchor moved up by twice the length; r.contacts()"
-    cause = "read the attributes each time: anchors are moved"
+    expect_contacts(about.call, rod, pair, [(0, -1, down, 0.0, length)])
+    about.call += "; r.anchor moved up by twice the length; r.contacts()"
+    about.cause = "read the attributes each time: anchors are moved"
     rod.anchor = Vector3(p[0], p[1] + 2.0 * length, p[2])
-    expect_contacts(call, rod, pair, [(0, -1, UP, 0.0, length)], cause, read)
+    expect_contacts(about.call, rod, pair, [(0, -1, UP, 0.0, length)])
 
 
 @pytest.mark.exercise("B7.8")
 def test_a_pendulum_swings_in_its_period() -> None:
-    read = "book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))"
+    about.read = "book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))"
     for degrees, period in ((10.0, 1.99070708), (90.0, 2.34523957)):
         angle = math.radians(degrees)
-        call = f"1 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), let go at {degrees:g} degrees, "
-        call += "g = 10; velocity first and contact.resolve, h = 1/1000: its period, s"
-        cause = "a rod of restitution 0 takes the velocity along it, and no other"
+        about.call = f"1 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), let go at {degrees:g} "
+        about.call += "degrees, g = 10; velocity first and contact.resolve, h = 1/1000: its "
+        about.call += "period, s"
+        about.cause = "a rod of restitution 0 takes the velocity along it, and no other"
         bob = Particle(
             Vector3(math.sin(angle), -math.cos(angle), 0.0), acceleration=Vector3(0.0, -10.0, 0.0)
         )
@@ -243,32 +245,32 @@ def test_a_pendulum_swings_in_its_period() -> None:
         turn = next((i for i in range(1, 1300) if sides[i - 1] > 0.0 >= sides[i]), 0)
         # A quarter of the period; the error is of order h: 0.001 s of 0.5 s, with a margin of 5.
         got = 4.0 * turn * 0.001
-        expect_close(call, got, period, cause=cause, read=read, tolerance=0.01 * period)
-        name = f"{call}; how far it is from the anchor in the end, m"
-        cause = "resolve_penetration brings it back to its length in each frame"
+        expect_close(got, period, tolerance=0.01 * period)
+        name = f"{about.call}; how far it is from the anchor in the end, m"
+        about.cause = "resolve_penetration brings it back to its length in each frame"
         got = math.hypot(*seen[-1][0])
-        expect_close(name, got, 1.0, cause=cause, read=read, tolerance=1e-12)
+        expect_close(got, 1.0, call=name, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B7.8")
 def test_a_string_bears_three_times_the_weight() -> None:
-    read = "book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L"
+    about.read = "book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L"
     mass = 2.0
-    call = (
-        "2 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), let go at 90 degrees, g = 10; velocity "
-    )
-    call += "first and contact.resolve, h = 1/2000: the largest pull on the way down, in N"
-    cause = "a change of momentum of what the rod needs to keep its length: 3 m g at the bottom"
+    about.call = "2 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), let go at 90 degrees, g = 10; "
+    about.call += "velocity first and contact.resolve, h = 1/2000: the largest pull on the way "
+    about.call += "down, in N"
+    about.cause = "a change of momentum of what the rod needs to keep its length: 3 m g at the "
+    about.cause += "bottom"
     bob = Particle(Vector3(1.0, 0.0, 0.0), None, Vector3(0.0, -10.0, 0.0), mass=mass)
     seen = swung(AnchoredRod(bob, Vector3(), 1.0), bob, 0.0005, 1173)  # a quarter of its period
     got = max(pull for _, _, pull in seen[100:])
     # Of order h: measured 59.9 N.
-    expect_close(call, got, 3.0 * mass * 10.0, cause=cause, read=read, tolerance=0.6)
+    expect_close(got, 3.0 * mass * 10.0, tolerance=0.6)
 
 
 @pytest.mark.exercise("7.6")
 def test_limits_act_at_their_ends(rng: Random) -> None:
-    read = LIMITS
+    about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
     back = (-n[0], -n[1], -n[2])
     c = round(rng.uniform(0.1, 0.9), 3)
@@ -286,65 +288,66 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
         (1.0, 2.0, [(0, 1, back, c, 0.0)], "at min_length it touches: penetration 0"),
         (0.0, 2.0, [], "a min_length of 0 is no limit"),
     ):
-        call = f"{told_ends}; Limits(a, b, {low * length}, {high * length}, {c}).contacts()"
+        about.cause = cause
+        about.call = f"{told_ends}; Limits(a, b, {low * length}, {high * length}, {c}).contacts()"
         link = Limits(*pair, low * length, high * length, c)
-        expect_contacts(call, link, pair, wanted, cause, read, far=length)
-    call += "; all of its attributes changed to 1, 2 and 0.5; l.contacts()"
-    cause = "read the attributes each time"
+        expect_contacts(about.call, link, pair, wanted, far=length)
+    about.call += "; all of its attributes changed to 1, 2 and 0.5; l.contacts()"
+    about.cause = "read the attributes each time"
     link.min_length, link.max_length, link.restitution = 1.0, 2.0, 0.5
     wanted = [(0, 1, n, 0.5, length - 2.0)]
-    expect_contacts(call, link, pair, wanted, cause, read)
+    expect_contacts(about.call, link, pair, wanted)
 
 
 @pytest.mark.exercise("7.6")
 def test_equal_limits_both_act(rng: Random) -> None:
-    read = LIMITS
+    about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
-    call = f"{told_ends}; l = Limits(a, b, {length}, {length}, 0.5); l.contacts()"
-    cause = "both limits are reached, so both contacts are there, with opposite normals"
+    about.call = f"{told_ends}; l = Limits(a, b, {length}, {length}, 0.5); l.contacts()"
+    about.cause = "both limits are reached, so both contacts are there, with opposite normals"
     link = Limits(*pair, length, length, 0.5)
     got = told(link.contacts(), pair)
-    expect_exactly(f"{call}: how many", len(got), 2, cause=cause, read=read)
+    expect_exactly(len(got), 2, then=": how many")
     normals = sorted(contact[2] for contact in got)
     wanted = sorted([n, (-n[0], -n[1], -n[2])])
     for seen, right in zip(normals, wanted, strict=True):
-        expect_close(f"{call}: normals", seen, right, cause=cause, read=read, tolerance=1e-15)
+        expect_close(seen, right, then=": normals", tolerance=1e-15)
     got = [number for contact in got for number in (contact[0], contact[1], contact[4])]
-    expect_close(f"{call}: ends and depths", got, (0, 1, 0.0) * 2, cause=cause, read=read)
+    expect_close(got, (0, 1, 0.0) * 2, then=": ends and depths")
     same = [Particle(), Particle()]
     for low in (2.0, 0.5, 1e-3):
-        call = f"a and b at one place; l = Limits(a, b, {low}, 3); l.contacts()"
-        cause = "ends at one place have no direction: +Y stands for the one from a to b; and any "
-        cause += "min_length above 0 is a limit"
+        about.call = f"a and b at one place; l = Limits(a, b, {low}, 3); l.contacts()"
+        about.cause = "ends at one place have no direction: +Y stands for the one from a to b; and "
+        about.cause += "any min_length above 0 is a limit"
         link = Limits(*same, low, 3.0)
         wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
-        expect_contacts(call, link, same, wanted, cause, read)
-    call += "; l.min_length = 0; l.contacts()"
-    cause = "a min_length of 0 is no limit, not even where there is no distance"
+        expect_contacts(about.call, link, same, wanted)
+    about.call += "; l.min_length = 0; l.contacts()"
+    about.cause = "a min_length of 0 is no limit, not even where there is no distance"
     link.min_length = 0.0
-    expect_contacts(call, link, same, [], cause, read)
+    expect_contacts(about.call, link, same, [])
 
 
 @pytest.mark.exercise("G7.1")
 def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
-    read = TWO_SIDED
+    about.read = TWO_SIDED
     pair, n, length, told_ends = ends(rng, anchored=False)
     back = (-n[0], -n[1], -n[2])
     for share in (0.75, 1023.0 / 1024.0, 1.0, 1.25):
         depth = (1.0 - share) * length
-        call = f"{told_ends}; TwoSidedRod(a, b, {share * length}).contacts()"
-        cause = "one contact that pulls and one that pushes, always, with opposite normals and "
-        cause += "penetrations: the one of the side that is not reached is negative"
+        about.call = f"{told_ends}; TwoSidedRod(a, b, {share * length}).contacts()"
+        about.cause = "one contact that pulls and one that pushes, always, with opposite normals "
+        about.cause += "and penetrations: the one of the side that is not reached is negative"
         wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
         rod = TwoSidedRod(*pair, share * length)
-        expect_contacts(call, rod, pair, wanted, cause, read)
-        call += f"; its length changed to {0.5 * length}; contacts()"
-        cause = "read the attributes each time"
+        expect_contacts(about.call, rod, pair, wanted)
+        about.call += f"; its length changed to {0.5 * length}; contacts()"
+        about.cause = "read the attributes each time"
         rod.length = 0.5 * length
         wanted = [(0, 1, n, 0.0, 0.5 * length), (0, 1, back, 0.0, -0.5 * length)]
-        expect_contacts(call, rod, pair, wanted, cause, read)
-    call = "a and b at one place; TwoSidedRod(a, b, 2).contacts()"
-    cause = "ends at one place have no direction: +Y stands for the one from a to b"
+        expect_contacts(about.call, rod, pair, wanted)
+    about.call = "a and b at one place; TwoSidedRod(a, b, 2).contacts()"
+    about.cause = "ends at one place have no direction: +Y stands for the one from a to b"
     same = [Particle(), Particle()]
     wanted = [(0, 1, UP, 0.0, -2.0), (0, 1, (0.0, -1.0, 0.0), 0.0, 2.0)]
-    expect_contacts(call, TwoSidedRod(*same, 2.0), same, wanted, cause, read)
+    expect_contacts(about.call, TwoSidedRod(*same, 2.0), same, wanted)

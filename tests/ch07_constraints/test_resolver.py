@@ -9,7 +9,7 @@ import pytest
 
 from ch07_constraints.probes import resolved, stacked
 from draw import Components, components, direction, dot, positive_number
-from expect import cause_of, expect_close, expect_exactly
+from expect import about, blame, cause_of, expect_close, expect_exactly
 
 ZERO = (0.0, 0.0, 0.0)
 RIGHT = (1.0, 0.0, 0.0)
@@ -32,16 +32,18 @@ def touching(*pairs: tuple[int, int], restitution: float = 0.0) -> list:
 
 @pytest.mark.exercise("B7.5")
 def test_what_closes_fastest_is_first() -> None:
-    read = FASTEST
+    about.read = FASTEST
     contacts = touching((1, 0), (2, 1), restitution=0.5)
-    call = "three balls of 1 kg in a row with 1, 0 and -3 m/s, restitution 0.5; "
-    call += "resolve_velocities([left pair, right pair], limit, 0.5), limit"
+    about.call = "three balls of 1 kg in a row with 1, 0 and -3 m/s, restitution 0.5; "
+    about.call += "resolve_velocities([left pair, right pair], limit, 0.5), limit"
     for limit, wanted, cause in (
         (1, (1.0, -2.25, -0.75), "the right pair closes with 3 m/s, the left one with 1"),
         (2, (-1.4375, 0.1875, -0.75), "then the left one, which closes with 3.25 m/s by now"),
         (9, (-1.4375, -0.515625, -0.046875), "and the right pair once more; then all part"),
     ):
-        cause += ": look at all contacts again before each resolution, and end after limit of them"
+        about.cause = cause
+        about.cause += ": look at all contacts again before each resolution, and end after limit "
+        about.cause += "of them"
         used, bodies, _ = resolved(row(1.0, 0.0, -3.0), contacts, "resolve_velocities", limit)
         got = tuple(velocity[0] for _, velocity in bodies)
         mistakes = [
@@ -50,15 +52,15 @@ def test_what_closes_fastest_is_first() -> None:
             ((-1.4375, -0.515625, -0.046875), f"the limit is {limit}: three were resolved"),
             ((-1.4375, 0.1875, -0.75), "the right pair closes again now: look at all once more"),
         ]
-        cause = cause_of(got, mistakes, cause)
-        expect_close(f"{call} {limit}: velocities", got, wanted, cause=cause, read=read)
-        cause = "it returns how many contacts it has resolved, and ends when none closes"
-        expect_exactly(f"{call} {limit}: returned", used, min(limit, 3), cause=cause, read=read)
+        blame(got, mistakes)
+        expect_close(got, wanted, then=f" {limit}: velocities")
+        about.cause = "it returns how many contacts it has resolved, and ends when none closes"
+        expect_exactly(used, min(limit, 3), then=f" {limit}: returned")
 
 
 @pytest.mark.exercise("B7.5")
 def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
-    read = FASTEST
+    about.read = FASTEST
     side = positive_number(rng, 20.0, 90.0)
     bodies = [
         (ZERO, (0.0, -2.0, 0.0), 100.0),
@@ -71,15 +73,12 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
         (1, -1, UP, 1.0, 0.75),
         (2, 3, UP, 0.0, -0.25),
     ]
-    call = (
-        f"a of 100 kg with (0, -2, 0), b of 100 kg with ({side}, -1, {side}), both with the ground "
-    )
-    call += (
-        "and restitution 1; c of 1 kg at rest over a wall with (0, 3, 0), restitution 0, 0.25 m "
-    )
-    call += "apart; resolve_velocities of a, b and c, limit 1"
-    cause = "what closes fastest is resolved, c with 3 m/s: not what is heaviest, bounces most, is "
-    cause += "fastest along the ground, or is deepest; and an immovable other may have a velocity"
+    about.call = f"a of 100 kg with (0, -2, 0), b of 100 kg with ({side}, -1, {side}), both with "
+    about.call += "the ground and restitution 1; c of 1 kg at rest over a wall with (0, 3, 0), "
+    about.call += "restitution 0, 0.25 m apart; resolve_velocities of a, b and c, limit 1"
+    about.cause = "what closes fastest is resolved, c with 3 m/s: not what is heaviest, bounces "
+    about.cause += "most, is fastest along the ground, or is deepest; and an immovable other may "
+    about.cause += "have a velocity"
     used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
     got = tuple(velocity[1] for _, velocity in after[:3])
     mistakes = [
@@ -88,60 +87,59 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
         ((-2.0, 1.0, 0.0), "b was resolved, the deepest, and fastest along the ground: c closes "
          "fastest, by its separating velocity"),
     ]  # fmt: skip
-    cause = cause_of(got, mistakes, cause)
-    expect_close(f"{call}: velocities upwards", got, (-2.0, -1.0, 3.0), cause=cause, read=read)
-    expect_exactly(f"{call}; returned", used, 1, cause="one was resolved", read=read)
-    cause = "the list stays in its order"
-    name = f"{call}; penetrations of the contacts"
-    expect_close(name, depths, (0.5, 0.75, -0.25), cause=cause, read=read)
-    call = "resolve_velocities([], 9, 0.5)"
-    cause = "without contacts there is nothing to resolve: 0, and no error"
+    blame(got, mistakes)
+    expect_close(got, (-2.0, -1.0, 3.0), then=": velocities upwards")
+    expect_exactly(used, 1, then="; returned", cause="one was resolved")
+    about.cause = "the list stays in its order"
+    expect_close(depths, (0.5, 0.75, -0.25), then="; penetrations of the contacts")
+    about.call = "resolve_velocities([], 9, 0.5)"
+    about.cause = "without contacts there is nothing to resolve: 0, and no error"
     used, _, _ = resolved([], [], "resolve_velocities", 9)
-    expect_exactly(call, used, 0, cause=cause, read=read)
+    expect_exactly(used, 0)
 
 
 @pytest.mark.exercise("B7.5")
 def test_of_equal_ones_the_first_is_taken() -> None:
-    read = FASTEST
-    cause = "both close with 2 m/s: the first in the list is taken, as < keeps it"
+    about.read = FASTEST
+    about.cause = "both close with 2 m/s: the first in the list is taken, as < keeps it"
     for order, wanted in (
         (((1, 0), (2, 1)), (0.0, 2.0, -2.0)),
         (((2, 1), (1, 0)), (2.0, -2.0, 0.0)),
     ):
-        call = "three balls of 1 kg in a row with 2, 0 and -2 m/s, restitution 1; "
-        call += f"resolve_velocities, limit 1, of the pairs {order}: velocities"
+        about.call = "three balls of 1 kg in a row with 2, 0 and -2 m/s, restitution 1; "
+        about.call += f"resolve_velocities, limit 1, of the pairs {order}: velocities"
         contacts = touching(*order, restitution=1.0)
         used, bodies, _ = resolved(row(2.0, 0.0, -2.0), contacts, "resolve_velocities", 1)
         got = tuple(velocity[0] for _, velocity in bodies)
-        expect_close(call, got, wanted, cause=cause, read=read)
-        expect_exactly(f"{call}; returned", used, 1, cause="one was resolved", read=read)
+        expect_close(got, wanted)
+        expect_exactly(used, 1, then="; returned", cause="one was resolved")
 
 
 @pytest.mark.exercise("B7.5")
 def test_a_push_goes_through_a_row(rng: Random) -> None:
-    read = FASTEST
+    about.read = FASTEST
     speed, mass = positive_number(rng), positive_number(rng)
     pairs = [(4, 3), (2, 1), (3, 2), (1, 0)]
-    call = f"five balls of {mass} kg in a row, the first with {speed} m/s, restitution 1; "
-    call += f"resolve_velocities of the pairs {pairs}, limit"
+    about.call = f"five balls of {mass} kg in a row, the first with {speed} m/s, restitution 1; "
+    about.call += f"resolve_velocities of the pairs {pairs}, limit"
     for limit, leaves, cause in (
         (2, 2, "one pair closes at a time, and passes all of the motion on: end at the limit"),
         (4, 4, "the last ball flies off, and the others stand"),
         (50, 4, "then nothing closes: end before the limit"),
     ):
+        about.cause = cause
         bodies = row(speed, 0.0, 0.0, 0.0, 0.0, mass=mass)
         contacts = touching(*pairs, restitution=1.0)
         used, after, _ = resolved(bodies, contacts, "resolve_velocities", limit)
         got = tuple(velocity[0] for _, velocity in after)
         wanted = tuple(speed * (i == leaves) for i in range(5))
-        name = f"{call} {limit}: velocities"
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-13)
-        expect_exactly(f"{call} {limit}: returned", used, min(limit, 4), cause=cause, read=read)
+        expect_close(got, wanted, then=f" {limit}: velocities", tolerance=1e-13)
+        expect_exactly(used, min(limit, 4), then=f" {limit}: returned")
 
 
 @pytest.mark.exercise("B7.5")
 def test_only_what_closes_is_resolved(rng: Random) -> None:
-    read = FASTEST
+    about.read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
         (1e-13, 0.0, 0, "slower than VELOCITY_TOLERANCE is rounding: leave it"),
@@ -152,29 +150,29 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
         (1e-13, 1.0, 0, "slower than VELOCITY_TOLERANCE is rounding, however deep it is"),
         (1e-11, 1.0, 1, "faster than VELOCITY_TOLERANCE is to be resolved"),
     ):
+        about.cause = cause
         u = components(rng)  # what is fast along the contact closes no faster
         v = tuple(p - (closing + dot(u, n)) * q for p, q in zip(u, n, strict=True))
         if closing == 0.0:
             v = (n[1], -n[0], 0.0)  # straight across, without a rounding
-        call = f"a with velocity {v}; resolve_velocities([Contact(a, None, Vector3{n}, 0, {depth})]"
-        call += ", 9, 0.5)"
+        about.call = f"a with velocity {v}; resolve_velocities([Contact(a, None, Vector3{n}, 0, "
+        about.call += f"{depth})], 9, 0.5)"
         bodies = [(ZERO, v, 2.0)]
-        cause += "; how fast it closes is told along its own normal, also beside the world"
+        about.cause += "; how fast it closes is told along its own normal, also beside the world"
         used, after, depths = resolved(bodies, [(0, -1, n, 0.0, depth)], "resolve_velocities", 9)
-        expect_exactly(f"{call}: returned", used, wanted, cause=cause, read=read)
+        expect_exactly(used, wanted, then=": returned")
         got = -dot(after[0][1], n)
         left = 0.0 if wanted else closing
-        name = f"{call}: how fast it closes"
         # Some roundings of numbers up to 20.
-        expect_close(name, got, left, cause=cause, read=read, tolerance=5e-14)
-        cause = "velocities only: places and depths are for the other phase"
-        expect_close(f"{call}: position", after[0][0], ZERO, cause=cause, read=read)
-        expect_close(f"{call}: penetration", depths[0], depth, cause=cause, read=read)
+        expect_close(got, left, then=": how fast it closes", tolerance=5e-14)
+        about.cause = "velocities only: places and depths are for the other phase"
+        expect_close(after[0][0], ZERO, then=": position")
+        expect_close(depths[0], depth, then=": penetration")
 
 
 @pytest.mark.exercise("B7.5")
 def test_many_contacts_come_to_an_end(rng: Random) -> None:
-    read = FASTEST
+    about.read = FASTEST
     bodies = [(components(rng), components(rng), positive_number(rng, 2.0, 5.0)) for _ in range(6)]
     # Two more, one behind the other on their way to the immovable one: it throws both back.
     bodies += [*row(5.0, 2.0), (ZERO, ZERO, math.inf)]
@@ -184,53 +182,51 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
         if dot(bodies[a][1], n) > dot(bodies[b][1], n):
             n = (-n[0], -n[1], -n[2])
         contacts.append((a, b, n, 0.5, 0.0))
-    call = "9 particles, one of them immovable, with 11 contacts that all close, restitution 0.5; "
-    call += "resolve_velocities, limit 2000"
-    cause = "it goes on until nothing closes faster than VELOCITY_TOLERANCE"
+    about.call = "9 particles, one of them immovable, with 11 contacts that all close, restitution "
+    about.call += "0.5; resolve_velocities, limit 2000"
+    about.cause = "it goes on until nothing closes faster than VELOCITY_TOLERANCE"
     used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
     got = max(dot(after[b][1], n) - dot(after[a][1], n) for a, b, n, _, _ in contacts)
-    name = f"{call}: how fast the worst one still closes, or parts if negative"
+    name = f"{about.call}: how fast the worst one still closes, or parts if negative"
     # VELOCITY_TOLERANCE is 1e-12; what parts is right, and none parts faster than 100 m/s.
-    expect_close(name, got, -50.0, cause=cause, read=read, tolerance=50.0 + 2e-12)
+    expect_close(got, -50.0, call=name, tolerance=50.0 + 2e-12)
     # One resolution changes two bodies, and no two bodies have a part in all of the contacts.
-    cause = "it returns how many it has resolved, which is more than 1 and less than the limit here"
-    expect_close(f"{call}: returned", used, 1000, cause=cause, read=read, tolerance=998)
+    about.cause = "it returns how many it has resolved, which is more than 1 and less than the "
+    about.cause += "limit here"
+    expect_close(used, 1000, then=": returned", tolerance=998)
     before, now = (
         sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:8], velocities, strict=False))
         for velocities in ([v for _, v, _ in bodies], [v for _, v in after])
     )
-    cause = "an impulse at restitution 0.5 takes energy out, and never puts some in"
-    name = f"{call}: the kinetic energy, as a share of that before"
-    expect_close(name, now / before, 0.5, cause=cause, read=read, tolerance=0.5)
+    about.cause = "an impulse at restitution 0.5 takes energy out, and never puts some in"
+    name = f"{about.call}: the kinetic energy, as a share of that before"
+    expect_close(now / before, 0.5, call=name, tolerance=0.5)
 
 
 @pytest.mark.exercise("B7.5")
 def test_each_resolution_knows_the_duration() -> None:
-    read = FASTEST
-    call = "a and b with velocity (0, -4, 0), acceleration (0, -4, 0); resolve_velocities of their "
-    call += "contacts with the ground, restitution 0.75, limit 9, duration"
-    cause = (
-        "give the duration on to Contact.resolve_velocity: what the frame has built up does not "
-    )
-    cause += "bounce"
+    about.read = FASTEST
+    about.call = "a and b with velocity (0, -4, 0), acceleration (0, -4, 0); resolve_velocities of "
+    about.call += "their contacts with the ground, restitution 0.75, limit 9, duration"
+    about.cause = "give the duration on to Contact.resolve_velocity: what the frame has built up "
+    about.cause += "does not bounce"
     for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
         contacts = [(0, -1, UP, 0.75, 0.0), (1, -1, UP, 0.75, 0.0)]
         bodies = [(ZERO, (0.0, -4.0, 0.0), 2.0), (ZERO, (0.0, -4.0, 0.0), 3.0)]
         pull = (0.0, -4.0, 0.0)
         _, after, _ = resolved(bodies, contacts, "resolve_velocities", 9, duration, pull)
-        name = f"{call} {duration}: velocities upwards"
+        name = f"{about.call} {duration}: velocities upwards"
         got = (after[0][1][1], after[1][1][1])
-        expect_close(name, got, (wanted, wanted), cause=cause, read=read)
+        expect_close(got, (wanted, wanted), call=name)
 
 
 @pytest.mark.exercise("B7.6")
 def test_what_is_deepest_is_first() -> None:
-    read = DEEPEST
+    about.read = DEEPEST
     bodies = row(1.0, 0.0, -1.0)
-    call = "three balls of 1 kg in a row, with 1, 0 and -1 m/s; resolve_penetrations of the two "
-    call += (
-        "contacts of the middle one, 0.5 m deep with the left and 0.75 m with the right one, limit"
-    )
+    about.call = "three balls of 1 kg in a row, with 1, 0 and -1 m/s; resolve_penetrations of the "
+    about.call += "two contacts of the middle one, 0.5 m deep with the left and 0.75 m with the "
+    about.call += "right one, limit"
     contacts = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.75)]
     for limit, wanted, depths, cause in (
         (1, (0.0, 0.625, 2.375), (0.875, 0.0), "the deepest first: both move by half of it"),
@@ -247,14 +243,15 @@ def test_what_is_deepest_is_first() -> None:
             "and so on",
         ),
     ):
+        about.cause = cause
         used, after, got_depths = resolved(bodies, contacts, "resolve_penetrations", limit)
         got = tuple(place[0] for place, _ in after)
         mistakes = [((-0.25, 1.25, 2.0), "the left pair was taken: the right one is deeper")]
         if isinstance(used, int) and used > limit:
-            cause = f"the limit is {limit}: {used} were resolved"
-        seen = cause_of(got, mistakes, cause)
-        expect_close(f"{call} {limit}: places", got, wanted, cause=seen, read=read)
-        cause += "; each move changes how deep the other contact of the middle one is (E-8)"
+            about.cause = f"the limit is {limit}: {used} were resolved"
+        seen = cause_of(got, mistakes, about.cause)
+        expect_close(got, wanted, then=f" {limit}: places", cause=seen)
+        about.cause += "; each move changes how deep the other contact of the middle one is (E-8)"
         mistakes = [
             ((0.5, 0.0), "the left one is still 0.5 m: the middle ball was moved 0.375 m into it, "
              "and that changes its other contact; the listing leaves it out (E-8)"),
@@ -267,25 +264,24 @@ def test_what_is_deepest_is_first() -> None:
             ((0.0, -0.4375), "the sign for an other is the opposite: it was moved into the "
              "contact, by 0.4375 m"),
         ]  # fmt: skip
-        cause = cause_of(got_depths, mistakes, cause)
-        expect_close(f"{call} {limit}: penetrations", got_depths, depths, cause=cause, read=read)
-        cause = "it returns how many contacts it has resolved"
-        expect_exactly(f"{call} {limit}: returned", used, limit, cause=cause, read=read)
+        blame(got_depths, mistakes)
+        expect_close(got_depths, depths, then=f" {limit}: penetrations")
+        about.cause = "it returns how many contacts it has resolved"
+        expect_exactly(used, limit, then=f" {limit}: returned")
         got = tuple(velocity[0] for _, velocity in after)
-        cause = "places only: velocities are for the other phase"
-        name = f"{call} {limit}: velocities"
-        expect_close(name, got, (1.0, 0.0, -1.0), cause=cause, read=read)
-    call = "the same with 0.5 m each, limit 1: penetrations"
+        about.cause = "places only: velocities are for the other phase"
+        expect_close(got, (1.0, 0.0, -1.0), then=f" {limit}: velocities")
+    about.call = "the same with 0.5 m each, limit 1: penetrations"
     for order in ((0, 1), (1, 0)):
         equal = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5)]
-        cause = "both are 0.5 m deep: the first in the list is taken"
+        about.cause = "both are 0.5 m deep: the first in the list is taken"
         _, _, got = resolved(bodies, [equal[i] for i in order], "resolve_penetrations", 1)
-        expect_close(f"{call}, order {order}", got, (0.0, 0.75), cause=cause, read=read)
+        expect_close(got, (0.0, 0.75), then=f", order {order}")
 
 
 @pytest.mark.exercise("B7.6")
 def test_one_contact_is_resolved_once(rng: Random) -> None:
-    read = DEEPEST
+    about.read = DEEPEST
     n, mass, depth = direction(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
     for deep, wanted, cause in (
         (depth, 1, "once it touches, it is done: the book's listing moves it again (E-8)"),
@@ -293,25 +289,27 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
         (5e-10, 0, "what is less deep than DEPTH_TOLERANCE touches: leave it"),
         (-1.0, 0, "what is apart is left alone"),
     ):
-        call = f"a of {mass} kg; resolve_penetrations([Contact(a, None, Vector3{n}, 0, {deep})], 9)"
+        about.cause = cause
+        about.call = f"a of {mass} kg; resolve_penetrations([Contact(a, None, Vector3{n}, 0, "
+        about.call += f"{deep})], 9)"
         used, after, depths = resolved(
             [(ZERO, ZERO, mass)], [(0, -1, n, 0.0, deep)], "resolve_penetrations", 9
         )
-        expect_exactly(f"{call}: returned", used, wanted, cause=cause, read=read)
+        expect_exactly(used, wanted, then=": returned")
         moved = tuple(wanted * deep * part for part in n)
         got = after[0][0]
-        expect_close(f"{call}: position", got, moved, cause=cause, read=read, tolerance=1e-15)
+        expect_close(got, moved, then=": position", tolerance=1e-15)
         left = 0.0 if wanted else deep
-        expect_close(f"{call}: penetration", depths[0], left, cause=cause, read=read)
-    call = "resolve_penetrations([], 9)"
-    cause = "without contacts there is nothing to resolve: 0, and no error"
+        expect_close(depths[0], left, then=": penetration")
+    about.call = "resolve_penetrations([], 9)"
+    about.cause = "without contacts there is nothing to resolve: 0, and no error"
     used, _, _ = resolved([], [], "resolve_penetrations", 9)
-    expect_exactly(call, used, 0, cause=cause, read=read)
+    expect_exactly(used, 0)
 
 
 @pytest.mark.exercise("B7.6")
 def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
-    read = DEEPEST
+    about.read = DEEPEST
     n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
     # a and b are the ones that move; c and d are theirs, e and f nobody's. e is where a is.
     bodies = [(components(rng), ZERO, mass) for mass in (ma, mb, math.inf, 4.0, 5.0, 6.0)]
@@ -323,38 +321,30 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
     names = {-1: "the world", 0: "a", 1: "b", 2: "c", 3: "d", 4: "e", 5: "f"}
     between_two = {0: 0.5 * mb / (ma + mb), 1: -0.5 * ma / (ma + mb)}
     for end, moves in ((1, between_two), (-1, {0: 0.5})):
-        call = (
-            f"a of {ma} kg and {names[end]} (b has {mb} kg) are 0.5 m deep in each other, normal "
-        )
-        call += (
-            f"{n}; resolve_penetrations, limit 1; the penetration of another contact, -5 before, "
-        )
-        call += "between"
+        about.call = f"a of {ma} kg and {names[end]} (b has {mb} kg) are 0.5 m deep in each other, "
+        about.call += f"normal {n}; resolve_penetrations, limit 1; the penetration of another "
+        about.call += "contact, -5 before, between"
         contacts = [others[0], (0, end, n, 0.0, 0.5), *others[1:]]
-        cause = "the contact itself touches"
+        about.cause = "the contact itself touches"
         _, _, depths = resolved(bodies, contacts, "resolve_penetrations", 1)
-        name = f"{call[:-8]} itself"
-        expect_close(name, depths[1], 0.0, cause=cause, read=read)
+        name = f"{about.call[:-8]} itself"
+        expect_close(depths[1], 0.0, call=name)
         for (p, q, m, _, _), got in zip(others, [depths[0], *depths[2:]], strict=True):
             wanted = -5.0 - (moves.get(p, 0.0) - moves.get(q, 0.0)) * dot(n, m)
-            cause = (
-                "less by how far its particle moved along its normal, more by how far its other "
-            )
-            cause += "did, whatever its other end; the world never moves: `is` tells two particles "
-            cause += "apart, and None is None as well"
-            name = f"{call} {names[p]} and {names[q]}"
-            expect_close(name, got, wanted, cause=cause, read=read, tolerance=1e-14)
+            about.cause = "less by how far its particle moved along its normal, more by how far "
+            about.cause += "its other did, whatever its other end; the world never moves: `is` "
+            about.cause += "tells two particles apart, and None is None as well"
+            name = f"{about.call} {names[p]} and {names[q]}"
+            expect_close(got, wanted, call=name, tolerance=1e-14)
 
 
 @pytest.mark.exercise("B7.6")
 def test_both_phases_have_their_own_limit() -> None:
-    read = "the docstring of ContactResolver"
+    about.read = "the docstring of ContactResolver"
     bodies = [*row(2.0, 0.0, -2.0), ((9.0, 0.0, 0.0), RIGHT, math.inf)]
     pairs = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5), (3, -1, LEFT, 0.0, 9.0)]
-    call = (
-        "three balls of 1 kg in a row with 2, 0 and -2 m/s, two pairs 0.5 m deep, restitution 0; "
-    )
-    call += "an immovable one deep in the world; "
+    about.call = "three balls of 1 kg in a row with 2, 0 and -2 m/s, two pairs 0.5 m deep, "
+    about.call += "restitution 0; an immovable one deep in the world; "
     for iterations, wanted, cause in (
         (
             None,
@@ -364,32 +354,31 @@ def test_both_phases_have_their_own_limit() -> None:
         (3, 6, "each phase may use the 3 iterations of its own"),
         (1, 2, "each phase may use the one iteration of its own"),
     ):
-        name = f"{call}ContactResolver({iterations}).resolve_contacts; iterations_used"
+        about.cause = cause
+        name = f"{about.call}ContactResolver({iterations}).resolve_contacts; iterations_used"
         used, after, _ = resolved(bodies, pairs, "resolve_contacts", iterations or 0)
-        expect_exactly(name, used, wanted, cause=cause, read=read)
-        cause = "the places in the end are those of resolve_penetrations"
+        expect_exactly(used, wanted, call=name)
+        about.cause = "the places in the end are those of resolve_penetrations"
         got = math.fsum(place[0] for place, _ in after[:3])
-        name = f"{call}ContactResolver({iterations}).resolve_contacts; the sum of the places"
-        expect_close(name, got, 3.0, cause=cause, read=read, tolerance=1e-14)
-    name = f"{call}the balls at rest and apart; iterations_used"
+        name = f"{about.call}ContactResolver({iterations}).resolve_contacts; the sum of the places"
+        expect_close(got, 3.0, call=name, tolerance=1e-14)
+    name = f"{about.call}the balls at rest and apart; iterations_used"
     pairs = [(1, 0, RIGHT, 0.0, 0.0), (2, 1, RIGHT, 0.0, -0.5)]
-    cause = "where nothing closes and nothing is deep, nothing is used"
+    about.cause = "where nothing closes and nothing is deep, nothing is used"
     used, after, _ = resolved(row(0.0, 0.0, 0.0), pairs, "resolve_contacts", 0)
-    expect_exactly(name, used, 0, cause=cause, read=read)
+    expect_exactly(used, 0, call=name)
     got = tuple(place[0] for place, _ in after)
-    expect_close(f"{call}the balls at rest: places", got, (0.0, 1.0, 2.0), cause=cause, read=read)
+    expect_close(got, (0.0, 1.0, 2.0), then="the balls at rest: places")
 
 
 @pytest.mark.exercise("B7.6")
 def test_a_stack_of_three_settles() -> None:
-    read = "book 7.3.1, and the docstring of ContactResolver"
-    call = "three spheres of 1 kg, radius 0.5 m, stacked on the ground; 5 s at h = 1/60, velocity "
-    call += "first, with ContactResolver()"
-    cause = "twice the contacts are iterations enough for three: if it sinks, a phase leaves "
-    cause += "depths or speeds behind"
+    about.read = "book 7.3.1, and the docstring of ContactResolver"
+    about.call = "three spheres of 1 kg, radius 0.5 m, stacked on the ground; 5 s at h = 1/60, "
+    about.call += "velocity first, with ContactResolver()"
+    about.cause = "twice the contacts are iterations enough for three: if it sinks, a phase leaves "
+    about.cause += "depths or speeds behind"
     heights, overlap = stacked(3, 0.5, None, 300, 1.0 / 60.0)
     # Measured: at most 0.015 m of overlap, which is what two iterations a contact leave.
-    name = f"{call}: heights"
-    expect_close(name, heights, (0.5, 1.5, 2.5), cause=cause, read=read, tolerance=0.02)
-    name = f"{call}: the largest overlap after a frame, m"
-    expect_close(name, overlap, 0.0, cause=cause, read=read, tolerance=0.02)
+    expect_close(heights, (0.5, 1.5, 2.5), then=": heights", tolerance=0.02)
+    expect_close(overlap, 0.0, then=": the largest overlap after a frame, m", tolerance=0.02)

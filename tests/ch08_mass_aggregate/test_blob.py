@@ -10,7 +10,7 @@ import pytest
 from ch08_mass_aggregate.blob import spread
 from ch08_mass_aggregate.scene_probes import bonded, settled_blob, spread_of
 from draw import Components, components, direction, positive_number
-from expect import cause_of, expect_close, expect_error, expect_exactly
+from expect import about, blame, expect_close, expect_error, expect_exactly, scoped
 
 BOND = "the docstring of Bond, and of Bond.update_force"
 SPREAD = "the docstring of spread"
@@ -29,44 +29,44 @@ def pull(length: float, k: float, rest: float, limit: float, share: float) -> fl
     return k * (min(length, limit) - rest) + share * k * max(0.0, length - limit)
 
 
-def expect_forces(
-    call: str, seen: tuple, force: float, way: Components, cause: str, read: str
-) -> None:
+@scoped
+def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None:
+    about.call = call
     on_a = tuple(force * w for w in way)
     on_b = tuple(-force * w for w in way)
     if force:
         name = "b gets the force of a once more: the spring to a acts on b"
-        on_both = [((*ZERO, *ZERO), f"no force at all: {cause}")]
-        cause = cause_of((*seen[0], *seen[1]), on_both, cause)
-        cause = cause_of(seen[1], [(on_a, name)], cause)
+        on_both = [((*ZERO, *ZERO), f"no force at all: {about.cause}")]
+        blame((*seen[0], *seen[1]), on_both)
+        blame(seen[1], [(on_a, name)])
     # Rounding of forces of some tens of N.
-    expect_close(f"{call}: force on a", seen[0], on_a, cause=cause, read=read, tolerance=1e-11)
-    expect_close(f"{call}: force on b", seen[1], on_b, cause=cause, read=read, tolerance=1e-11)
+    expect_close(seen[0], on_a, then=": force on a", tolerance=1e-11)
+    expect_close(seen[1], on_b, then=": force on b", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B8.8")
 def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
-    read = BOND
+    about.read = BOND
     k, rest, limit, share, most = draw_bond(rng)
     way = direction(rng)
     lengths = [0.5 * rest, rest, 0.5 * (rest + limit), limit, 0.5 * (limit + most)]
-    call = f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most}) of length "
-    cause = "while it holds, the spring to b acts on a, and the spring to a acts on b"
+    about.call = f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most}) of length "
+    about.cause = "while it holds, the spring to b acts on a, and the spring to a acts on b"
     for length, seen in zip(
         lengths, bonded(lengths, k, rest, limit, share, most, way), strict=True
     ):
         force = pull(length, k, rest, limit, share)
-        expect_forces(f"{call}{length}", seen, force, way, cause, read)
-        expect_exactly(f"{call}{length}: holds", seen[2], True, cause=cause, read=read)
+        expect_forces(f"{about.call}{length}", seen, force, way)
+        expect_exactly(seen[2], True, then=f"{length}: holds")
 
 
 @pytest.mark.exercise("B8.8")
 @pytest.mark.parametrize("swap", [False, True], ids=["a first", "b first"])
 def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
-    read = BOND
+    about.read = BOND
     k, rest, limit, share, most = draw_bond(rng)
     way = direction(rng)
-    call = f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most})"
+    about.call = f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most})"
     causes = {
         "breaks": "longer than break_length it breaks, and does nothing, in this very frame, "
         "whichever of its ends it is asked for",
@@ -85,46 +85,44 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         (0.5 * rest, True, "heals"),
     ]
     lengths = [length for length, _, _ in story]
-    cause = causes["holds"]
+    about.cause = causes["holds"]
     seen = bonded(lengths, k, rest, limit, share, most, way, swap)
     for i, (length, holds, what) in enumerate(story):
         if what == "holds" and i == 0:
             continue  # rounding may have made it a little longer
-        name = f"{call}, pulled to {lengths[: i + 1]} in turn"
-        cause = causes[what]
-        expect_exactly(f"{name}: holds", seen[i][2], holds, cause=cause, read=read)
+        name = f"{about.call}, pulled to {lengths[: i + 1]} in turn"
+        about.cause = causes[what]
+        expect_exactly(seen[i][2], holds, call=f"{name}: holds")
         force = pull(length, k, rest, limit, share) if holds else 0.0
-        expect_forces(name, seen[i], force, way, cause, read)
+        expect_forces(name, seen[i], force, way)
 
 
 @pytest.mark.exercise("B8.8")
 def test_a_bond_at_its_very_limits(rng: Random) -> None:
-    read = BOND
+    about.read = BOND
     rest = 0.25 * rng.randint(3, 6)
     most = rest + 0.25 * rng.randint(2, 5)
     lengths = [most, most + 1e-6, rest + 1e-6, rest]
-    call = f"Bond(a, b, 30, {rest}, {rest}, 0.5, {most}) along X, pulled to {lengths} in turn: "
-    call += "whether it holds at each"
-    cause = "longer than break_length it breaks, and holds again from rest_length on: at the very "
-    cause += "lengths it holds"
+    about.call = f"Bond(a, b, 30, {rest}, {rest}, 0.5, {most}) along X, pulled to {lengths} in "
+    about.call += "turn: whether it holds at each"
+    about.cause = "longer than break_length it breaks, and holds again from rest_length on: at the "
+    about.cause += "very lengths it holds"
     # These lengths are told exactly: quarters of a metre, from the origin.
     seen = bonded(lengths, 30.0, rest, rest, 0.5, most, (1.0, 0.0, 0.0), origin=ZERO)
     got = [holds for _, _, holds in seen]
-    expect_exactly(call, got, [True, False, False, True], cause=cause, read=read)
+    expect_exactly(got, [True, False, False, True])
 
 
 @pytest.mark.exercise("B8.8")
 def test_bonds_keep_a_blob_together() -> None:
-    read = BOND
-    call = "seven particles with bonds between all of them, let go over the ground, after 3 s"
-    cause = (
-        "bonds push as well as pull: the blob stands on the ground, and is neither flat nor gone"
-    )
+    about.read = BOND
+    about.call = "seven particles with bonds between all of them, let go over the ground, after 3 s"
+    about.cause = "bonds push as well as pull: the blob stands on the ground, and is neither flat "
+    about.cause += "nor gone"
     before, after = settled_blob(180, 1.0 / 60.0)
     # By its own weight a blob of these bonds spreads by 1 to 2 %: 10 % is a limp one.
     share = _spread(after) / _spread(before)
-    name = f"{call}: has its spread changed by less than 10 %"
-    expect_exactly(name, 0.9 < share < 1.1, True, cause=cause, read=read)
+    expect_exactly(0.9 < share < 1.1, True, then=": has its spread changed by less than 10 %")
 
 
 def _spread(places: list[Components]) -> float:
@@ -134,9 +132,8 @@ def _spread(places: list[Components]) -> float:
 
 @pytest.mark.exercise("B8.9")
 def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
-    read = SPREAD
-    call = "spread of four particles of equal mass at the corners of a square of 2 m"
-    cause = "each is sqrt(2) m from the middle"
+    about("spread of four particles of equal mass at the corners of a square of 2 m", read=SPREAD)
+    about.cause = "each is sqrt(2) m from the middle"
     x, y, z = components(rng)
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
@@ -147,17 +144,17 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
         (math.sqrt(2.0 + math.hypot(x + 1.0, y + 1.0, z) ** 2), "that is from the origin: "
          "distances are from the centre of mass"),
     ]  # fmt: skip
-    cause = cause_of(got, mistakes, cause)
-    expect_close(call, got, math.sqrt(2.0), cause=cause, read=read, tolerance=1e-12)
+    blame(got, mistakes)
+    expect_close(got, math.sqrt(2.0), tolerance=1e-12)
     numbers = [number for place in square for number in place]
     got = [number for place in after for number in place]
-    cause = "to look at them moves none: work on new vectors"
-    expect_close(f"{call}: where they are", got, numbers, cause=cause, read=read, tolerance=0.0)
+    about.cause = "to look at them moves none: work on new vectors"
+    expect_close(got, numbers, then=": where they are", tolerance=0.0)
     m, n = positive_number(rng), positive_number(rng)
     p, q = components(rng), components(rng)
-    call = f"spread of a mass {m} at {p} and a mass {n} at {q}"
-    cause = "the distances are those from the centre of mass, and each counts by its mass: here "
-    cause += "sqrt(m n) / (m + n) times the distance of the two"
+    about.call = f"spread of a mass {m} at {p} and a mass {n} at {q}"
+    about.cause = "the distances are those from the centre of mass, and each counts by its mass: "
+    about.cause += "here sqrt(m n) / (m + n) times the distance of the two"
     wanted = math.sqrt(m * n) / (m + n) * math.dist(p, q)
     got = spread_of([p, q], [m, n])[0]
     apart, total = math.dist(p, q), m + n
@@ -169,31 +166,27 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
          "heavier one"),
         (math.hypot(*ways) / math.sqrt(2.0), "each counts the same there: it counts by its mass"),
     ]  # fmt: skip
-    cause = cause_of(got, mistakes, cause)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
-    call, cause = f"spread of one particle at {p}", "it is where its centre is"
-    expect_close(call, spread_of([p], [m])[0], 0.0, cause=cause, read=read, tolerance=1e-12)
+    blame(got, mistakes)
+    expect_close(got, wanted, tolerance=1e-12)
+    about.call, about.cause = f"spread of one particle at {p}", "it is where its centre is"
+    expect_close(spread_of([p], [m])[0], 0.0, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.9")
 @pytest.mark.robust
 def test_a_spread_of_nothing_is_refused() -> None:
-    read = SPREAD
+    about.read = SPREAD
 
     def allowed() -> None:
         spread_of([ZERO], [1.0])
 
-    cause = "without particles there is no mean"
-    expect_error(
-        "spread([])", lambda: spread([]), ValueError, allowed=allowed, cause=cause, read=read
-    )
-    cause = "what is immovable has no share: its mass is infinite"
+    about.cause = "without particles there is no mean"
+    expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
+    about.cause = "what is immovable has no share: its mass is infinite"
     for masses in ([1.0, math.inf], [math.inf, 1.0]):
         expect_error(
-            f"spread of two particles of {masses} kg",
             lambda masses=masses: spread_of([ZERO, (1.0, 0.0, 0.0)], masses),
             ValueError,
+            call=f"spread of two particles of {masses} kg",
             allowed=allowed,
-            cause=cause,
-            read=read,
         )

@@ -11,7 +11,7 @@ import pytest
 
 from ch08_mass_aggregate.scene_probes import bridge_links, deck, hung_bridge
 from draw import Components, positive_number
-from expect import cause_of, expect_close, expect_exactly
+from expect import about, blame, cause_of, expect_close, expect_exactly
 
 LINKS = "the docstring of links_of"
 NEAREST = "the docstring of Deck.nearest"
@@ -45,12 +45,13 @@ def wanted_links(places: list[Components]) -> list[tuple[int, int, float]]:
     [("rods", "rod"), ("cables from row to row", "cable"), ("cables to the anchors", "support")],
 )
 def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
-    read = LINKS
+    about.read = LINKS
     wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
-    call = f"links_of(make_rows()), then every plank pulled {low} m down and apart: contacts() of "
-    call += f"the {what}, by ends (-1 is an anchor) and how much they are too long"
-    cause = {
+    about.call = f"links_of(make_rows()), then every plank pulled {low} m down and apart: "
+    about.call += f"contacts() of the {what}, by ends (-1 is an anchor) and how much they are too "
+    about.call += "long"
+    about.cause = {
         "rod": "a rod of WIDTH joins the two ends of each row: six in all",
         "cable": "a cable of CABLE_LENGTH joins each end to that of the next row on its side: ten",
         "support": "an anchored cable of support_length(row) from anchor_of(end), as it is at the "
@@ -67,62 +68,62 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
 
     links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
     got, wanted = picked(links), picked(wanted_links(places))
-    name = f"{call}: which"
+    name = f"{about.call}: which"
     ends, right = ([(i, j) for i, j, _ in some] for some in (got, wanted))
     wrong = [(pair, "missing") for pair in right if pair not in ends]
     wrong += [(pair, "too many") for i, pair in enumerate(ends) if pair in ends[:i]]
     wrong += [(pair, "no such link") for pair in ends if pair not in right]
-    why = f"{wrong[0][0]} is {wrong[0][1]}: {cause}" if wrong else cause
-    expect_exactly(name, ends, right, cause=why, read=read)
+    why = f"{wrong[0][0]} is {wrong[0][1]}: {about.cause}" if wrong else about.cause
+    expect_exactly(ends, right, call=name, cause=why)
     for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
-        name = f"{call}: how much that of {(i, j)} is"
+        name = f"{about.call}: how much that of {(i, j)} is"
         # Lengths of some metres, rounded a few times.
-        expect_close(name, depth, right, cause=cause, read=read, tolerance=1e-12)
+        expect_close(depth, right, call=name, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.4")
 def test_nothing_else_holds_them() -> None:
-    read = LINKS
-    call = "links_of(make_rows()): contacts() at the start: ends, and how much they are too long"
-    cause = "at the start only the cables from row to row are taut, by 0.1 m: the rods are right, "
-    cause += "the supports slack"
+    about.read = LINKS
+    about.call = "links_of(make_rows()): contacts() at the start: ends, and how much they are too "
+    about.call += "long"
+    about.cause = "at the start only the cables from row to row are taut, by 0.1 m: the rods are "
+    about.cause += "right, the supports slack"
     links = sorted((i, j) for i, j, *_ in bridge_links(START))
-    expect_exactly(call, links, [(i, i + 2) for i in range(10)], cause=cause, read=read)
+    expect_exactly(links, [(i, i + 2) for i in range(10)])
     places = [(0.8 * x, 4.5, z) for x, _, z in START]
-    call = "links_of(make_rows()), then all pushed together along X: how many contacts"
-    cause = "cables that are shorter than they may be do nothing, and the rods are right"
+    about.call = "links_of(make_rows()), then all pushed together along X: how many contacts"
+    about.cause = "cables that are shorter than they may be do nothing, and the rods are right"
     count = len(bridge_links(places))
     mistakes = [
         (10, "the ten from row to row push: they are cables, and no rods"),
         (12, "the twelve to the anchors push: they are cables, and no rods"),
         (22, "the links from row to row and to the anchors push: they are cables, and no rods"),
     ]
-    cause = cause_of(count, mistakes, cause)
-    expect_exactly(call, count, 0, cause=cause, read=read)
+    blame(count, mistakes)
+    expect_exactly(count, 0)
     places = [(1.5 * x, 1.0, 1.5 * z) for x, _, z in START]
-    call = "links_of(make_rows()), then all pulled apart: how many contacts, and their restitution"
-    cause = "28 links: 6 rods, 10 cables and 12 supports; none bounces"
+    about.call = "links_of(make_rows()), then all pulled apart: how many contacts, and their "
+    about.call += "restitution"
+    about.cause = "28 links: 6 rods, 10 cables and 12 supports; none bounces"
     found = bridge_links(places)
     got = (len(found), *{c for _, _, _, c, _ in found})
-    expect_close(call, got, (28, 0.0), cause=cause, read=read, tolerance=0.0)
+    expect_close(got, (28, 0.0), tolerance=0.0)
 
 
 @pytest.mark.exercise("B8.4")
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
-    read = LINKS
-    call = "the bridge, let go, after 2.5 s at 60 frames a second"
-    cause = "the supports end its fall: is each plank's end on one, with the length of its row?"
+    about("the bridge, let go, after 2.5 s at 60 frames a second", read=LINKS)
+    about.cause = "the supports end its fall: is each plank's end on one, with the length of its "
+    about.cause += "row?"
     places = hung_bridge(150, 1.0 / 60.0)
     lowest = min(y for _, y, _ in places)
-    name = f"{call}: is its lowest plank above the ground"
-    expect_exactly(name, lowest > 0.0, True, cause=cause, read=read)
+    expect_exactly(lowest > 0.0, True, then=": is its lowest plank above the ground")
     over = [math.dist(places[i], places[i + 2]) / 1.9 - 1.0 for i in range(10)]
     for i, (x, _, z) in enumerate(START):
         anchor = (1.1 * x, 6.0, 0.8 * z)
         over.append(math.dist(anchor, places[i]) / SUPPORTS[i // 2] - 1.0)
     # The resolver's default leaves 0.4 % at 60 frames a second; the book's bridge is to keep 2 %.
-    name = f"{call}: is no cable over its length by more than 2 %"
-    expect_exactly(name, max(over) < 0.02, True, cause=cause, read=read)
+    expect_exactly(max(over) < 0.02, True, then=": is no cable over its length by more than 2 %")
 
 
 def draw_rows(rng: Random, count: int) -> list[tuple[Components, Components]]:
@@ -142,15 +143,15 @@ def middles(rows: list[tuple[Components, Components]]) -> list[tuple[float, floa
 
 @pytest.mark.exercise("B8.5")
 def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
-    read = NEAREST
+    about.read = NEAREST
     rows = draw_rows(rng, 4)
     points = middles(rows)
-    cause = "between two rows the deck is on the straight line between their middles, and the "
-    cause += "nearest row is the one whose middle is nearer along X"
+    about.cause = "between two rows the deck is on the straight line between their middles, and "
+    about.cause += "the nearest row is the one whose middle is nearer along X"
     for i, ((x, y), (u, v)) in enumerate(pairwise(points)):
         for share in (0.25, 0.4, 0.75):
             at = x + share * (u - x)
-            call = f"a deck through {points}, the ball at x = {at}: nearest()"
+            about.call = f"a deck through {points}, the ball at x = {at}: nearest()"
             got = deck((at, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
             row, height = float(i + (share > 0.5)), y + share * (v - y)
             (_, one, _), (_, two, _) = (rows[n][0] for n in (i, i + 1))
@@ -164,73 +165,75 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
                 ((row, near), "that is from one end of each row: the line joins their middles"),
             ]  # fmt: skip
             wanted = (row, height)
-            cause = cause_of(got, mistakes, cause)
-            expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+            blame(got, mistakes)
+            expect_close(got, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.5")
 def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
-    read = NEAREST
+    about.read = NEAREST
     heights = [positive_number(rng, 3.0, 5.0) for _ in range(3)]
     points = [(2.0 * i, y) for i, y in enumerate(heights)]
     rows = [((x, y, -1.0), (x, y, 1.0)) for x, y in points]
     for i, (x, y) in enumerate(points):
-        call = f"a deck through {points}, the ball at x = {x}: nearest()"
-        cause = "right above a row it is that row, and its height"
+        about.call = f"a deck through {points}, the ball at x = {x}: nearest()"
+        about.cause = "right above a row it is that row, and its height"
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
-        expect_close(call, got, (float(i), y), cause=cause, read=read, tolerance=1e-12)
+        expect_close(got, (float(i), y), tolerance=1e-12)
     for i, (low, high) in enumerate(pairwise(heights)):
-        call = f"a deck through {points}, the ball at x = {2.0 * i + 1.0}: nearest()"
-        cause = "of two rows that are equally near it is the first"
+        about.call = f"a deck through {points}, the ball at x = {2.0 * i + 1.0}: nearest()"
+        about.cause = "of two rows that are equally near it is the first"
         got = deck((2.0 * i + 1.0, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         wanted = (float(i), 0.5 * (low + high))
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+        expect_close(got, wanted, tolerance=1e-12)
     for x, i in ((-1.0, 0), (5.0, 2)):
-        call = f"a deck through {points}, the ball at x = {x}: nearest()"
-        cause = "None where it is further than half a SPACING beyond: just so far it is a deck"
+        about.call = f"a deck through {points}, the ball at x = {x}: nearest()"
+        about.cause = "None where it is further than half a SPACING beyond: just so far it is a "
+        about.cause += "deck"
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
-        expect_exactly(f"{call} is None", got is None, False, cause=cause, read=read)
+        expect_exactly(got is None, False, then=" is None")
         slope = heights[i] - heights[1]
         mistakes = [((float(i), heights[i] + 0.5 * slope), "beyond the rows the deck is level: the "
                      "line of the last two does not go on")]  # fmt: skip
-        cause = cause_of(got, mistakes, cause)
-        expect_close(call, got, (float(i), heights[i]), cause=cause, read=read, tolerance=1e-12)
+        blame(got, mistakes)
+        expect_close(got, (float(i), heights[i]), tolerance=1e-12)
     for x in (-0.5, 0.0, 0.5):
-        call = f"a deck of the row at {points[0]} alone, the ball at x = {x}: nearest()"
-        cause = "one row is the first and the last"
+        about.call = f"a deck of the row at {points[0]} alone, the ball at x = {x}: nearest()"
+        about.cause = "one row is the first and the last"
         got = deck((x, 9.0, 0.5), rows[:1], 0.5, 0.0)["nearest"]
-        expect_close(call, got, (0.0, heights[0]), cause=cause, read=read, tolerance=1e-12)
+        expect_close(got, (0.0, heights[0]), tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.5")
 def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
-    read = NEAREST
+    about.read = NEAREST
     rows = draw_rows(rng, 3)
     points = middles(rows)
     (first, low), (last, high) = points[0], points[-1]
-    cause = "half a SPACING beyond the rows, so 1 m, the deck still is, as high as its last row"
+    about.cause = "half a SPACING beyond the rows, so 1 m, the deck still is, as high as its last "
+    about.cause += "row"
     for at, row, height in (
         (first - 0.99, 0, low),
         (first, 0, low),
         (last, 2, high),
         (last + 0.99, 2, high),
     ):
-        call = f"a deck through {points}, the ball at x = {at}: nearest()"
+        about.call = f"a deck through {points}, the ball at x = {at}: nearest()"
         got = deck((at, 9.0, 0.0), rows, 0.3, 0.0)["nearest"]
-        expect_close(call, got, (float(row), height), cause=cause, read=read, tolerance=1e-12)
-    cause = "further out there is no deck: None, and no contact"
+        expect_close(got, (float(row), height), tolerance=1e-12)
+    about.cause = "further out there is no deck: None, and no contact"
     for at in (first - 1.001, last + 1.001):
-        call = f"a deck through {points}, the ball at ({at}, 1, 0)"
+        about.call = f"a deck through {points}, the ball at ({at}, 1, 0)"
         got = deck((at, 1.0, 0.0), rows, 0.3, 0.0)
         nearest = -1.0 if got["nearest"] is None else got["nearest"]
-        expect_close(f"{call}: nearest(), -1 for None", nearest, -1.0, cause=cause, read=read)
+        expect_close(nearest, -1.0, then=": nearest(), -1 for None")
         count = len(got["contacts"])
-        expect_exactly(f"{call}: how many contacts", count, 0, cause=cause, read=read)
+        expect_exactly(count, 0, then=": how many contacts")
 
 
 @pytest.mark.exercise("B8.5")
 def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
-    read = DECK
+    about.read = DECK
     rows = draw_rows(rng, 3)
     (x, y), (u, v), _ = middles(rows)
     radius, c = positive_number(rng, 0.2, 0.8), positive_number(rng, 0.1, 0.9)
@@ -238,34 +241,37 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     height = y + 0.75 * (v - y)
     for depth in (0.3, 0.01, 0.0):
         center = height + radius - depth
-        call = f"a deck through {middles(rows)}, a ball of radius {radius} at ({at}, {center}, 0), "
-        call += f"restitution {c}: contacts(), where the ball is number 0, the row's ends 3 and 4"
-        cause = "both ends of the nearest row bear it: the ball is the particle, the normal +Y, "
-        cause += "and the penetration height + radius - y: 0 where it only touches"
+        about.call = f"a deck through {middles(rows)}, a ball of radius {radius} at ({at}, "
+        about.call += f"{center}, 0), restitution {c}: contacts(), where the ball is number 0, the "
+        about.call += "row's ends 3 and 4"
+        about.cause = "both ends of the nearest row bear it: the ball is the particle, the normal "
+        about.cause += "+Y, and the penetration height + radius - y: 0 where it only touches"
         if not depth:
             center = height + radius - 1e-13  # rounding must not lift it off
         got = sorted(deck((at, center, 0.0), rows, radius, c)["contacts"])
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
-            cause = "it touches: its lowest point, its y less the radius, is at the deck or in it"
+            about.cause = "it touches: its lowest point, its y less the radius, is at the deck or "
+            about.cause += "in it"
         elif ends in ([(0, 3)], [(0, 4)]):
-            cause = "both ends of the row bear it: two contacts"
+            about.cause = "both ends of the row bear it: two contacts"
         elif ends == [(3, 0), (4, 0)]:
-            cause = "they are exchanged: the ball is the particle, an end of the row the other"
+            about.cause = "they are exchanged: the ball is the particle, an end of the row the "
+            about.cause += "other"
         elif len(ends) > 2:
-            cause = "only the nearest row bears it, by its two ends"
-        expect_exactly(f"{call}: ends", ends, [(0, 3), (0, 4)], cause=cause, read=read)
+            about.cause = "only the nearest row bears it, by its two ends"
+        expect_exactly(ends, [(0, 3), (0, 4)], then=": ends")
         for _, _, normal, restitution, penetration in list(got):
-            expect_close(call, normal, UP, cause=cause, read=read, tolerance=1e-15)
+            expect_close(normal, UP, tolerance=1e-15)
             mistakes = [
                 ((0.0, depth), "the restitution is left out: it is the deck's"),
                 ((c, 0.5 * depth), "the depth is not shared: each contact has all of it"),
                 ((c, depth - radius), "the radius is left out: height + radius - y"),
             ]
-            name = f"{call}: restitution, penetration"
+            name = f"{about.call}: restitution, penetration"
             got = (restitution, penetration)
-            why = cause_of(got, mistakes, cause)
-            expect_close(name, got, (c, depth), cause=why, read=read, tolerance=1e-12)
+            why = cause_of(got, mistakes, about.cause)
+            expect_close(got, (c, depth), call=name, cause=why, tolerance=1e-12)
     level = [((x, 4.0, -1.0), (x, 4.0, 1.0)) for x in (0.0, 2.0, 4.0)]
     for y, cause in (
         (4.5, "it touches where its lowest point is just at the deck: a contact of depth 0"),
@@ -274,18 +280,17 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             "only what is deeper than it is high is below: with its top just at the deck it is in",
         ),
     ):
-        call = (
-            f"a level deck at a height of 4, a ball of radius 0.5 at (2, {y}, 0): contacts(), and "
-        )
-        call += "the depth of each"
+        about(f"a level deck at a height of 4, a ball of radius 0.5 at (2, {y}, 0): ", cause=cause)
+        about.call += "contacts(), and the depth of each"
         got = [depth for *_, depth in deck((2.0, y, 0.0), level, 0.5, 0.0)["contacts"]]
-        expect_exactly(f"{call}: how many", len(got), 2, cause=cause, read=read)
-        expect_close(call, got, (4.5 - y,) * 2, cause=cause, read=read)
+        expect_exactly(len(got), 2, then=": how many")
+        expect_close(got, (4.5 - y,) * 2)
     for where, lift, ends, cause in (
         ("just above it", radius + 1e-6, 0, "above the deck there is no contact"),
         ("whose top is just above it", 1e-6 - radius, 2, "in the deck it is lifted out"),
         ("whose top is just below it", -1e-6 - radius, 0, "what is all below has fallen off"),
     ):
-        call = f"a deck through {middles(rows)}, a ball of radius {radius} {where}: contacts()"
+        about(f"a deck through {middles(rows)}, a ball of radius {radius} {where}: ", cause=cause)
+        about.call += "contacts()"
         count = len(deck((at, height + lift, 0.0), rows, radius, c)["contacts"])
-        expect_exactly(f"{call}: how many", count, ends, cause=cause, read=read)
+        expect_exactly(count, ends, then=": how many")

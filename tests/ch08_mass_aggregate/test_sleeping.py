@@ -10,7 +10,7 @@ import pytest
 from ch08_mass_aggregate.sleep_probes import interrupted, left_alone, slept
 from ch08_mass_aggregate.wake_probes import made_immovable, parted
 from draw import positive_number
-from expect import expect_close, expect_exactly
+from expect import about, expect_close, expect_exactly
 
 FALL = "the docstrings of SleepingWorld and fall_asleep"
 WAKE = "the docstring of SleepingWorld."
@@ -18,63 +18,64 @@ WAKE = "the docstring of SleepingWorld."
 
 @pytest.mark.exercise("G8.1")
 def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
-    read = FALL
+    about.read = FALL
     frames = rng.randint(3, 8)
-    call = "particles of 0.9, 1.1 and 0 m/s, 1 kg, alone; sleep_energy 0.5 J/kg, sleep_frames "
-    call += f"{frames}; fall_asleep(): who sleeps after each frame"
-    cause = "slow is v^2 / 2 <= sleep_energy at the end of sleep_frames frames in a row"
+    about.call = "particles of 0.9, 1.1 and 0 m/s, 1 kg, alone; sleep_energy 0.5 J/kg, "
+    about.call += f"sleep_frames {frames}; fall_asleep(): who sleeps after each frame"
+    about.cause = "slow is v^2 / 2 <= sleep_energy at the end of sleep_frames frames in a row"
     seen = left_alone([0.9, 1.1, 0.0], frames + 2, sleep_frames=frames)
     wanted = [[]] * (frames - 1) + [[0, 2]] * 3
     if seen[0]:
-        cause = "one slow frame is not enough: sleep_frames of them, in a row"
+        about.cause = "one slow frame is not enough: sleep_frames of them, in a row"
     elif not any(seen):
-        cause = "nothing falls asleep: is fall_asleep asked at the end of run_physics?"
+        about.cause = "nothing falls asleep: is fall_asleep asked at the end of run_physics?"
     elif seen[:frames] == wanted[:frames]:
-        cause = "they fall asleep, and one wakes or moves on: what sleeps has velocity and "
-        cause += "inverse_mass 0, and wakes only where something was changed"
-    expect_exactly(call, seen, wanted, cause=cause, read=read)
-    call = "particles of 1 m/s, and 0.5, 1 and 2 kg; fall_asleep(): who sleeps after 5 frames"
-    cause = "energy counts for each kg: mass makes no difference, and exactly sleep_energy is slow"
+        about.cause = "they fall asleep, and one wakes or moves on: what sleeps has velocity and "
+        about.cause += "inverse_mass 0, and wakes only where something was changed"
+    expect_exactly(seen, wanted)
+    about.call = "particles of 1 m/s, and 0.5, 1 and 2 kg; fall_asleep(): who sleeps after 5 frames"
+    about.cause = "energy counts for each kg: mass makes no difference, and exactly sleep_energy "
+    about.cause += "is slow"
     seen = left_alone([1.0] * 3, 5, masses=[0.5, 1.0, 2.0])
-    expect_exactly(call, seen[-1], [0, 1, 2], cause=cause, read=read)
+    expect_exactly(seen[-1], [0, 1, 2])
 
 
 @pytest.mark.exercise("G8.1")
 def test_slow_frames_count_in_a_row(rng: Random) -> None:
-    read = FALL
+    about.read = FALL
     slow = rng.randint(1, 4)
-    call = f"at rest for {slow} frames, fast for one, and at rest again; sleep_frames 5; "
-    call += "fall_asleep(): who sleeps after each frame"
-    cause = "a frame in which it is not slow begins the count anew"
+    about.call = f"at rest for {slow} frames, fast for one, and at rest again; sleep_frames 5; "
+    about.call += "fall_asleep(): who sleeps after each frame"
+    about.cause = "a frame in which it is not slow begins the count anew"
     wanted = [[]] * (slow + 1 + 4) + [[0]]
-    expect_exactly(call, interrupted(slow, slow + 6), wanted, cause=cause, read=read)
+    expect_exactly(interrupted(slow, slow + 6), wanted)
 
 
 @pytest.mark.exercise("G8.1")
 def test_what_has_parted_is_no_group(rng: Random) -> None:
-    read = FALL
-    cause = "a group is what was in contact in one of the last sleep_frames frames: forget older "
-    cause += "contacts, and renew those that last"
+    about.read = FALL
+    about.cause = "a group is what was in contact in one of the last sleep_frames frames: forget "
+    about.cause += "older contacts, and renew those that last"
     for last in (rng.randint(1, 4), rng.randint(6, 12)):
-        call = f"a slow particle, in contact with a fast one in the first {last} frames; "
-        call += "sleep_frames 5; fall_asleep(): who sleeps after each frame"
+        about.call = f"a slow particle, in contact with a fast one in the first {last} frames; "
+        about.call += "sleep_frames 5; fall_asleep(): who sleeps after each frame"
         wanted = [[]] * (last + 4) + [[0]] * 3
-        expect_exactly(call, parted(last, last + 7), wanted, cause=cause, read=read)
+        expect_exactly(parted(last, last + 7), wanted)
     last = rng.randint(1, 2)
     fast = last + rng.randint(1, 4)
-    call = f"a particle, in contact with a fast one in the first {last} frames, is slow but in "
-    call += f"frame {fast}; sleep_frames 5; fall_asleep(): who sleeps after each frame"
+    about.call = f"a particle, in contact with a fast one in the first {last} frames, is slow but "
+    about.call += f"in frame {fast}; sleep_frames 5; fall_asleep(): who sleeps after each frame"
     wanted = [[]] * (fast + 4) + [[0]] * 3
-    expect_exactly(call, parted(last, fast + 7, fast), wanted, cause=cause, read=read)
-    call = "two slow particles in contact, one of which becomes immovable after 4 frames; "
-    call += "sleep_frames 5; fall_asleep(): who sleeps after 12 frames"
-    cause = "what is immovable joins nothing, whatever it touched before, and never sleeps"
-    expect_exactly(call, made_immovable(4, 12), [0], cause=cause, read=read)
+    expect_exactly(parted(last, fast + 7, fast), wanted)
+    about.call = "two slow particles in contact, one of which becomes immovable after 4 frames; "
+    about.call += "sleep_frames 5; fall_asleep(): who sleeps after 12 frames"
+    about.cause = "what is immovable joins nothing, whatever it touched before, and never sleeps"
+    expect_exactly(made_immovable(4, 12), [0])
 
 
 @pytest.mark.exercise("G8.1")
 def test_what_touches_the_restless_stays_awake() -> None:
-    read = FALL
+    about.read = FALL
     for what, speeds, pairs, masses, wanted, cause in (
         ("0 and 1", [0.0, 2.0, 0.0], [(0, 1)], (), [2], "1 is fast, so 0 stays awake with it"),
         (
@@ -105,36 +106,39 @@ def test_what_touches_the_restless_stays_awake() -> None:
         ),
         ("0 and a wall, which is no particle", [0.0], [(0, -1)], (), [0], "a wall wakes nothing"),
     ):
-        call = f"particles of {speeds} m/s, contacts of {what}; fall_asleep(): who sleeps after "
-        call += "each of 8 frames, where sleep_frames are 5"
+        about.cause = cause
+        about.call = f"particles of {speeds} m/s, contacts of {what}; fall_asleep(): who sleeps "
+        about.call += "after each of 8 frames, where sleep_frames are 5"
         seen = left_alone(speeds, 8, pairs, masses)
-        expect_exactly(call, seen, [[]] * 4 + [wanted] * 4, cause=cause, read=read)
+        expect_exactly(seen, [[]] * 4 + [wanted] * 4)
 
 
 @pytest.mark.exercise("G8.1")
 def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
-    read = f"{WAKE}wake, and the class"
+    about.read = f"{WAKE}wake, and the class"
     mass, speed = positive_number(rng), positive_number(rng, 0.5, 1.0)
-    call = f"a particle of {mass} kg and {speed} m/s; 3 frames, fall_asleep()"
-    cause = "what sleeps is immovable, and its velocity is cleared"
+    about.call = f"a particle of {mass} kg and {speed} m/s; 3 frames, fall_asleep()"
+    about.cause = "what sleeps is immovable, and its velocity is cleared"
     done = slept(mass, speed)
-    name = f"{call}: inverse_mass"
-    expect_close(name, done["inverse mass asleep"], 0.0, cause=cause, read=read, tolerance=0.0)
-    name = f"{call}: velocity"
-    expect_close(name, done["velocity asleep"], (0.0,) * 3, cause=cause, read=read, tolerance=0.0)
-    cause = "it falls asleep after the frame, so three frames have moved it; then nothing does"
+    name = f"{about.call}: inverse_mass"
+    expect_close(done["inverse mass asleep"], 0.0, call=name, tolerance=0.0)
+    name = f"{about.call}: velocity"
+    expect_close(done["velocity asleep"], (0.0,) * 3, call=name, tolerance=0.0)
+    about.cause = "it falls asleep after the frame, so three frames have moved it; then nothing "
+    about.cause += "does"
     place = (1.0 + 3.0 * speed / 60.0, 2.0, 3.0)
     for name in ("place asleep", "place later"):
-        expect_close(f"{call}: {name}", done[name], place, cause=cause, read=read, tolerance=1e-12)
-    call = f"{call}; world.wake(particle)"
-    cause = "the inverse mass that it had comes back, and it is no longer in asleep"
+        expect_close(done[name], place, then=f": {name}", tolerance=1e-12)
+    about.call = f"{about.call}; world.wake(particle)"
+    about.cause = "the inverse mass that it had comes back, and it is no longer in asleep"
     got = done["inverse mass awake"]
-    expect_close(f"{call}: inverse_mass", got, 1.0 / mass, cause=cause, read=read)
-    expect_exactly(f"{call}: who sleeps", done["asleep"], [], cause=cause, read=read)
-    cause = "it begins to count anew: slow for all of sleep_frames"
+    expect_close(got, 1.0 / mass, then=": inverse_mass")
+    expect_exactly(done["asleep"], [], then=": who sleeps")
+    about.cause = "it begins to count anew: slow for all of sleep_frames"
     got = done["frames to sleep again"]
-    expect_exactly(f"{call}: frames until it sleeps again", got, 3, cause=cause, read=read)
-    call = "world.wake(particle) of one that has been awake and slow for 2 frames; sleep_frames 3"
-    cause = "a particle that is awake begins to count anew as well"
+    expect_exactly(got, 3, then=": frames until it sleeps again")
+    about.call = "world.wake(particle) of one that has been awake and slow for 2 frames; "
+    about.call += "sleep_frames 3"
+    about.cause = "a particle that is awake begins to count anew as well"
     got = done["frames from then on"]
-    expect_exactly(f"{call}: frames until it sleeps", got, 3, cause=cause, read=read)
+    expect_exactly(got, 3, then=": frames until it sleeps")

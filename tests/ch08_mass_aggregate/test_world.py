@@ -19,7 +19,7 @@ from ch08_mass_aggregate.probes import (
     told_frame,
 )
 from draw import components, dot, positive_number
-from expect import cause_of, expect_close, expect_exactly
+from expect import about, blame, cause_of, expect_close, expect_exactly
 
 ZERO = (0.0, 0.0, 0.0)
 ENERGY = "the docstring of mechanical_energy"
@@ -32,11 +32,12 @@ def draw_body(rng: Random) -> Body:
 
 @pytest.mark.exercise("B8.1")
 def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
-    read = ENERGY
+    about.read = ENERGY
     bodies = [draw_body(rng) for _ in range(3)]
     parts = [0.5 * m * dot(v, v) - m * dot(a, p) for p, v, a, m in bodies]
     simple = ((0.0, 3.0, 0.0), (4.0, 0.0, 0.0), (0.0, -10.0, 0.0), 2.0)
-    call = "mechanical_energy of 2 kg at (0, 3, 0), velocity (4, 0, 0), acceleration (0, -10, 0)"
+    about.call = "mechanical_energy of 2 kg at (0, 3, 0), velocity (4, 0, 0), acceleration (0, "
+    about.call += "-10, 0)"
     got = energy_of([simple])
     mistakes = [
         (16.0, "that is the kinetic energy alone: m g y, so 60 J, is left out"),
@@ -47,96 +48,98 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
         (38.0, "the mass is left out: m v^2 / 2 - m a . p"),
         (46.0, "the mass is left out of the second part: m v^2 / 2 - m a . p"),
     ]
-    cause = cause_of(got, mistakes, "m v^2 / 2 + m g y: 16 J and 60 J")
-    expect_close(call, got, 76.0, cause=cause, read=read)
-    cause = "m v^2 / 2 - m a . p of each: with a = (0, -g, 0) the second part is + m g y"
+    about.cause = cause_of(got, mistakes, "m v^2 / 2 + m g y: 16 J and 60 J")
+    expect_close(got, 76.0)
+    about.cause = "m v^2 / 2 - m a . p of each: with a = (0, -g, 0) the second part is + m g y"
     for name, some, wanted in (
         ("one particle", bodies[:1], parts[0]),
         ("three particles", bodies, math.fsum(parts)),
     ):
-        call = f"mechanical_energy of {name}, by place, velocity, acceleration, mass: {some}"
+        about.call = f"mechanical_energy of {name}, by place, velocity, acceleration, mass: {some}"
         got = energy_of(some)
         # Rounding of terms of some hundreds of J.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
-    call = f"mechanical_energy of one particle, and a force acts on it: {bodies[0]}"
-    cause = "forces have no part in it: only the particle's own acceleration"
+        expect_close(got, wanted, tolerance=1e-10)
+    about.call = f"mechanical_energy of one particle, and a force acts on it: {bodies[0]}"
+    about.cause = "forces have no part in it: only the particle's own acceleration"
     got = energy_of(bodies[:1], components(rng))
-    expect_close(call, got, parts[0], cause=cause, read=read, tolerance=1e-10)
+    expect_close(got, parts[0], tolerance=1e-10)
 
 
 @pytest.mark.exercise("B8.1")
 def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
-    read = ENERGY
+    about.read = ENERGY
     p, v, a, m = draw_body(rng)
-    cause = "leave out what has no inverse_mass: its energy would be infinite, or not a number"
+    about.cause = "leave out what has no inverse_mass: its energy would be infinite, or not a "
+    about.cause += "number"
     wanted = 0.5 * m * dot(v, v) - m * dot(a, p)
     for first, call in (
         (True, "mechanical_energy of a particle and an immovable one"),
         (False, "mechanical_energy of an immovable particle and another one"),
     ):
+        about.call = call
         both = [(p, v, a, m), (components(rng), ZERO, components(rng), math.inf)]
         got = energy_of(both if first else both[::-1])
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-10)
-    call = "mechanical_energy of no particles"
-    expect_close(call, energy_of([]), 0.0, cause="nothing has no energy", read=read, tolerance=0.0)
+        expect_close(got, wanted, tolerance=1e-10)
+    about.call = "mechanical_energy of no particles"
+    expect_close(energy_of([]), 0.0, cause="nothing has no energy", tolerance=0.0)
 
 
 @pytest.mark.exercise("B8.2")
 def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
-    read = f"{WORLD}start_frame"
+    about.read = f"{WORLD}start_frame"
     bodies = [draw_body(rng) for _ in range(3)]
     bodies.insert(1, (components(rng), ZERO, ZERO, math.inf))
     force = components(rng)
-    call = f"each of four particles, one of them immovable, .add_force(Vector3{force}); "
-    call += "world.start_frame()"
-    cause = "clear_forces() of every particle, and nothing else"
+    about.call = f"each of four particles, one of them immovable, .add_force(Vector3{force}); "
+    about.call += "world.start_frame()"
+    about.cause = "clear_forces() of every particle, and nothing else"
     done = started(bodies, force)
     for i, body in enumerate(bodies):
-        name = f"{call}; particles[{i}].force_accumulator"
-        expect_close(name, done["after"][i], ZERO, cause=cause, read=read, tolerance=0.0)
-        name = f"{call}; place and velocity of particles[{i}]"
-        expect_close(name, done["states"][i][0], body[0], cause=cause, read=read, tolerance=0.0)
-        expect_close(name, done["states"][i][1], body[1], cause=cause, read=read, tolerance=0.0)
+        name = f"{about.call}; particles[{i}].force_accumulator"
+        expect_close(done["after"][i], ZERO, call=name, tolerance=0.0)
+        name = f"{about.call}; place and velocity of particles[{i}]"
+        expect_close(done["states"][i][0], body[0], call=name, tolerance=0.0)
+        expect_close(done["states"][i][1], body[1], call=name, tolerance=0.0)
 
 
 @pytest.mark.exercise("B8.2")
 def test_contacts_are_those_of_every_generator(rng: Random) -> None:
-    read = f"{WORLD}contacts"
+    about.read = f"{WORLD}contacts"
     count = rng.randint(150, 300)
     low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
-    call = f"{count} particles at a height of 1, floors at 0, 1, {low} and {high}: the depths of "
-    call += "world.contacts(), one list of contacts"
-    cause = (
-        "one generator after the other, in their order, and none of what they find is left out: "
-    )
-    cause += "the book's world has a maximum, and drops what is above it"
+    about.call = f"{count} particles at a height of 1, floors at 0, 1, {low} and {high}: the "
+    about.call += "depths of world.contacts(), one list of contacts"
+    about.cause = "one generator after the other, in their order, and none of what they find is "
+    about.cause += "left out: the book's world has a maximum, and drops what is above it"
     wanted = [0.0] * count + [low - 1.0] * count + [high - 1.0] * count
     got = depths_of(count, [0.0, 1.0, low, high])
     first = "nothing touches the first floor: go on to the next generator"
-    seen = cause_of(len(got), [(0, first)], cause)
-    expect_exactly(f"{call}: how many", len(got), 3 * count, cause=seen, read=read)
+    seen = cause_of(len(got), [(0, first)], about.cause)
+    expect_exactly(len(got), 3 * count, then=": how many", cause=seen)
     order = "one generator after the other, in the order of contact_generators"
-    name = f"{call}: in which order, by depth"
+    name = f"{about.call}: in which order, by depth"
     runs = [round(depth, 9) for depth in got[::count]]
-    expect_exactly(name, runs, [0.0, low - 1.0, high - 1.0], cause=order, read=read)
-    expect_close(call, got, wanted, cause=cause, read=read)
-    call, cause = "world.contacts() without a generator", "there are none: an empty list"
-    expect_exactly(call, depths_of(count, []), [], cause=cause, read=read)
+    expect_exactly(runs, [0.0, low - 1.0, high - 1.0], call=name, cause=order)
+    expect_close(got, wanted)
+    about.call, about.cause = (
+        "world.contacts() without a generator",
+        "there are none: an empty list",
+    )
+    expect_exactly(depths_of(count, []), [])
 
 
 @pytest.mark.exercise("B8.2")
 @pytest.mark.parametrize("integrator", ["explicit_euler", "semi_implicit_euler"])
 def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> None:
-    read = f"{WORLD}run_physics"
+    about.read = f"{WORLD}run_physics"
     h, k = positive_number(rng, 0.05, 0.2), positive_number(rng)
     hand = components(rng)
     bodies = [draw_body(rng) for _ in range(2)]
-    cause = "the integrator is called with the particles, with what adds the registry's forces, "
-    cause += (
-        "registry.update_forces, and with the duration; what was added since start_frame counts"
-    )
-    call = f"world of two particles, integrator={integrator}, forces -{k} x: start_frame(); "
-    call += f"add_force(Vector3{hand}); run_physics({h})"
+    about.cause = "the integrator is called with the particles, with what adds the registry's "
+    about.cause += "forces, registry.update_forces, and with the duration; what was added since "
+    about.cause += "start_frame counts"
+    about.call = f"world of two particles, integrator={integrator}, forces -{k} x: start_frame(); "
+    about.call += f"add_force(Vector3{hand}); run_physics({h})"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
     for i, (p, v, a, m) in enumerate(bodies):
         push = [a[j] + (hand[j] - k * p[j]) / m for j in range(3)]
@@ -144,7 +147,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
         way = velocity if integrator == "semi_implicit_euler" else v
         place = [p[j] + way[j] * h for j in range(3)]
         got = done["states"][i]
-        name = f"{call}; particles[{i}]"
+        name = f"{about.call}; particles[{i}]"
         mistakes = [
             (
                 [v[j] + (a[j] + (c * hand[j] - k * d * p[j]) / m) * h for j in range(3)],
@@ -160,143 +163,139 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
                 (0.0, 0.0, "no force counts: only the acceleration is there"),
             )
         ]  # fmt: skip
-        seen = cause_of(got[1], mistakes, cause)
+        seen = cause_of(got[1], mistakes, about.cause)
         # A few roundings of numbers of some hundreds.
-        expect_close(f"{name}.velocity", got[1], velocity, cause=seen, read=read, tolerance=1e-11)
+        expect_close(got[1], velocity, call=f"{name}.velocity", cause=seen, tolerance=1e-11)
         other = [p[j] + v[j] * h for j in range(3)]
         seen = "that is an explicit step: use self.integrator, which is another one here"
-        cause = cause_of(got[0], [(other, seen)], cause)
-        expect_close(f"{name}.position", got[0], place, cause=cause, read=read, tolerance=1e-11)
+        blame(got[0], [(other, seen)])
+        expect_close(got[0], place, call=f"{name}.position", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B8.2")
 def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
-    read = f"{WORLD}step"
+    about.read = f"{WORLD}step"
     h, force = positive_number(rng, 0.05, 0.2), components(rng)
     p, v, a, m = draw_body(rng)
-    call = f"add_force(Vector3{force}); world.step({h})"
-    cause = "step is start_frame and then run_physics: the first clears what was there before"
+    about.call = f"add_force(Vector3{force}); world.step({h})"
+    about.cause = "step is start_frame and then run_physics: the first clears what was there before"
     done = frame([(p, v, a, m)], "step", h, early=force)
     velocity = [v[j] + a[j] * h for j in range(3)]
     got = done["states"][0][1]
-    expect_close(
-        f"{call}; particle.velocity", got, velocity, cause=cause, read=read, tolerance=1e-12
-    )
-    call = f"a world whose run_physics only writes down that it is asked; world.step({h})"
-    cause = "call self.run_physics(duration), once: a world that is made from this one has another"
-    expect_exactly(call, told_frame(h), [("run_physics", h)], cause=cause, read=read)
-    cause = "its run_physics uses the integrator and the registry as well"
+    expect_close(got, velocity, then="; particle.velocity", tolerance=1e-12)
+    about.call = f"a world whose run_physics only writes down that it is asked; world.step({h})"
+    about.cause = "call self.run_physics(duration), once: a world that is made from this one has "
+    about.cause += "another"
+    expect_exactly(told_frame(h), [("run_physics", h)])
+    about.cause = "its run_physics uses the integrator and the registry as well"
     f = components(rng)
-    call = f"a registry with a force -Vector3{f}; world.step({h})"
+    about.call = f"a registry with a force -Vector3{f}; world.step({h})"
     done = frame([(p, v, a, m)], "step", h, f=f)
     velocity = [v[j] + (a[j] - f[j] / m) * h for j in range(3)]
     got = done["states"][0][1]
-    expect_close(
-        f"{call}; particle.velocity", got, velocity, cause=cause, read=read, tolerance=1e-12
-    )
+    expect_close(got, velocity, then="; particle.velocity", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.2")
 @pytest.mark.parametrize("integrator", ["semi_implicit_euler", "runge_kutta_4"])
 def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> None:
-    read = f"{WORLD}run_physics"
+    about.read = f"{WORLD}run_physics"
     h, k = positive_number(rng, 0.05, 0.2), positive_number(rng)
     bodies = [draw_body(rng) for _ in range(2)]
     evaluations = 4 if integrator == "runge_kutta_4" else 1
-    call = f"two particles with a generator each, integrator={integrator}; run_physics({h})"
-    cause = "the integrator is called once, with all particles and the whole duration"
+    about.call = f"two particles with a generator each, integrator={integrator}; run_physics({h})"
+    about.cause = "the integrator is called once, with all particles and the whole duration"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k)
     asked = [row[1:] for row in done["diary"] if row[0] == "integrator"]
-    expect_exactly(f"{call}: calls of it, and particles", asked, [(h, 2)], cause=cause, read=read)
-    cause = "give it registry.update_forces and let it ask: Runge-Kutta does so four times"
+    expect_exactly(asked, [(h, 2)], then=": calls of it, and particles")
+    about.cause = "give it registry.update_forces and let it ask: Runge-Kutta does so four times"
     count = sum(row[0] == "force" for row in done["diary"])
-    name = f"{call}: how often the generators were asked"
-    expect_exactly(name, count, 2 * evaluations, cause=cause, read=read)
+    expect_exactly(count, 2 * evaluations, then=": how often the generators were asked")
     asked = [row[1] for row in done["diary"] if row[0] == "force"]
-    name = f"{call}: the durations that they were told"
-    expect_exactly(name, asked, [h] * count, cause=cause, read=read)
+    expect_exactly(asked, [h] * count, then=": the durations that they were told")
 
 
 @pytest.mark.exercise("B8.2")
 def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
-    read = f"{WORLD}run_physics"
+    about.read = f"{WORLD}run_physics"
     h = 0.125
     speed = float(rng.randint(8, 16))
     bodies: list[Body] = [
         ((0.0, 0.5, 0.0), (2.0, -speed, 0.0), ZERO, 1.0),
         ((5.0, 9.0, 0.0), (2.0, -speed, 0.0), ZERO, 1.0),
     ]
-    call = f"a particle 0.5 m above a floor at {-speed} m/s; world.run_physics({h})"
-    cause = "first the particles move, then the generators are asked, then the resolver ends what "
-    cause += "they found: it stands on the floor, and no longer falls"
+    about.call = f"a particle 0.5 m above a floor at {-speed} m/s; world.run_physics({h})"
+    about.cause = "first the particles move, then the generators are asked, then the resolver ends "
+    about.cause += "what they found: it stands on the floor, and no longer falls"
     done = frame(bodies, "run_physics", h, floors=[0.0])
     place, velocity = done["states"][0]
     fallen = 0.5 - speed * h
     mistakes = [
         ((0.25, fallen, 0.0), "it is in the floor: the contacts of the new place are not resolved")
     ]
-    seen = cause_of(place, mistakes, cause)
-    name = f"{call}; particle.position"
-    expect_close(name, place, (0.25, 0.0, 0.0), cause=seen, read=read, tolerance=1e-12)
-    name = f"{call}; particle.velocity"
-    expect_close(name, velocity, (2.0, 0.0, 0.0), cause=cause, read=read, tolerance=1e-12)
-    cause = "what is in no contact flies on"
-    name = f"{call}; another particle, far above: velocity"
+    seen = cause_of(place, mistakes, about.cause)
+    name = f"{about.call}; particle.position"
+    expect_close(place, (0.25, 0.0, 0.0), call=name, cause=seen, tolerance=1e-12)
+    name = f"{about.call}; particle.velocity"
+    expect_close(velocity, (2.0, 0.0, 0.0), call=name, tolerance=1e-12)
+    about.cause = "what is in no contact flies on"
+    name = f"{about.call}; another particle, far above: velocity"
     got = done["states"][1][1]
-    expect_close(name, got, (2.0, -speed, 0.0), cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, (2.0, -speed, 0.0), call=name, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.2")
 def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
-    read = f"{WORLD}run_physics"
+    about.read = f"{WORLD}run_physics"
     h = 0.125
     low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
     bodies: list[Body] = [((float(i), 1.0, 0.0), ZERO, ZERO, 1.0) for i in range(3)]
-    call = f"three particles at a height of 1, floors at {low} and at {high}; run_physics({h})"
-    cause = "collect the contacts of every generator, once each and in their order, and call "
-    cause += "resolver.resolve_contacts once, with all of them and the duration"
+    about.call = f"three particles at a height of 1, floors at {low} and at {high}; "
+    about.call += f"run_physics({h})"
+    about.cause = "collect the contacts of every generator, once each and in their order, and call "
+    about.cause += "resolver.resolve_contacts once, with all of them and the duration"
     done = frame(bodies, "run_physics", h, floors=[low, high], record=True)
     calls = [row for row in done["diary"] if row[0] == "resolve"]
-    expect_exactly(f"{call}: calls of the resolver", len(calls), 1, cause=cause, read=read)
-    name = f"{call}: the resolver's duration, and the depths of its contacts"
+    expect_exactly(len(calls), 1, then=": calls of the resolver")
+    name = f"{about.call}: the resolver's duration, and the depths of its contacts"
     depths = [low - 1.0] * 3 + [high - 1.0] * 3
-    expect_close(name, (calls[0][1], *calls[0][2]), (h, *depths), cause=cause, read=read)
+    expect_close((calls[0][1], *calls[0][2]), (h, *depths), call=name)
     asked = [row[1] for row in done["diary"] if row[0] == "contacts"]
-    expect_exactly(f"{call}: which floors were asked", asked, [low, high], cause=cause, read=read)
-    call = f"three particles at a height of 1, above a floor at 0.5; run_physics({h})"
-    cause = "a frame without contacts needs no resolver: model no more than is there"
+    expect_exactly(asked, [low, high], then=": which floors were asked")
+    about.call = f"three particles at a height of 1, above a floor at 0.5; run_physics({h})"
+    about.cause = "a frame without contacts needs no resolver: model no more than is there"
     done = frame(bodies, "run_physics", h, floors=[0.5], record=True)
     count = sum(row[0] == "resolve" for row in done["diary"])
-    expect_exactly(f"{call}: calls of the resolver", count, 0, cause=cause, read=read)
+    expect_exactly(count, 0, then=": calls of the resolver")
 
 
 @pytest.mark.exercise("B8.2")
 def test_no_contact_is_left_out(rng: Random) -> None:
-    read = f"{WORLD}contacts, and the class: there is no maximum"
+    about.read = f"{WORLD}contacts, and the class: there is no maximum"
     count = rng.randint(30, 60)
-    call = f"{count} particles fall on the ground at once; their heights after a second"
-    cause = "all contacts are resolved: the book's world has a maximum, and drops the others"
+    about.call = f"{count} particles fall on the ground at once; their heights after a second"
+    about.cause = "all contacts are resolved: the book's world has a maximum, and drops the others"
     heights = rained(count, 0.05, 20)
-    expect_close(call, heights, (0.0,) * count, cause=cause, read=read, tolerance=1e-9)
+    expect_close(heights, (0.0,) * count, tolerance=1e-9)
 
 
 @pytest.mark.exercise("B8.2")
 def test_a_world_may_get_more_later(rng: Random) -> None:
-    read = "the docstring of ParticleWorld: its lists may be appended to"
+    about.read = "the docstring of ParticleWorld: its lists may be appended to"
     h = positive_number(rng, 0.05, 0.2)
-    call = f"a particle falls for a frame of {h} s, then a second one is appended, and a third "
-    call += "one on a ground; world.step: their velocities along Y"
-    cause = "read self.particles and self.contact_generators in every frame"
+    about.call = f"a particle falls for a frame of {h} s, then a second one is appended, and a "
+    about.call += "third one on a ground; world.step: their velocities along Y"
+    about.cause = "read self.particles and self.contact_generators in every frame"
     got = [velocity[1] for _, velocity in appended(h)]
     wanted = (-20.0 * h, -10.0 * h, 0.0)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-12)
+    expect_close(got, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.2")
 @pytest.mark.robust
 @pytest.mark.parametrize("method", ["run_physics", "step"])
 def test_a_frame_without_a_duration_is_refused(method: str) -> None:
-    read = f"{WORLD}{method}"
+    about.read = f"{WORLD}{method}"
     for duration, error in (
         (0.0, "ValueError"),
         (-0.1, "ValueError"),
@@ -304,17 +303,16 @@ def test_a_frame_without_a_duration_is_refused(method: str) -> None:
         (math.inf, "ValueError"),
         ("0.1", "TypeError"),
     ):
-        call = f"world.{method}({duration!r})"
-        cause = "positive() refuses it; call it before anything changes"
+        about.call = f"world.{method}({duration!r})"
+        about.cause = "positive() refuses it; call it before anything changes"
         done = refused(method, duration)
-        expect_exactly(
-            f"{call}: the error, '' for none", done["error"], error, cause=cause, read=read
-        )
-        cause = "what is refused loses nothing: not a place, not a velocity, not an added force"
-        name = f"{call}; position, velocity, force_accumulator"
+        expect_exactly(done["error"], error, then=": the error, '' for none")
+        about.cause = "what is refused loses nothing: not a place, not a velocity, not an added "
+        about.cause += "force"
+        name = f"{about.call}; position, velocity, force_accumulator"
         got = tuple(number for part in done["left"] for number in part)
         wanted = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
-        expect_close(name, got, wanted, cause=cause, read=read, tolerance=0.0)
+        expect_close(got, wanted, call=name, tolerance=0.0)
     done = frame([(ZERO, ZERO, (1.0, 0.0, 0.0), 1.0)], method, 0.5)
-    call, cause = f"world.{method}(0.5)", "what is right must not be refused"
-    expect_close(f"{call}; velocity", done["states"][0][1], (0.5, 0.0, 0.0), cause=cause, read=read)
+    about.call, about.cause = f"world.{method}(0.5)", "what is right must not be refused"
+    expect_close(done["states"][0][1], (0.5, 0.0, 0.0), then="; velocity")

@@ -13,6 +13,8 @@ from ch09_rotations.probes import steps
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components, number, positive_number
 from expect import (
+    UNCHANGED,
+    about,
     expect_close,
     expect_error,
     expect_exactly,
@@ -40,10 +42,10 @@ DRIFT = "the docstring of first_order_drift, and E-31"
 
 @pytest.mark.exercise("B9.18")
 def test_a_point_of_what_turns() -> None:
-    read = POINT
-    call = "velocity_of_point(q, p, p', w), with q = Vector3(1, 0, 0), p and p' = Vector3(), "
-    call += "w = Vector3(0, 0, 2)"
-    cause = "it is w x (q - p), counter-clockwise about Z, so that a point on X moves along Y"
+    about.read = POINT
+    about.call = "velocity_of_point(q, p, p', w), with q = Vector3(1, 0, 0), p and p' = Vector3(), "
+    about.call += "w = Vector3(0, 0, 2)"
+    about.cause = "it is w x (q - p), counter-clockwise about Z, so that a point on X moves along Y"
     args = [Vector3(1, 0, 0), Vector3(), Vector3(), Vector3(0, 0, 2)]
     got = xyz(velocity_of_point(*args))
     slips = {
@@ -51,16 +53,16 @@ def test_a_point_of_what_turns() -> None:
         "no turning at all": (0.0, 0.0, 0.0),
         "the angular velocity itself": (0.0, 0.0, 2.0),
     }
-    expect_close(call, got, (0.0, 2.0, 0.0), cause=named(got, cause, slips), read=read)
+    expect_close(got, (0.0, 2.0, 0.0), cause=named(got, about.cause, slips))
 
 
 @pytest.mark.exercise("B9.18")
 def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
-    read = POINT
+    about.read = POINT
     point, place, v, w = (components(rng) for _ in range(4))
     given = [Vector3(*a) for a in (point, place, v, w)]
-    call = f"velocity_of_point(Vector3{point}, Vector3{place}, Vector3{v}, Vector3{w})"
-    cause = "w x (q - p) + p': the arm is from the position to the point"
+    about.call = f"velocity_of_point(Vector3{point}, Vector3{place}, Vector3{v}, Vector3{w})"
+    about.cause = "w x (q - p) + p': the arm is from the position to the point"
     got = xyz(velocity_of_point(*given))
     # Of two vectors, (0, w) times (0, arm) has the vector product as its last three.
     turning, about_world = (
@@ -73,25 +75,26 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
         "the turning and the velocity, one subtracted from the other": subtracted(turning, v),
         "the velocity alone": v,
     }
-    why = named(got, cause, slips)
+    why = named(got, about.cause, slips)
     # Two products of up to 200.
-    expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-11)
+    expect_close(got, wanted, cause=why, tolerance=1e-11)
     names = ("point", "position", "velocity", "angular_velocity")
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
-        expect_unchanged(call, name, xyz(now), before, read=read)
-    call = f"v = Vector3{v}; velocity_of_point(q, p, v, Vector3(0, 0, 0)), which is inverted; v"
-    cause = "a new vector, where nothing turns too"
+        expect_unchanged(name, xyz(now), before, cause=UNCHANGED)
+    about.call = f"v = Vector3{v}; velocity_of_point(q, p, v, Vector3(0, 0, 0)), which is "
+    about.call += "inverted; v"
+    about.cause = "a new vector, where nothing turns too"
     same = velocity_of_point(*given[:3], Vector3())
     same.invert()
-    expect_unchanged(call, "v", xyz(given[2]), v, cause=cause, read=read)
+    expect_unchanged("v", xyz(given[2]), v)
 
 
 @pytest.mark.exercise("B9.18")
 @pytest.mark.robust
 def test_a_point_that_is_nowhere_is_refused() -> None:
-    read = "the docstring of velocity_of_point"
+    about.read = "the docstring of velocity_of_point"
     good = (1.0, 2.0, 3.0)
-    cause = "finite_vector of arguments.py refuses it, for each of the four"
+    about.cause = "finite_vector of arguments.py refuses it, for each of the four"
     for place in range(4):
         for bad in ((1.0, math.nan, 3.0), (1.0, 2.0, math.inf), None):
             vectors = [Vector3(*good) for _ in range(4)]
@@ -100,14 +103,12 @@ def test_a_point_that_is_nowhere_is_refused() -> None:
             shown = [f"Vector3{good}" for _ in range(4)]
             shown[place] = str(good) if bad is None else f"Vector3{bad}"
             expect_error(
-                f"velocity_of_point({', '.join(shown)})",
                 lambda vectors=vectors, place=place, bad=bad: velocity_of_point(
                     *vectors[:place], good if bad is None else vectors[place], *vectors[place + 1 :]
                 ),
                 TypeError if bad is None else ValueError,
+                call=f"velocity_of_point({', '.join(shown)})",
                 allowed=lambda: velocity_of_point(*(Vector3(*good) for _ in range(4))),
-                cause=cause,
-                read=read,
             )
 
 
@@ -136,12 +137,12 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
 
 @pytest.mark.exercise("B9.18")
 def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
-    read = STEP
+    about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
     h = positive_number(rng, 0.05, 0.2)
     orientation, velocity, acceleration = Quaternion(*q), Vector3(*w), Vector3(*a)
-    call = f"q, w = Quaternion{q}, Vector3{w}; integrate_rotation(q, w, Vector3{a}, {h}); "
-    cause = "w' = w + alpha h, in place"
+    about.call = f"q, w = Quaternion{q}, Vector3{w}; integrate_rotation(q, w, Vector3{a}, {h}); "
+    about.cause = "w' = w + alpha h, in place"
     returned = integrate_rotation(orientation, velocity, acceleration, h)
     new = tuple(p + h * r for p, r in zip(w, a, strict=True))
     got = xyz(velocity)
@@ -150,78 +151,79 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
         "w and alpha, without the duration": added(w, a),
         "alpha h, without the old w": subtracted(new, w),
     }
-    why = named(got, cause, slips)
-    expect_close(f"{call}w", got, new, cause=why, read=read, tolerance=TIGHT)
+    why = named(got, about.cause, slips)
+    expect_close(got, new, then="w", cause=why, tolerance=TIGHT)
     wanted = hamilton(quad(new, h * math.hypot(*new)), q)
-    cause = "first w' = w + alpha h, then turn by w' h with rotate_by"
+    about.cause = "first w' = w + alpha h, then turn by w' h with rotate_by"
     got = same_sign(rijk(orientation), wanted)
     slips = {name: same_sign(slip, wanted) for name, slip in step_slips(q, w, new, h).items()}
-    why = named(got, cause, slips)
-    expect_close(f"{call}q", got, wanted, cause=why, read=read, tolerance=TIGHT)
-    expect_unchanged(call, "the acceleration", xyz(acceleration), a, read=read)
-    cause = "what changes in place returns nothing"
-    expect_exactly(f"{call}what it returns", returned, None, cause=cause, read=read)
+    why = named(got, about.cause, slips)
+    expect_close(got, wanted, then="q", cause=why, tolerance=TIGHT)
+    expect_unchanged("the acceleration", xyz(acceleration), a, cause=UNCHANGED)
+    about.cause = "what changes in place returns nothing"
+    expect_exactly(returned, None, then="what it returns")
 
 
 @pytest.mark.exercise("B9.18")
 def test_many_steps_about_one_axis(rng: Random) -> None:
-    read = STEP
+    about.read = STEP
     axis = components(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
     speed, gain, h, count = 1.5, number(rng, 0.2, 0.9), 0.01, 200
     w, a = tuple(speed * u for u in unit), tuple(gain * u for u in unit)
-    call = f"{count} times integrate_rotation(q, Vector3{w}, Vector3{a}, {h}), from Quaternion(); q"
-    cause = "step k turns by (w + k alpha h) h, about the same axis"
+    about.call = f"{count} times integrate_rotation(q, Vector3{w}, Vector3{a}, {h}), from "
+    about.call += "Quaternion(); q"
+    about.cause = "step k turns by (w + k alpha h) h, about the same axis"
     got, after, alpha = steps((1.0, 0.0, 0.0, 0.0), w, a, h, count)
     angle = speed * h * count + gain * h * h * count * (count + 1) / 2.0
     wanted = quad(unit, angle)
     # Rounding of 200 steps.
     got = same_sign(got, wanted)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, wanted, tolerance=1e-11)
     wanted = [p + h * count * r for p, r in zip(w, a, strict=True)]
-    cause = "it gains alpha h in each step"
-    expect_close(f"{call[:-1]}w", after, wanted, cause=cause, read=read, tolerance=1e-11)
-    expect_unchanged(call, "alpha", alpha, a, read=read)
+    about.cause = "it gains alpha h in each step"
+    expect_close(after, wanted, call=f"{about.call[:-1]}w", tolerance=1e-11)
+    expect_unchanged("alpha", alpha, a, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("B9.18")
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
-    read = STEP
-    cause = "normalise at the end of the step, so that nothing adds up"
+    about(cause="normalise at the end of the step, so that nothing adds up", read=STEP)
     for off in (1.001, 1.0 + 5e-7):
         q = tuple(off * component for component in draw_quad(rng))
         orientation = Quaternion(*q)
-        call = f"q = Quaternion{q}; integrate_rotation(q, Vector3(1, 2, 3), Vector3(), 0.1); "
-        call += "the length of q"
+        about.call = f"q = Quaternion{q}; integrate_rotation(q, Vector3(1, 2, 3), Vector3(), 0.1); "
+        about.call += "the length of q"
         integrate_rotation(orientation, Vector3(1.0, 2.0, 3.0), Vector3(), 0.1)
         got = math.hypot(*rijk(orientation))
-        expect_close(call, got, 1.0, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(got, 1.0, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.18", weight=0.5)
 def test_a_step_from_rest(rng: Random) -> None:
-    read = STEP
+    about.read = STEP
     q, a, h = draw_quad(rng), components(rng), 0.1
     for acceleration in ((0.0, 0.0, 0.0), a):
         orientation, velocity = Quaternion(*q), Vector3()
-        call = f"q, w = Quaternion{q}, Vector3(); "
-        call += f"integrate_rotation(q, w, Vector3{acceleration}, {h})"
-        cause = "what does not turn has no axis, and is left where it is; what gains speed turns"
+        about.call = f"q, w = Quaternion{q}, Vector3(); integrate_rotation(q, w, "
+        about.call += f"Vector3{acceleration}, {h})"
+        about.cause = "what does not turn has no axis, and is left where it is; what gains speed "
+        about.cause += "turns"
         integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
         new = tuple(h * component for component in acceleration)
-        expect_close(f"{call}; w", xyz(velocity), new, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(xyz(velocity), new, then="; w", tolerance=TIGHT)
         wanted = hamilton(quad(new, h * math.hypot(*new)), q) if any(new) else q
         got = same_sign(rijk(orientation), wanted)
-        expect_close(f"{call}; q", got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(got, wanted, then="; q", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.18")
 @pytest.mark.robust
 def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
-    read = STEP
+    about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
-    cause = "refuse it before anything is changed: positive and finite_vector of arguments.py"
+    about.cause = "refuse it before anything is changed: positive and finite_vector of arguments.py"
     nan = math.nan
     for velocity, acceleration, h, error in (
         (w, a, 0.0, ValueError),
@@ -238,48 +240,41 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
         orientation, spin = Quaternion(*q), Vector3(*velocity)
         more = None if acceleration is None else Vector3(*acceleration)
         shown = "None" if more is None else f"Vector3{acceleration}"
-        call = f"integrate_rotation(q, Vector3{velocity}, {shown}, {h!r})"
+        about.call = f"integrate_rotation(q, Vector3{velocity}, {shown}, {h!r})"
         expect_error(
-            call,
             lambda orientation=orientation, spin=spin, more=more, h=h: integrate_rotation(
                 orientation, spin, more, h
             ),
             error,
             allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-            cause=cause,
-            read=read,
         )
-        expect_unchanged(call, "q", rijk(orientation), q, cause=cause, read=read)
+        expect_unchanged("q", rijk(orientation), q)
         if velocity is w:
-            expect_unchanged(call, "the velocity", xyz(spin), w, cause=cause, read=read)
+            expect_unchanged("the velocity", xyz(spin), w)
     spin = Vector3(*w)
-    call = f"integrate_rotation({q}, Vector3{w}, Vector3{a}, 0.1)"
+    about.call = f"integrate_rotation({q}, Vector3{w}, Vector3{a}, 0.1)"
     expect_error(
-        call,
         lambda: integrate_rotation(q, spin, Vector3(*a), 0.1),
         TypeError,
         allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
         cause="four numbers are no Quaternion",
-        read=read,
     )
-    expect_unchanged(call, "the velocity", xyz(spin), w, cause=cause, read=read)
+    expect_unchanged("the velocity", xyz(spin), w)
     for name, velocity, acceleration in (
         (f"{w}, Vector3{a}", w, Vector3(*a)),
         (f"Vector3{w}, {a}", Vector3(*w), a),
     ):
         orientation = Quaternion(*q)
-        call = f"integrate_rotation(q, {name}, 0.1)"
+        about.call = f"integrate_rotation(q, {name}, 0.1)"
         expect_error(
-            call,
             lambda orientation=orientation, velocity=velocity, acceleration=acceleration: (
                 integrate_rotation(orientation, velocity, acceleration, 0.1)
             ),
             TypeError,
             allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
             cause="three numbers are no Vector3: finite_vector of arguments.py refuses them",
-            read=read,
         )
-        expect_unchanged(call, "q", rijk(orientation), q, cause=cause, read=read)
+        expect_unchanged("q", rijk(orientation), q)
 
 
 def drift_of(speed: float, duration: float, count: int) -> tuple[float, float]:
@@ -318,64 +313,61 @@ def lag_slips(right: float, turn: float) -> dict[str, float]:
 
 @pytest.mark.exercise("B9.19")
 def test_a_turn_a_second_in_sixty_frames() -> None:
-    read = DRIFT
-    call = "first_order_drift(2 pi, 1, 60)"
-    cause = "each step multiplies the length by the root of 1 + (w h / 2)^2"
+    about("first_order_drift(2 pi, 1, 60)", read=DRIFT)
+    about.cause = "each step multiplies the length by the root of 1 + (w h / 2)^2"
     length, lag = first_order_drift(math.tau, 1.0, 60)
     # Four decimals, of the known figure of E-31.
-    why = named(length, cause, length_slips(math.tau, 1.0, 60))
-    expect_close(f"{call}, length", length, 1.0856, cause=why, read=read, tolerance=5e-5)
-    cause = "each step turns by 2 atan(w h / 2) in place of w h"
+    why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
+    expect_close(length, 1.0856, then=", length", cause=why, tolerance=5e-5)
+    about.cause = "each step turns by 2 atan(w h / 2) in place of w h"
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
-    why = named(lag, cause, lag_slips(wanted, math.tau))
-    expect_close(f"{call}, angle", lag, wanted, cause=why, read=read, tolerance=TIGHT)
+    why = named(lag, about.cause, lag_slips(wanted, math.tau))
+    expect_close(lag, wanted, then=", angle", cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.19")
 def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
-    read = DRIFT
+    about.read = DRIFT
     for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (7, -9.0, -3.0), (500, 20.0, 30.0)):
         speed, duration = positive_number(rng, low, high), positive_number(rng, 0.5, 1.5)
-        call = f"first_order_drift({speed}, {duration}, {steps_})"
-        cause = "the steps multiply: (1 + (w h / 2)^2) to the power of half as many as there are"
+        about.call = f"first_order_drift({speed}, {duration}, {steps_})"
+        about.cause = "the steps multiply: (1 + (w h / 2)^2) to the power of half as many as there "
+        about.cause += "are"
         length, lag = first_order_drift(speed, duration, steps_)
         wanted, missing = drift_of(speed, duration, steps_)
         # Rounding of 500 steps.
         near = 1e-10 * wanted
-        why = named(length, cause, length_slips(speed, duration, steps_))
-        expect_close(f"{call}, length", length, wanted, cause=why, read=read, tolerance=near)
-        cause = "w t less what the steps turn by, which is less: negative for a negative speed"
-        why = named(lag, cause, lag_slips(missing, speed * duration))
-        expect_close(f"{call}, angle", lag, missing, cause=why, read=read, tolerance=1e-10)
+        why = named(length, about.cause, length_slips(speed, duration, steps_))
+        expect_close(length, wanted, then=", length", cause=why, tolerance=near)
+        about.cause = "w t less what the steps turn by, which is less: negative for a negative "
+        about.cause += "speed"
+        why = named(lag, about.cause, lag_slips(missing, speed * duration))
+        expect_close(lag, missing, then=", angle", cause=why, tolerance=1e-10)
 
 
 @pytest.mark.exercise("B9.19")
 def test_what_does_not_turn_does_not_drift() -> None:
-    read = DRIFT
-    call = "first_order_drift(0, 2, 10)"
-    cause = "nothing turns: the length stays 1, and no angle is missing"
+    about("first_order_drift(0, 2, 10)", read=DRIFT)
+    about.cause = "nothing turns: the length stays 1, and no angle is missing"
     got = tuple(first_order_drift(0.0, 2.0, 10))
-    expect_close(call, got, (1.0, 0.0), cause=cause, read=read, tolerance=TIGHT)
+    expect_close(got, (1.0, 0.0), tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.19")
 @pytest.mark.robust
 def test_a_drift_of_nothing_is_refused() -> None:
-    read = DRIFT
+    about.read = DRIFT
     expect_finite_numbers(
         "first_order_drift(...), with speed and duration, in 3 steps: ",
         lambda speed, duration: first_order_drift(speed, duration, 3),
         (1, 1),
         ((1, 0.0), (1, -1.0)),
-        read=read,
     )
-    cause = "whole of arguments.py asks for a whole number of 1 or more"
+    about.cause = "whole of arguments.py asks for a whole number of 1 or more"
     for bad, error in ((0, ValueError), (-2, ValueError), (2.0, TypeError), ("2", TypeError)):
         expect_error(
-            f"first_order_drift(1, 1, {bad!r})",
             lambda bad=bad: first_order_drift(1.0, 1.0, bad),
             error,
+            call=f"first_order_drift(1, 1, {bad!r})",
             allowed=lambda: first_order_drift(1.0, 1.0, 2),
-            cause=cause,
-            read=read,
         )

@@ -11,11 +11,14 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.euler import euler_rates, euler_to_quaternion, rate_map
 from draw import Components, components, number
 from expect import (
+    UNCHANGED,
+    about,
     expect_close,
     expect_error,
     expect_finite_numbers,
     expect_unchanged,
     expect_vector,
+    scoped,
     xyz,
 )
 from turning import (
@@ -68,40 +71,40 @@ def map_to_own(x: float, y: float, z: float) -> tuple[float, ...]:
 
 @pytest.mark.exercise("B9.17")
 def test_one_turn_after_another(rng: Random) -> None:
-    read = ANGLES
+    about.read = ANGLES
     x, y, z = draw_angles(rng)
     far = math.copysign(math.pi - abs(y), y)
-    cause = (
-        "about X first, then Y, then Z, all axes of the world: the later turn stands on the left"
-    )
+    about.cause = "about X first, then Y, then Z, all axes of the world: the later turn stands on "
+    about.cause += "the left"
     for angles in ((x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z), (x, y, z), (x, far, z)):
-        call = f"euler_to_quaternion{angles}"
+        about.call = f"euler_to_quaternion{angles}"
         wanted = in_order(*angles)
         got = same_sign(rijk(euler_to_quaternion(*angles)), wanted)
-        about = [quad(axis, t) for axis, t in zip((X_AXIS, Y_AXIS, Z_AXIS), angles, strict=True)]
+        turns = [quad(axis, t) for axis, t in zip((X_AXIS, Y_AXIS, Z_AXIS), angles, strict=True)]
         slips = {
             f"the product {' '.join(names)} of the turns about these axes, not Z Y X": same_sign(
-                hamilton(hamilton(*(about["XYZ".index(name)] for name in names[:2])), last), wanted
+                hamilton(hamilton(*(turns["XYZ".index(name)] for name in names[:2])), last), wanted
             )
             for names in ("XYZ", "XZY", "YXZ", "YZX", "ZXY")
-            for last in [about["XYZ".index(names[2])]]
+            for last in [turns["XYZ".index(names[2])]]
         }
         slips["the angles with the wrong sign"] = same_sign(in_order(*(-t for t in angles)), wanted)
         slips["made of degrees"] = same_sign(in_order(*map(math.radians, angles)), wanted)
         slips["about Z by x, and about X by z"] = same_sign(in_order(*angles[::-1]), wanted)
-        why = named(got, cause, slips)
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
+        why = named(got, about.cause, slips)
+        expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.17")
 def test_what_the_rates_make(rng: Random) -> None:
-    read = RATES
+    about.read = RATES
     drawn, (_, tilt, _) = draw_angles(rng), draw_angles(rng)
     steep = (0.4, math.pi - tilt, -1.9)
     for x, y, z in (drawn, tuple(-a for a in drawn), steep, (0.4, 0.5 * math.pi, -0.7)):
         wanted = map_of(x, y, z)
-        call = f"rate_map({x}, {y}, {z})"
-        cause = "a column for each angle's axis: Z stays, Y is turned by z, X by y and then by z"
+        about.call = f"rate_map({x}, {y}, {z})"
+        about.cause = "a column for each angle's axis: Z stays, Y is turned by z, X by y and then "
+        about.cause += "by z"
         got = entries(rate_map(x, y, z))
         slips = {
             "the identity, as if the rates were the angular velocity": IDENTITY,
@@ -112,24 +115,25 @@ def test_what_the_rates_make(rng: Random) -> None:
             ],
             "the map of y and z exchanged": map_of(x, z, y),
         }
-        why = named(got, cause, slips, wanted)
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
+        why = named(got, about.cause, slips, wanted)
+        expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.17")
 def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
-    read = BACK
+    about.read = BACK
     w = components(rng)
     velocity = Vector3(*w)
     drawn = draw_angles(rng)  # first, for a plain message, and last, for what follows the loop
     for angles in (drawn, (0.4, 2.5, 0.7), (0.4, -2.5, 0.7), (0.4, 4.0, 0.7), drawn):
         x, y, z = angles
-        call = f"euler_rates({x}, {y}, {z}, Vector3{w})"
-        cause = "only where |cos y| is next to nothing there are no rates"
+        about.call = f"euler_rates({x}, {y}, {z}, Vector3{w})"
+        about.cause = "only where |cos y| is next to nothing there are no rates"
         if math.cos(y) < 0.0:
-            cause += f": beyond a quarter turn too there are some, and cos y is {math.cos(y):.3g}"
+            about.cause += ": beyond a quarter turn too there are some, and cos y is "
+            about.cause += f"{math.cos(y):.3g}"
         rates = xyz(euler_rates(*angles, velocity))
-        cause = "the rates are the inverse of the rate map times the angular velocity"
+        about.cause = "the rates are the inverse of the rate map times the angular velocity"
         there = map_of(*angles)
         slips = {
             "the angular velocity as it was": w,
@@ -138,20 +142,19 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
                 transposed(there), w
             ),
         }
-        cause = named(rates, cause, slips)
+        about.cause = named(rates, about.cause, slips)
         got = applied(there, rates) if isinstance(rates, tuple) and len(rates) == 3 else rates
-        name = f"{call}: the angular velocity that these rates make"
-        expect_close(name, got, w, cause=cause, read=read, tolerance=1e-11)
-    expect_unchanged(call, "angular_velocity", xyz(velocity), w, read=read)
+        expect_close(got, w, then=": the angular velocity that these rates make", tolerance=1e-11)
+    expect_unchanged("angular_velocity", xyz(velocity), w, cause=UNCHANGED)
     step = 1e-6
     x, y, z = (angle + step * rate for angle, rate in zip(angles, rates, strict=True))
     q = in_order(*angles)
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
-    call += f", after {step} s: the turn that they have made, per second"
-    cause = "these rates do not make this angular velocity"
+    about.call += f", after {step} s: the turn that they have made, per second"
+    about.cause = "these rates do not make this angular velocity"
     # First order in the step: 1e-6 of the square of rates of up to some 50.
     got = tuple(2.0 * component / step for component in got[1:])
-    expect_close(call, got, w, cause=cause, read=read, tolerance=0.05)
+    expect_close(got, w, tolerance=0.05)
 
 
 def draw_locked(rng: Random) -> tuple[float, float, Components]:
@@ -160,14 +163,14 @@ def draw_locked(rng: Random) -> tuple[float, float, Components]:
     return number(rng, 0.3, 2.9), number(rng, 0.45, 0.6), components(rng)
 
 
+@scoped
 def expect_rates_near_lock(x: float, z: float, w: Components, off: float) -> None:
     """Expect rates of the angles where the second one is so far off a quarter turn."""
-    read = BACK
-    call = f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{w})"
-    cause = f"this is near gimbal lock, and not in it: |cos y| is {abs(off)}, above SINGULAR, "
-    cause += "1e-13"
+    about(f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{w})", read=BACK)
+    about.cause = f"this is near gimbal lock, and not in it: |cos y| is {abs(off)}, above "
+    about.cause += "SINGULAR, 1e-13"
     rates = euler_rates(x, 0.5 * math.pi + off, z, Vector3(*w))
-    expect_vector(call, rates, cause=cause, read=read)
+    expect_vector(rates)
 
 
 @pytest.mark.exercise("B9.17")
@@ -180,13 +183,13 @@ def test_near_gimbal_lock_there_are_rates(rng: Random) -> None:
 @pytest.mark.exercise("B9.17")
 @pytest.mark.robust
 def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
-    read = BACK
+    about.read = BACK
     x, z, w = draw_locked(rng)
     quarter = 0.5 * math.pi
     for off in (5e-13, -5e-13):
         expect_rates_near_lock(x, z, w, off)
-    cause = "at a quarter turn two axes are one: ask abs(cos y) > SINGULAR. Matrix3.inverse "
-    cause += "compares with the lengths of the rows, which may shrink with it"
+    about.cause = "at a quarter turn two axes are one: ask abs(cos y) > SINGULAR. Matrix3.inverse "
+    about.cause += "compares with the lengths of the rows, which may shrink with it"
     for y, turn in (
         (quarter, z),
         (-quarter, z),
@@ -198,15 +201,13 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
         (quarter + 2e-14, z),
     ):
         expect_error(
-            f"euler_rates({x}, {y}, {turn}, Vector3{w})",
             lambda y=y, turn=turn: euler_rates(x, y, turn, Vector3(*w)),
             ValueError,
+            call=f"euler_rates({x}, {y}, {turn}, Vector3{w})",
             allowed=lambda: [
                 euler_rates(x, near, z, Vector3(*w))
                 for near in (quarter - 1e-6, 1e-6 - quarter, quarter - 5e-13, quarter + 5e-13)
             ],
-            cause=cause,
-            read=read,
         )
 
 
@@ -222,21 +223,20 @@ def test_angles_that_are_none_are_refused() -> None:
         (),
         read=ANGLES,
     )
-    cause = "finite_vector of arguments.py refuses it"
+    about.cause = "finite_vector of arguments.py refuses it"
     good = (1.0, 2.0, 3.0)
     for bad, error in (((1.0, math.nan, 3.0), ValueError), ((math.inf, 2.0, 3.0), ValueError)):
         expect_error(
-            f"euler_rates(1, 1, 1, Vector3{bad})",
             lambda bad=bad: euler_rates(1, 1, 1, Vector3(*bad)),
             error,
+            call=f"euler_rates(1, 1, 1, Vector3{bad})",
             allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
-            cause=cause,
             read=ANGLES,
         )
     expect_error(
-        "euler_rates(1, 1, 1, (1, 2, 3))",
         lambda: euler_rates(1, 1, 1, good),
         TypeError,
+        call="euler_rates(1, 1, 1, (1, 2, 3))",
         allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
         cause="three numbers are no Vector3",
         read=ANGLES,

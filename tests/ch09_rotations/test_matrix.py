@@ -10,7 +10,7 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix import Matrix3, Matrix4
 from draw import Components, components
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import UNCHANGED, about, expect_close, expect_error, expect_unchanged, xyz
 from turning import (
     IDENTITY,
     TIGHT,
@@ -38,32 +38,32 @@ def in_place(m: Nine, a: Components) -> Components:
 
 @pytest.mark.exercise("B9.4")
 def test_a_matrix_times_a_vector(rng: Random) -> None:
-    read = TIMES
+    about.read = TIMES
     m, a = draw_matrix(rng), components(rng)
     v = Vector3(*a)
-    call = f"Matrix3{m}.transform(Vector3{a})"
-    cause = "each row of the matrix times the vector, like a scalar product"
+    about.call = f"Matrix3{m}.transform(Vector3{a})"
+    about.cause = "each row of the matrix times the vector, like a scalar product"
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
     slips = {
         "each column times the vector, so the transpose": applied(transposed(m), a),
         "what comes of y and z made from the new x and y": in_place(m, a),
     }
-    why = named(got, cause, slips)
+    why = named(got, about.cause, slips)
     # Three products of numbers up to 90.
-    expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-11)
-    expect_unchanged(call, "v", xyz(v), a, read=read)
-    call = f"Matrix3{m} @ Vector3{a}, which calls Matrix3.transform"
+    expect_close(got, wanted, cause=why, tolerance=1e-11)
+    expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
+    about.call = f"Matrix3{m} @ Vector3{a}, which calls Matrix3.transform"
     got = xyz(Matrix3(*m) @ v)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, wanted, tolerance=1e-11)
 
 
 @pytest.mark.exercise("B9.4")
 def test_a_matrix_times_a_matrix(rng: Random) -> None:
-    read = TIMES
+    about.read = TIMES
     m, n = draw_matrix(rng), draw_matrix(rng)
-    call = f"Matrix3{m}.product(Matrix3{n})"
-    cause = "each row of self times each column of m: the order matters"
+    about.call = f"Matrix3{m}.product(Matrix3{n})"
+    about.cause = "each row of self times each column of m: the order matters"
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))
     slips = {
@@ -73,54 +73,50 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
         "columns times columns": times(transposed(m), n),
         "the transpose of the product": transposed(times(m, n)),
     }
-    why = named(got, cause, slips, times(m, n))
-    expect_close(call, got, times(m, n), cause=why, read=read, tolerance=1e-11)
-    expect_unchanged(call, "the first", entries(first), m, read=read)
-    expect_unchanged(call, "the second", entries(second), n, read=read)
-    call = f"Matrix3{m} @ Matrix3{n}, which calls Matrix3.product"
+    why = named(got, about.cause, slips, times(m, n))
+    expect_close(got, times(m, n), cause=why, tolerance=1e-11)
+    expect_unchanged("the first", entries(first), m, cause=UNCHANGED)
+    expect_unchanged("the second", entries(second), n, cause=UNCHANGED)
+    about.call = f"Matrix3{m} @ Matrix3{n}, which calls Matrix3.product"
     got = entries(first @ second)
-    expect_close(call, got, times(m, n), cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, times(m, n), tolerance=1e-11)
 
 
 @pytest.mark.exercise("B9.4")
 @pytest.mark.robust
 def test_a_matrix_times_something_else_is_refused() -> None:
-    read = "the first lines of matrix.py"
+    about.read = "the first lines of matrix.py"
     v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
-    cause = "three numbers are no Vector3: TypeError"
+    about.cause = "three numbers are no Vector3: TypeError"
     expect_error(
-        "Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).transform((1, 2, 3))",
         lambda: m.transform((1.0, 2.0, 3.0)),
         TypeError,
+        call="Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).transform((1, 2, 3))",
         allowed=lambda: [m.transform(v), m.transform(Vector3(math.inf, math.nan, 0.0))],
-        cause=cause,
-        read=read,
     )
-    cause = "a vector is no Matrix3, and a Matrix4 or a number is none: TypeError"
+    about.cause = "a vector is no Matrix3, and a Matrix4 or a number is none: TypeError"
     twelve = Matrix4(1, 0, 0, 4, 0, 1, 0, 5, 0, 0, 1, 6)
     for name, other in (("Vector3(1, 2, 3)", v), ("2.0", 2.0), ("Matrix4(...)", twelve)):
         expect_error(
-            f"Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).product({name})",
             lambda other=other: m.product(other),
             TypeError,
+            call=f"Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).product({name})",
             allowed=lambda: m.product(m),
-            cause=cause,
-            read=read,
         )
 
 
 @pytest.mark.exercise("B9.4")
 def test_rows_become_columns(rng: Random) -> None:
-    read = "book 9.4.3"
+    about.read = "book 9.4.3"
     m = draw_matrix(rng)
     matrix = Matrix3(*m)
-    call = f"Matrix3{m}.transpose()"
-    cause = "what stands in row i and column j comes to stand in row j and column i"
+    about.call = f"Matrix3{m}.transpose()"
+    about.cause = "what stands in row i and column j comes to stand in row j and column i"
     got = entries(matrix.transpose())
     slips = {"the matrix as it was": m, "turned over the other diagonal": transposed(m)[::-1]}
-    why = named(got, cause, slips, transposed(m))
-    expect_close(call, got, transposed(m), cause=why, read=read, tolerance=0.0)
-    expect_unchanged(call, "the matrix", entries(matrix), m, read=read)
+    why = named(got, about.cause, slips, transposed(m))
+    expect_close(got, transposed(m), cause=why, tolerance=0.0)
+    expect_unchanged("the matrix", entries(matrix), m, cause=UNCHANGED)
 
 
 def ring_and_swap() -> tuple[Nine, Nine]:
@@ -166,31 +162,31 @@ def determinant_slips(m: Nine) -> dict[str, float]:
 
 @pytest.mark.exercise("B9.5")
 def test_the_determinant(rng: Random) -> None:
-    read = "book 9.4.3, and the docstring of Matrix3.determinant"
+    about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
-    cause = "first . (second x third), of the rows: a mirrored one is negative"
+    about.cause = "first . (second x third), of the rows: a mirrored one is negative"
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
-        call = f"Matrix3{n}.determinant()"
+        about.call = f"Matrix3{n}.determinant()"
         got = Matrix3(*n).determinant()
         # Six products of up to 700.
-        why = named(got, cause, determinant_slips(n))
-        expect_close(call, got, determinant(n), cause=why, read=read, tolerance=1e-10)
-    cause += "; a zero on the diagonal makes no determinant zero"
+        why = named(got, about.cause, determinant_slips(n))
+        expect_close(got, determinant(n), cause=why, tolerance=1e-10)
+    about.cause += "; a zero on the diagonal makes no determinant zero"
     for n in ring_and_swap():
-        call = f"Matrix3{n}.determinant()"
+        about.call = f"Matrix3{n}.determinant()"
         got = Matrix3(*n).determinant()
-        expect_close(call, got, determinant(n), cause=cause, read=read)
-    cause = "it is small, and not zero: nothing is rounded here"
+        expect_close(got, determinant(n))
+    about.cause = "it is small, and not zero: nothing is rounded here"
     n = tuple(number * 1e-7 for number in m)
-    call = f"Matrix3{n}.determinant()"
+    about.call = f"Matrix3{n}.determinant()"
     got = Matrix3(*n).determinant()
-    expect_close(call, got, determinant(n), cause=cause, read=read, tolerance=1e-31)
+    expect_close(got, determinant(n), tolerance=1e-31)
 
 
 @pytest.mark.exercise("B9.5", weight=2)
 def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
-    read = INVERSE
+    about.read = INVERSE
     m = draw_matrix(rng)
     plain = "the columns are second x third, third x first, first x second, each / determinant"
     small = "what is small is not singular: SINGULAR is a share of the product of the rows' lengths"
@@ -203,10 +199,10 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     ):
         n = tuple(number * scale for number in rows)
         matrix = Matrix3(*n)
-        call = f"m = Matrix3{n}; m times m.inverse()"
-        cause = f"its determinant is {determinant(n):.4g}, and not 0: it has an inverse"
+        about.call = f"m = Matrix3{n}; m times m.inverse()"
+        about.cause = f"its determinant is {determinant(n):.4g}, and not 0: it has an inverse"
         if scale != 1.0:
-            cause = small
+            about.cause = small
         got = entries(matrix.inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         slips = {
@@ -225,24 +221,23 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
                 slips["what comes of rows and columns swapped in the inverse"] = product
         why = named(product, how, slips)
-        expect_close(call, product, IDENTITY, cause=why, read=read, tolerance=TIGHT)
-        expect_unchanged(call, "m", entries(matrix), n, read=read)
-    cause = "a zero on the diagonal, or rows of all sizes, make no matrix singular"
+        expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
+        expect_unchanged("m", entries(matrix), n, cause=UNCHANGED)
+    about.cause = "a zero on the diagonal, or rows of all sizes, make no matrix singular"
     for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):
-        call = f"m = Matrix3{n}; m times m.inverse()"
+        about.call = f"m = Matrix3{n}; m times m.inverse()"
         got = entries(Matrix3(*n).inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
-        expect_close(call, product, IDENTITY, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(product, IDENTITY, tolerance=TIGHT)
 
 
-def expect_no_inverse(m: Nine, cause: str) -> None:
+def expect_no_inverse(m: Nine) -> None:
     """Expect a ValueError of this matrix, and none of a regular one."""
     expect_error(
-        f"Matrix3{m}.inverse()",
         lambda: Matrix3(*m).inverse(),
         ValueError,
+        call=f"Matrix3{m}.inverse()",
         allowed=lambda: Matrix3(2.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 4.0).inverse(),
-        cause=cause,
         read=INVERSE,
     )
 
@@ -250,39 +245,42 @@ def expect_no_inverse(m: Nine, cause: str) -> None:
 @pytest.mark.exercise("B9.5")
 @pytest.mark.robust
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
-    cause = "the rows lie in one plane, or are zero: the determinant is 0, and so are the limits"
-    expect_no_inverse((0.0,) * 9, cause)
-    expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0), cause)
-    cause = "rounding leaves 1e-15 of the determinant: compare with SINGULAR times the lengths"
+    about.cause = "the rows lie in one plane, or are zero: the determinant is 0, and so are the "
+    about.cause += "limits"
+    expect_no_inverse((0.0,) * 9)
+    expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0))
+    about.cause = "rounding leaves 1e-15 of the determinant: compare with SINGULAR times the "
+    about.cause += "lengths"
     for scale in (1.0, 1e6):
         for _ in range(6):
             a, b = components(rng), components(rng)
             s, t = rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)
             third = [s * p + t * q for p, q in zip(a, b, strict=True)]
-            expect_no_inverse(tuple(scale * number for number in (*a, *b, *third)), cause)
+            expect_no_inverse(tuple(scale * number for number in (*a, *b, *third)))
 
 
 @pytest.mark.exercise("B9.5")
 @pytest.mark.robust
 def test_how_near_to_singular_is_too_near() -> None:
-    read = INVERSE
+    about.read = INVERSE
     # Rows of lengths 2, 4 and 8 whose determinant is 64 times the small number, without rounding.
     for small, regular in ((1.1e-13, True), (1e-13, False), (0.9e-13, False)):
         m = (2.0, 0.0, 0.0, 4.0, 4.0 * small, 0.0, 0.0, 0.0, 8.0)
-        cause = "|determinant| is above 1e-13 of the product of the rows' lengths: it has one"
+        about.cause = "|determinant| is above 1e-13 of the product of the rows' lengths: it has one"
         if not regular:
-            cause = f"|determinant| is {small} of the product of the rows' lengths: not above 1e-13"
-            expect_no_inverse(m, cause)
+            about.cause = f"|determinant| is {small} of the product of the rows' lengths: not "
+            about.cause += "above 1e-13"
+            expect_no_inverse(m)
             continue
-        call = f"Matrix3{m}.inverse(), its first number"
+        about.call = f"Matrix3{m}.inverse(), its first number"
         got = entries(Matrix3(*m).inverse())[0]
-        expect_close(call, got, 0.5, cause=cause, read=read)
+        expect_close(got, 0.5)
 
 
 @pytest.mark.exercise("B9.5", weight=0.5)
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_has_no_inverse(bad: float) -> None:
-    cause = "ask for what is wanted: if not abs(determinant) > limit"
-    expect_no_inverse((bad, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0), cause)
-    expect_no_inverse((1.0, 2.0, 0.0, 3.0, bad, 0.0, 0.0, 0.0, 1.0), cause)
+    about.cause = "ask for what is wanted: if not abs(determinant) > limit"
+    expect_no_inverse((bad, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
+    expect_no_inverse((1.0, 2.0, 0.0, 3.0, bad, 0.0, 0.0, 0.0, 1.0))

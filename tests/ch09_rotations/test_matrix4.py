@@ -10,7 +10,7 @@ import pytest
 from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix import Matrix3, Matrix4
 from draw import Components, components
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import UNCHANGED, about, expect_close, expect_error, expect_unchanged, xyz
 from turning import (
     IDENTITY,
     LOOSE,
@@ -37,12 +37,12 @@ FIRST_LINES = "the first lines of matrix.py"
 
 @pytest.mark.exercise("B9.14")
 def test_a_point_is_transformed_and_moved(rng: Random) -> None:
-    read = POINT
+    about.read = POINT
     m, p, a = draw_matrix(rng), components(rng), components(rng)
     twelve = joined(m, p)
     v = Vector3(*a)
-    call = f"Matrix4{twelve}.transform(Vector3{a})"
-    cause = "each row's first three numbers times the vector, and then its last number"
+    about.call = f"Matrix4{twelve}.transform(Vector3{a})"
+    about.cause = "each row's first three numbers times the vector, and then its last number"
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
         "the point turned, and not moved": applied(m, a),
@@ -51,22 +51,22 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
         "the point moved the other way": subtracted(applied(m, a), p),
         "the first nine entries taken for the three columns": applied(twelve[:9], a),
     }
-    why = named(got, cause, slips)
-    expect_close(call, got, moved(m, p, a), cause=why, read=read, tolerance=LOOSE)
-    expect_unchanged(call, "v", xyz(v), a, read=read)
-    call = f"Matrix4{twelve} @ Vector3{a}, which calls Matrix4.transform"
+    why = named(got, about.cause, slips)
+    expect_close(got, moved(m, p, a), cause=why, tolerance=LOOSE)
+    expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
+    about.call = f"Matrix4{twelve} @ Vector3{a}, which calls Matrix4.transform"
     got = xyz(Matrix4(*twelve) @ v)
-    expect_close(call, got, moved(m, p, a), cause=cause, read=read, tolerance=LOOSE)
+    expect_close(got, moved(m, p, a), tolerance=LOOSE)
 
 
 @pytest.mark.exercise("B9.14")
 def test_one_transformation_after_another(rng: Random) -> None:
-    read = TIMES
+    about.read = TIMES
     m, p, n, q = draw_matrix(rng), components(rng), draw_matrix(rng), components(rng)
     first, second = joined(m, p), joined(n, q)
     one, other = Matrix4(*first), Matrix4(*second)
-    call = f"Matrix4{first}.product(Matrix4{second})"
-    cause = "the second takes the origin to its translation, and the first takes that on"
+    about.call = f"Matrix4{first}.product(Matrix4{second})"
+    about.cause = "the second takes the origin to its translation, and the first takes that on"
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
     slips = {
@@ -83,13 +83,13 @@ def test_one_transformation_after_another(rng: Random) -> None:
         ),
         "the product in the other order": joined(times(n, m), moved(n, q, p)),
     }
-    why = named(got, cause, slips, wanted)
-    expect_close(call, got, wanted, cause=why, read=read, tolerance=LOOSE)
-    expect_unchanged(call, "the first", entries(one), first, read=read)
-    expect_unchanged(call, "the second", entries(other), second, read=read)
-    call = f"Matrix4{first} @ Matrix4{second}, which calls Matrix4.product"
+    why = named(got, about.cause, slips, wanted)
+    expect_close(got, wanted, cause=why, tolerance=LOOSE)
+    expect_unchanged("the first", entries(one), first, cause=UNCHANGED)
+    expect_unchanged("the second", entries(other), second, cause=UNCHANGED)
+    about.call = f"Matrix4{first} @ Matrix4{second}, which calls Matrix4.product"
     got = entries(one @ other)
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=LOOSE)
+    expect_close(got, wanted, tolerance=LOOSE)
 
 
 def printed_determinant(m: Nine) -> float:
@@ -129,11 +129,11 @@ def overwritten(m: Nine, p: Components) -> tuple[Nine, Components]:
 
 @pytest.mark.exercise("B9.14")
 def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
-    read = "book 9.4.3, and E-28"
+    about.read = "book 9.4.3, and E-28"
     m, p = draw_mirror(rng), components(rng)
     twelve = joined(m, p)
-    call = f"Matrix4{twelve}.determinant()"
-    cause = "that of the nine numbers without the last column"
+    about.call = f"Matrix4{twelve}.determinant()"
+    about.cause = "that of the nine numbers without the last column"
     got = Matrix4(*twelve).determinant()
     slips = {
         "the book's, whose first product has a plus for a minus (E-28)": printed_determinant(m),
@@ -141,18 +141,18 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
         "the determinant with the wrong sign": -determinant(m),
         "the product of the diagonal alone": m[0] * m[4] * m[8],
     }
-    why = named(got, cause, slips)
-    expect_close(call, got, determinant(m), cause=why, read=read, tolerance=1e-10)
-    cause = "it is small, and not zero: nothing is rounded here"
+    why = named(got, about.cause, slips)
+    expect_close(got, determinant(m), cause=why, tolerance=1e-10)
+    about.cause = "it is small, and not zero: nothing is rounded here"
     small = tuple(1e-7 * number for number in m)
-    call = f"Matrix4{joined(small, p)}.determinant()"
+    about.call = f"Matrix4{joined(small, p)}.determinant()"
     got = Matrix4(*joined(small, p)).determinant()
-    expect_close(call, got, determinant(small), cause=cause, read=read, tolerance=1e-31)
+    expect_close(got, determinant(small), tolerance=1e-31)
 
 
 @pytest.mark.exercise("B9.14", weight=2)
 def test_the_inverse_takes_a_point_back(rng: Random) -> None:
-    read = INVERSE
+    about.read = INVERSE
     drawn = draw_matrix(rng)
     small = tuple(1e-7 * number for number in drawn)
     ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.0, 0.0)
@@ -167,10 +167,9 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         twelve = joined(m, p)
         matrix = Matrix4(*twelve)
         there = moved(m, p, a)
-        call = f"m = Matrix4{twelve}; m.inverse() at {there}, where m takes {a}"
-        cause = how
+        about(f"m = Matrix4{twelve}; m.inverse() at {there}, where m takes {a}", cause=how)
         got = entries(matrix.inverse())
-        cause = "the nine numbers I by Matrix3.inverse, the translation -I p"
+        about.cause = "the nine numbers I by Matrix3.inverse, the translation -I p"
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])
             got = moved(linear, move, there)
@@ -196,17 +195,18 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                     *overwritten(m, p), there
                 ),
             }
-            cause = named(got, cause, slips)
-        expect_close(call, got, a, cause=cause, read=read, tolerance=LOOSE)
-        expect_unchanged(call, "m", entries(matrix), twelve, read=read)
+            about.cause = named(got, about.cause, slips)
+        expect_close(got, a, tolerance=LOOSE)
+        expect_unchanged("m", entries(matrix), twelve, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("B9.14")
 @pytest.mark.robust
 def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
-    read = INVERSE
+    about.read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
-    cause = "its nine numbers are singular, whatever the translation: Matrix3.inverse refuses them"
+    about.cause = "its nine numbers are singular, whatever the translation: Matrix3.inverse "
+    about.cause += "refuses them"
     planes = []
     for _ in range(6):  # in one plane but for rounding, of which now and then none is left
         a, b = components(rng), components(rng)
@@ -216,12 +216,10 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     for linear in (flat, (0.0,) * 9, *planes, *bad):
         twelve = joined(linear, components(rng))
         expect_error(
-            f"Matrix4{twelve}.inverse()",
             lambda twelve=twelve: Matrix4(*twelve).inverse(),
             ValueError,
+            call=f"Matrix4{twelve}.inverse()",
             allowed=lambda: Matrix4(*joined(IDENTITY, (1.0, 2.0, 3.0))).inverse(),
-            cause=cause,
-            read=read,
         )
 
 
@@ -233,9 +231,9 @@ def small_pair() -> tuple:
 @pytest.mark.exercise("B9.14")
 @pytest.mark.robust
 def test_only_vectors_and_matrices_of_twelve() -> None:
-    read = FIRST_LINES
+    about.read = FIRST_LINES
     matrix, nine, three = small_pair()
-    cause = "three numbers are no Vector3, and a Matrix3 is no Matrix4: TypeError"
+    about.cause = "three numbers are no Vector3, and a Matrix3 is no Matrix4: TypeError"
     v = Vector3(1.0, 2.0, 3.0)
     for name, attempt, allowed in (
         ("transform((1, 2, 3))", lambda: matrix.transform(three), lambda: matrix.transform(v)),
@@ -243,10 +241,8 @@ def test_only_vectors_and_matrices_of_twelve() -> None:
         ("product(Vector3(...))", lambda: matrix.product(v), lambda: matrix.product(matrix)),
     ):
         expect_error(
-            f"m = Matrix4(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3); Matrix4.{name} of m",
             attempt,
             TypeError,
+            call=f"m = Matrix4(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3); Matrix4.{name} of m",
             allowed=allowed,
-            cause=cause,
-            read=read,
         )

@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix import Matrix3, Matrix4, change_basis
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components
-from expect import expect_close, expect_error, expect_unchanged, xyz
+from expect import UNCHANGED, about, expect_close, expect_error, expect_unchanged, xyz
 from turning import (
     LOOSE,
     TIGHT,
@@ -43,11 +43,12 @@ METHODS = pytest.mark.parametrize(
 
 @pytest.mark.exercise("B9.15")
 def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
-    read = "book 9.4.4"
+    about.read = "book 9.4.4"
     q, p = draw_quad(rng), components(rng)
     place, orientation = Vector3(*p), Quaternion(*q)
-    call = f"Matrix4.from_orientation_and_position(Quaternion{q}, Vector3{p})"
-    cause = "Matrix3.from_quaternion for the first three columns, and the position as the last one"
+    about.call = f"Matrix4.from_orientation_and_position(Quaternion{q}, Vector3{p})"
+    about.cause = "Matrix3.from_quaternion for the first three columns, and the position as the "
+    about.cause += "last one"
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     m = matrix_of(q)
     wanted = joined(m, p)
@@ -59,22 +60,22 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
         "the nine numbers first, and then the position": (*m, *p),
         "the rotation transposed, as the book prints it (E-11)": joined(transposed(m), p),
     }
-    why = named(got, cause, slips)
-    expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
-    expect_unchanged(call, "p", xyz(place), p, read=read)
+    why = named(got, about.cause, slips)
+    expect_close(got, wanted, cause=why, tolerance=TIGHT)
+    expect_unchanged("p", xyz(place), p, cause=UNCHANGED)
     near = tuple(component * (1.0 + 5e-7) for component in q)
     orientation = Quaternion(*near)
-    call = f"Matrix4.from_orientation_and_position(Quaternion{near}, Vector3{p})"
-    cause = "a length that is_unit lets pass is near enough"
+    about.call = f"Matrix4.from_orientation_and_position(Quaternion{near}, Vector3{p})"
+    about.cause = "a length that is_unit lets pass is near enough"
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-5)
-    expect_unchanged(call, "q", rijk(orientation), near, read=read)
+    expect_close(got, wanted, tolerance=1e-5)
+    expect_unchanged("q", rijk(orientation), near, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("B9.15")
 @pytest.mark.robust
 def test_no_matrix_of_what_is_no_orientation() -> None:
-    read = "the docstring of from_orientation_and_position"
+    about.read = "the docstring of from_orientation_and_position"
     p, q = Vector3(1.0, 2.0, 3.0), Quaternion(0.6, 0.0, 0.8, 0.0)
     for name, attempt, error, cause in (
         (
@@ -110,13 +111,12 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
             "three numbers are no Vector3",
         ),
     ):
+        about.cause = cause
         expect_error(
-            f"Matrix4.from_orientation_and_position({name})",
             attempt,
             error,
+            call=f"Matrix4.from_orientation_and_position({name})",
             allowed=lambda: Matrix4.from_orientation_and_position(q, p),
-            cause=cause,
-            read=read,
         )
 
 
@@ -150,12 +150,12 @@ def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
 @pytest.mark.exercise("B9.15")
 @METHODS
 def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
-    read = f"{WORLD}, and the docstring of {method}"
+    about.read = f"{WORLD}, and the docstring of {method}"
     # What just passes for a rotation shows whether it is turned back by the inverse.
     m = tuple(number * (1.0 + 4e-6) for number in matrix_of(draw_quad(rng)))
     p, a = components(rng), components(rng)
     twelve = joined(m, p)
-    wanted, cause = {
+    wanted, about.cause = {
         "transform_inverse": (
             applied(transposed(m), subtracted(a, p)),
             "take the translation off first, then turn back by the transpose, not by an inverse",
@@ -167,13 +167,13 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
         ),
     }[method]
     v, matrix = Vector3(*a), Matrix4(*twelve)
-    call = f"Matrix4{twelve}.{method}(Vector3{a})"
+    about.call = f"Matrix4{twelve}.{method}(Vector3{a})"
     got = xyz(getattr(matrix, method)(v))
-    why = named(got, cause, world_slips(m, p, a))
+    why = named(got, about.cause, world_slips(m, p, a))
     # Rounding of numbers up to 30.
-    expect_close(call, got, wanted, cause=why, read=read, tolerance=LOOSE)
-    expect_unchanged(call, "v", xyz(v), a, read=read)
-    expect_unchanged(call, "the matrix", entries(matrix), twelve, read=read)
+    expect_close(got, wanted, cause=why, tolerance=LOOSE)
+    expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
+    expect_unchanged("the matrix", entries(matrix), twelve, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("B9.15")
@@ -183,9 +183,9 @@ def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
     twelve, a = joined(matrix_of(draw_quad(rng)), components(rng)), components(rng)
     matrix = Matrix4(*twelve)
     expect_error(
-        f"Matrix4{twelve}.{method}({a})",
         lambda: getattr(matrix, method)(a),
         TypeError,
+        call=f"Matrix4{twelve}.{method}({a})",
         allowed=lambda: getattr(matrix, method)(Vector3(*a)),
         cause="three numbers are no Vector3: TypeError",
         read=FIRST_LINES,
@@ -194,12 +194,12 @@ def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
 
 @pytest.mark.exercise("B9.16")
 def test_a_turn_told_in_other_axes() -> None:
-    read = BASIS
+    about.read = BASIS
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
-    call = f"change_basis(Matrix3{about_z}, Matrix3{z_to_x})"
-    cause = "a turn about Z, told in axes of which X is where Z was, is one about X: basis m "
-    cause += "basis^-1"
+    about.call = f"change_basis(Matrix3{about_z}, Matrix3{z_to_x})"
+    about.cause = "a turn about Z, told in axes of which X is where Z was, is one about X: basis m "
+    about.cause += "basis^-1"
     got = entries(change_basis(Matrix3(*about_z), Matrix3(*z_to_x)))
     wanted = matrix_of(quad((1.0, 0.0, 0.0), 0.5 * math.pi))
     back = transposed(z_to_x)
@@ -212,35 +212,36 @@ def test_a_turn_told_in_other_axes() -> None:
         "basis m basis, without the inverse": times(times(z_to_x, about_z), z_to_x),
         "m as it was": about_z,
     }
-    why = named(got, cause, slips)
-    expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
+    why = named(got, about.cause, slips)
+    expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.16")
 def test_any_matrix_in_any_axes(rng: Random) -> None:
-    read = BASIS
+    about.read = BASIS
     m, basis = draw_matrix(rng), draw_mirror(rng)
     one, other = Matrix3(*m), Matrix3(*basis)
-    call = f"change_basis(Matrix3{m}, Matrix3{basis}), times the basis"
-    cause = "basis m basis^-1, where the axes need not be at right angles"
+    about.call = f"change_basis(Matrix3{m}, Matrix3{basis}), times the basis"
+    about.cause = "basis m basis^-1, where the axes need not be at right angles"
     got = entries(change_basis(one, other))
     product = times(got, basis) if isinstance(got, tuple) and len(got) == 9 else got
     by_transpose = times(times(times(basis, m), transposed(basis)), basis)
     slips = {"what comes of the transpose of the basis in place of its inverse": by_transpose}
-    why = named(product, cause, slips)
-    expect_close(call, product, times(basis, m), cause=why, read=read, tolerance=LOOSE)
-    expect_unchanged(call, "m", entries(one), m, read=read)
-    expect_unchanged(call, "basis", entries(other), basis, read=read)
+    why = named(product, about.cause, slips)
+    expect_close(product, times(basis, m), cause=why, tolerance=LOOSE)
+    expect_unchanged("m", entries(one), m, cause=UNCHANGED)
+    expect_unchanged("basis", entries(other), basis, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("B9.16")
 def test_a_motion_told_from_another_place(rng: Random) -> None:
-    read = BASIS
+    about.read = BASIS
     m, p, basis, q = draw_matrix(rng), components(rng), draw_mirror(rng), components(rng)
     first, second = joined(m, p), joined(basis, q)
     a = components(rng)
-    call = f"change_basis(Matrix4{first}, Matrix4{second}).transform, where the basis takes {a}"
-    cause = "basis m basis^-1, of both with their translations"
+    about.call = f"change_basis(Matrix4{first}, Matrix4{second}).transform, where the basis takes "
+    about.call += f"{a}"
+    about.cause = "basis m basis^-1, of both with their translations"
     told = change_basis(Matrix4(*first), Matrix4(*second))
     got = entries(told)
     if isinstance(got, tuple) and len(got) == 12:
@@ -248,13 +249,13 @@ def test_a_motion_told_from_another_place(rng: Random) -> None:
         got = moved(linear, move, moved(basis, q, a))
     wanted = moved(basis, q, moved(m, p, a))
     # Three products of numbers up to 90.
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-9)
+    expect_close(got, wanted, tolerance=1e-9)
 
 
 @pytest.mark.exercise("B9.16")
 @pytest.mark.robust
 def test_a_basis_must_fit(rng: Random) -> None:
-    read = BASIS
+    about.read = BASIS
     nine, twelve = draw_mirror(rng), joined(draw_matrix(rng), components(rng))
     small, large = Matrix3(*nine), Matrix4(*twelve)
     flat = Matrix3(*(0.0,) * 9)
@@ -275,11 +276,10 @@ def test_a_basis_must_fit(rng: Random) -> None:
             "it has no inverse",
         ),
     ):
+        about.cause = cause
         expect_error(
-            f"change_basis({name})",
             attempt,
             error,
+            call=f"change_basis({name})",
             allowed=lambda: [change_basis(small, small), change_basis(large, large)],
-            cause=cause,
-            read=read,
         )

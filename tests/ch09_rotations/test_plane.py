@@ -11,7 +11,7 @@ import pytest
 from ch09_rotations.plane import angle_to_vector, center_of_mass, rotate_point, wrap_angle
 from ch09_rotations.plane_probes import masses_after
 from draw import number, positive_number
-from expect import expect_close, expect_error, expect_finite_numbers, expect_unchanged
+from expect import about, expect_close, expect_error, expect_finite_numbers, expect_unchanged
 from turning import TIGHT, named
 
 Point = tuple[float, float]
@@ -22,14 +22,14 @@ MASS = "book 9.1.3, and the docstring of center_of_mass"
 
 @pytest.mark.exercise("B9.1")
 def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
-    read = WRAP
-    cause = "take off whole turns, 2 pi each in radians, or add them: above -pi and up to pi"
+    about.read = WRAP
+    about.cause = "take off whole turns, 2 pi each in radians, or add them: above -pi and up to pi"
     for turns in (0, 1, -1, 7, -12):
         for low, high in ((0.01, 1.5), (1.6, 3.1)):
             size = positive_number(rng, low, high)
             for angle in (size, -size):
                 whole = f" + {turns} * 2 pi" if turns else ""
-                call = f"wrap_angle({angle}{whole})"
+                about.call = f"wrap_angle({angle}{whole})"
                 got = wrap_angle(angle + turns * math.tau)
                 slips = {
                     "an angle from 0 to 2 pi": angle % math.tau,
@@ -38,35 +38,34 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
                     "one turn added, and no more": angle + (turns + 1) * math.tau,
                     "an angle in degrees": math.degrees(angle),
                 }
-                why = named(got, cause, slips)
-                expect_close(call, got, angle, cause=why, read=read, tolerance=TIGHT)
+                why = named(got, about.cause, slips)
+                expect_close(got, angle, cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.1", weight=0.5)
 def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
-    read = WRAP
-    cause = "as many turns as there are: math.remainder, or %, takes them off at once"
+    about.read = WRAP
+    about.cause = "as many turns as there are: math.remainder, or %, takes them off at once"
     size = positive_number(rng, 0.1, 3.0)
     for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
-        call = f"wrap_angle({angle} + {turns} * 2 pi)"
+        about.call = f"wrap_angle({angle} + {turns} * 2 pi)"
         got = wrap_angle(angle + turns * math.tau)
         # A loop that takes them off one by one rounds as often, each time by up to 6e-11.
-        expect_close(call, got, angle, cause=cause, read=read, tolerance=2e-5)
+        expect_close(got, angle, tolerance=2e-5)
 
 
 @pytest.mark.exercise("B9.1")
 def test_half_a_turn_is_pi_and_not_minus_pi() -> None:
-    read = WRAP
-    cause = "both are the same direction: pi belongs to the range, -pi does not"
+    about(cause="both are the same direction: pi belongs to the range, -pi does not", read=WRAP)
     for angle in (math.pi, -math.pi):
-        call = f"wrap_angle({angle})"
+        about.call = f"wrap_angle({angle})"
         got = wrap_angle(angle)
-        expect_close(call, got, math.pi, cause=cause, read=read, tolerance=0.0)
-    cause = "it lies within the range already: only -pi itself is made pi"
+        expect_close(got, math.pi, tolerance=0.0)
+    about.cause = "it lies within the range already: only -pi itself is made pi"
     for angle in (1e-6 - math.pi, math.pi - 1e-6):
-        call = f"wrap_angle({angle})"
+        about.call = f"wrap_angle({angle})"
         got = wrap_angle(angle)
-        expect_close(call, got, angle, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(got, angle, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.1")
@@ -83,11 +82,11 @@ def test_no_angle_is_no_direction() -> None:
 
 @pytest.mark.exercise("B9.2")
 def test_the_direction_of_an_angle(rng: Random) -> None:
-    read = "book 9.1.1, Eq. 9.1"
-    cause = "the cosine along X, the sine along Y, of an angle in radians"
+    about.read = "book 9.1.1, Eq. 9.1"
+    about.cause = "the cosine along X, the sine along Y, of an angle in radians"
     angle, small = positive_number(rng, 1.7, 3.0), positive_number(rng, 0.1, 1.4)
     for t in (angle, -angle, small, -small, small + 2.0 * math.tau, 0.0, 0.5 * math.pi, 4.0):
-        call = f"angle_to_vector({t})"
+        about.call = f"angle_to_vector({t})"
         got = angle_to_vector(t)
         wanted = (math.cos(t), math.sin(t))
         taken = math.radians(t)
@@ -97,7 +96,7 @@ def test_the_direction_of_an_angle(rng: Random) -> None:
             "the sine with the wrong sign": (math.cos(t), -math.sin(t)),
             "the cosine with the wrong sign": (-math.cos(t), math.sin(t)),
         }
-        expect_close(call, got, wanted, cause=named(got, cause, slips), read=read)
+        expect_close(got, wanted, cause=named(got, about.cause, slips))
 
 
 def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
@@ -122,27 +121,27 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
 
 @pytest.mark.exercise("B9.2")
 def test_the_headlight_of_the_book() -> None:
-    read = POINT
-    call = "rotate_point((1.5, -0.75), 3 pi / 8, (4, 3.85))"
-    cause = "turn the point counter-clockwise about its own origin, then add the car's position"
+    about("rotate_point((1.5, -0.75), 3 pi / 8, (4, 3.85))", read=POINT)
+    about.cause = "turn the point counter-clockwise about its own origin, then add the car's "
+    about.cause += "position"
     got = rotate_point((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85))
-    cause = named(got, cause, slips_of((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85)))
+    about.cause = named(got, about.cause, slips_of((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85)))
     # The book's two decimals.
-    expect_close(call, got, (5.27, 4.95), cause=cause, read=read, tolerance=0.006)
+    expect_close(got, (5.27, 4.95), tolerance=0.006)
 
 
 @pytest.mark.exercise("B9.2")
 def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
-    read = POINT
+    about.read = POINT
     for sign in (1.0, -1.0, 1.0):
         x, y, across, up = (number(rng) for _ in range(4))
         angle = sign * positive_number(rng, 0.3, 2.9)
-        call = f"rotate_point(({x}, {y}), {angle}, ({across}, {up}))"
-        cause = "x goes to x cos t - y sin t, y to x sin t + y cos t; then add origin"
+        about.call = f"rotate_point(({x}, {y}), {angle}, ({across}, {up}))"
+        about.cause = "x goes to x cos t - y sin t, y to x sin t + y cos t; then add origin"
         got = rotate_point((x, y), angle, (across, up))
-        cause = named(got, cause, slips_of((x, y), angle, (across, up)))
+        about.cause = named(got, about.cause, slips_of((x, y), angle, (across, up)))
         end = complex(across, up) + complex(x, y) * complex(math.cos(angle), math.sin(angle))
-        expect_close(call, got, (end.real, end.imag), cause=cause, read=read, tolerance=TIGHT)
+        expect_close(got, (end.real, end.imag), tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.2")
@@ -160,9 +159,8 @@ def test_a_point_of_nothing_is_refused() -> None:
 
 @pytest.mark.exercise("B9.3")
 def test_the_centre_of_two_masses_is_nearer_to_the_larger() -> None:
-    read = MASS
-    call = "center_of_mass([6, 2], [(0, 0), (4, 8)])"
-    cause = "each position counts by its mass: add up m x and m y, and divide by the sum of m"
+    about("center_of_mass([6, 2], [(0, 0), (4, 8)])", read=MASS)
+    about.cause = "each position counts by its mass: add up m x and m y, and divide by the sum of m"
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
     slips = {
         "the sum of m x and m y, not divided": (8.0, 16.0),
@@ -170,18 +168,18 @@ def test_the_centre_of_two_masses_is_nearer_to_the_larger() -> None:
         "the mean of the places, whatever the masses": (2.0, 4.0),
         "the other mass at each place": (3.0, 6.0),
     }
-    expect_close(call, got, (1.0, 2.0), cause=named(got, cause, slips), read=read)
+    expect_close(got, (1.0, 2.0), cause=named(got, about.cause, slips))
 
 
 @pytest.mark.exercise("B9.3")
 def test_the_centre_of_many_masses(rng: Random) -> None:
-    read = MASS
-    cause = "add up m x and m y, and divide by the sum of m, not by how many there are"
+    about.read = MASS
+    about.cause = "add up m x and m y, and divide by the sum of m, not by how many there are"
     for count in (1, 2, 5):
         masses = [positive_number(rng) for _ in range(count)]
         masses[-1] = masses[0]  # two may well be equal
         positions = [(number(rng), number(rng)) for _ in range(count)]
-        call = f"center_of_mass({masses}, {positions})"
+        about.call = f"center_of_mass({masses}, {positions})"
         total = math.fsum(masses)
         pairs = list(zip(masses, positions, strict=True))
         wanted = [math.fsum(m * p[axis] for m, p in pairs) / total for axis in (0, 1)]
@@ -193,26 +191,26 @@ def test_the_centre_of_many_masses(rng: Random) -> None:
                 math.fsum(m * p[axis] for m, p in last.items()) / math.fsum(last) for axis in (0, 1)
             ],
         }
-        why = named(got, cause, slips)
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
+        why = named(got, about.cause, slips)
+        expect_close(got, wanted, cause=why, tolerance=TIGHT)
         after = masses_after(masses, positions)
         cause_lists = "the call must not change its lists: sort, or take from, a copy"
         for name, now, before in (
             ("masses", after[0], masses),
             ("positions", after[1], positions),
         ):
-            expect_unchanged(call, name, now, before, cause=cause_lists, read=read)
-        call = f"center_of_mass({tuple(masses)}, {tuple(positions)})"
+            expect_unchanged(name, now, before, cause=cause_lists)
+        about.call = f"center_of_mass({tuple(masses)}, {tuple(positions)})"
         got = center_of_mass(tuple(masses), tuple(positions))
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(got, wanted, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.3")
 @pytest.mark.robust
 def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
-    read = MASS
+    about.read = MASS
     m, x, y = positive_number(rng), number(rng), number(rng)
-    cause = "a mass without a position, a position without a mass, or none at all: ValueError"
+    about.cause = "a mass without a position, a position without a mass, or none at all: ValueError"
     for masses, positions in (
         ([], []),
         ((), ()),
@@ -220,14 +218,11 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
         ([m, m], [(x, y)]),
         ([m], [(x, y), (y, x)]),
     ):
-        call = f"center_of_mass({masses}, {positions})"
+        about.call = f"center_of_mass({masses}, {positions})"
         expect_error(
-            call,
             lambda masses=masses, positions=positions: center_of_mass(masses, positions),
             ValueError,
             allowed=lambda: center_of_mass([m, m], [(x, y), (y, x)]),
-            cause=cause,
-            read=read,
         )
 
 

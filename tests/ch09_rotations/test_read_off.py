@@ -10,7 +10,15 @@ import pytest
 from ch09_rotations.exercises import easy_inverse, read_off
 from ch09_rotations.matrix import Matrix3, Matrix4
 from draw import components
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import (
+    UNCHANGED,
+    about,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    xyz,
+)
 from turning import (
     IDENTITY,
     TIGHT,
@@ -32,20 +40,20 @@ EASY = "the docstring of easy_inverse"
 
 @pytest.mark.exercise("9.5")
 def test_rotation_and_position_are_read_off(rng: Random) -> None:
-    read = OFF
+    about.read = OFF
     m, p = draw_slight_turn(rng), components(rng)
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
-    call = f"read_off(Matrix4{twelve})"
-    cause = "the rotation is the first three columns, as a Matrix3, the position the last one"
+    about.call = f"read_off(Matrix4{twelve})"
+    about.cause = "the rotation is the first three columns, as a Matrix3, the position the last one"
     rotation, position = read_off(matrix)
-    name = f"{call}, the rotation"
+    name = f"{about.call}, the rotation"
     got = entries(rotation)
     slips = {"the transpose of the rotation": transposed(m), "the first nine entries": twelve[:9]}
-    why = named(got, cause, slips)
+    why = named(got, about.cause, slips)
     # Where an axis goes, less where the origin does, is rounded as numbers up to 11 are.
-    expect_close(name, got, m, cause=why, read=read, tolerance=TIGHT)
-    name = f"{call}, the position"
+    expect_close(got, m, call=name, cause=why, tolerance=TIGHT)
+    name = f"{about.call}, the position"
     got = xyz(position)
     x, y, z = applied(transposed(m), p)
     slips = {
@@ -54,22 +62,22 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
         "the first column": (m[0], m[3], m[6]),
         "the position of the inverse": (-x, -y, -z),
     }
-    why = named(got, cause, slips)
-    expect_close(name, got, p, cause=why, read=read, tolerance=0.0)
-    expect_unchanged(call, "the matrix", entries(matrix), twelve, read=read)
+    why = named(got, about.cause, slips)
+    expect_close(got, p, call=name, cause=why, tolerance=0.0)
+    expect_unchanged("the matrix", entries(matrix), twelve, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("9.5")
 @pytest.mark.robust
 def test_nothing_is_read_off_what_scales(rng: Random) -> None:
-    read = OFF
+    about.read = OFF
     m, p = draw_slight_turn(rng), components(rng)
     good = joined(m, p)
     near = tuple(n * (1.0 + 4e-6) for n in m)
-    call = f"read_off(Matrix4{joined(near, p)}): of how many parts"
-    cause = "its rows are of length 1 + 4e-6, which is_rotation() lets pass"
-    expect_exactly(call, len(read_off(Matrix4(*joined(near, p)))), 2, cause=cause, read=read)
-    cause = "what should be a rotation is none: ask is_rotation()"
+    about.call = f"read_off(Matrix4{joined(near, p)}): of how many parts"
+    about.cause = "its rows are of length 1 + 4e-6, which is_rotation() lets pass"
+    expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
+    about.cause = "what should be a rotation is none: ask is_rotation()"
     for linear in (
         tuple(2.0 * n for n in m),
         tuple(n * (1.0 + 7e-6) for n in m),
@@ -80,35 +88,32 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     ):
         twelve = joined(linear, p)
         expect_error(
-            f"read_off(Matrix4{twelve})",
             lambda twelve=twelve: read_off(Matrix4(*twelve)),
             ValueError,
+            call=f"read_off(Matrix4{twelve})",
             allowed=lambda: [
                 read_off(Matrix4(*good)),
                 read_off(Matrix4(*joined(near, p))),
             ],
-            cause=cause,
-            read=read,
         )
     for name, other in ((f"{good}", good), ("Matrix3(...)", Matrix3(*m))):
         expect_error(
-            f"read_off({name})",
             lambda other=other: read_off(other),
             TypeError,
+            call=f"read_off({name})",
             allowed=lambda: read_off(Matrix4(*good)),
             cause="twelve numbers are no Matrix4, and a Matrix3 is none: TypeError",
-            read=read,
         )
 
 
 @pytest.mark.exercise("9.6", weight=2)
 def test_the_easy_inverse(rng: Random) -> None:
-    read = EASY
+    about.read = EASY
     m, p = matrix_of(draw_quad(rng)), components(rng)
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
-    call = f"easy_inverse(Matrix4{twelve})"
-    cause = "the transpose T of the rotation, and -T p in place of the position p"
+    about.call = f"easy_inverse(Matrix4{twelve})"
+    about.cause = "the transpose T of the rotation, and -T p in place of the position p"
     got = entries(easy_inverse(matrix))
     t = transposed(m)
     x, y, z = applied(t, p)
@@ -124,10 +129,10 @@ def test_the_easy_inverse(rng: Random) -> None:
         "right but for the rotation, which is not transposed": joined(m, (-x, -y, -z)),
         "-p, and the rotation as it was": joined(m, subtracted((0.0, 0.0, 0.0), p)),
     }
-    why = named(got, cause, slips)
+    why = named(got, about.cause, slips)
     # Rounding of numbers up to 17.
-    expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
-    expect_unchanged(call, "the matrix", entries(matrix), twelve, read=read)
+    expect_close(got, wanted, cause=why, tolerance=TIGHT)
+    expect_unchanged("the matrix", entries(matrix), twelve, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("9.6")
@@ -136,9 +141,9 @@ def test_the_easy_inverse_of_something_else() -> None:
     twelve = joined(IDENTITY, (1.0, 2.0, 3.0))
     for name, other in ((f"{twelve}", twelve), ("Matrix3(...)", Matrix3(*IDENTITY))):
         expect_error(
-            f"easy_inverse({name})",
             lambda other=other: easy_inverse(other),
             TypeError,
+            call=f"easy_inverse({name})",
             allowed=lambda: easy_inverse(Matrix4(*twelve)),
             cause="twelve numbers are no Matrix4, and a Matrix3 is none: TypeError",
             read="the first lines of exercises.py",
@@ -147,31 +152,29 @@ def test_the_easy_inverse_of_something_else() -> None:
 
 @pytest.mark.exercise("9.6", weight=0.5)
 def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
-    read = EASY
+    about.read = EASY
     m, p = tuple(2.0 * n for n in matrix_of(draw_quad(rng))), components(rng)
     for linear in (m, (0.0,) * 9):
         twelve = joined(linear, p)
-        call = f"easy_inverse(Matrix4{twelve}), of what is no rotation"
-        cause = (
-            "a general inverse divides by the determinant. Here nothing is looked at and nothing "
-        )
-        cause += "divided by: the transpose, for any matrix"
+        about.call = f"easy_inverse(Matrix4{twelve}), of what is no rotation"
+        about.cause = "a general inverse divides by the determinant. Here nothing is looked at and "
+        about.cause += "nothing divided by: the transpose, for any matrix"
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)
         wanted = joined(transposed(linear), (-x, -y, -z))
         # Rounding of numbers up to 33.
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-11)
+        expect_close(got, wanted, tolerance=1e-11)
 
 
 @pytest.mark.exercise("9.6")
 def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
-    read = EASY
+    about.read = EASY
     m, p, a = matrix_of(draw_quad(rng)), components(rng), components(rng)
     twelve = joined(m, p)
     there = moved(m, p, a)
-    call = f"easy_inverse(Matrix4{twelve}), at {there}, where the matrix takes {a}"
-    cause = "first the way back, and then the turn back"
+    about.call = f"easy_inverse(Matrix4{twelve}), at {there}, where the matrix takes {a}"
+    about.cause = "first the way back, and then the turn back"
     got = entries(easy_inverse(Matrix4(*twelve)))
     if isinstance(got, tuple) and len(got) == 12:
         got = moved((*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11]), there)
-    expect_close(call, got, a, cause=cause, read=read, tolerance=1e-11)
+    expect_close(got, a, tolerance=1e-11)

@@ -12,7 +12,15 @@ import pytest
 from ch09_rotations.matrix import Matrix3
 from ch09_rotations.quaternion import Quaternion
 from draw import components, positive_number
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged
+from expect import (
+    UNCHANGED,
+    about,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    scoped,
+)
 from turning import (
     IDENTITY,
     TIGHT,
@@ -36,49 +44,50 @@ TO = "the docstring of to_quaternion"
 HALF_TURN = tuple(n / 9.0 for n in (-1.0, 8.0, 4.0, 8.0, -1.0, 4.0, 4.0, 4.0, -7.0))
 
 
-def expect_rotation(m: Nine, wanted: bool, cause: str) -> None:
+@scoped
+def expect_rotation(m: Nine, wanted: bool) -> None:
     """Expect a matrix to be a rotation, or to be none."""
-    read = IS_ROTATION
-    call = f"Matrix3{m}.is_rotation()"
-    expect_exactly(call, Matrix3(*m).is_rotation(), wanted, cause=cause, read=read)
+    about(f"Matrix3{m}.is_rotation()", read=IS_ROTATION)
+    expect_exactly(Matrix3(*m).is_rotation(), wanted)
 
 
 @pytest.mark.exercise("B9.6")
 def test_rotations_are_known(rng: Random) -> None:
-    cause = "its rows have length 1, stand at right angles, and are right-handed: it is one"
-    expect_rotation(IDENTITY, True, cause)
-    cause += ". Its numbers are rounded: ask whether a product is near, never whether it is equal"
+    about.cause = "its rows have length 1, stand at right angles, and are right-handed: it is one"
+    expect_rotation(IDENTITY, True)
+    about.cause += ". Its numbers are rounded: ask whether a product is near, never whether it is "
+    about.cause += "equal"
     for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng)), HALF_TURN):
-        expect_rotation(m, True, cause)
+        expect_rotation(m, True)
 
 
 @pytest.mark.exercise("B9.6")
 def test_what_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     a, b, c, d, e, f, g, h, i = m
-    cause = "it scales: each row times itself must be 1"
-    expect_rotation(tuple(2.0 * number for number in m), False, cause)
-    expect_rotation((0.0,) * 9, False, cause)
+    about.cause = "it scales: each row times itself must be 1"
+    expect_rotation(tuple(2.0 * number for number in m), False)
+    expect_rotation((0.0,) * 9, False)
     for row in range(3):
         n = [*m]
         n[3 * row : 3 * row + 3] = [1.5 * number for number in n[3 * row : 3 * row + 3]]
-        expect_rotation(tuple(n), False, cause)
-    cause = "it scales one axis up and another down, and its determinant is 1"
-    expect_rotation((2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0), False, cause)
-    cause = "it is a mirror: its rows are orthonormal, but its determinant is -1"
-    expect_rotation((d, e, f, a, b, c, g, h, i), False, cause)
-    expect_rotation(tuple(-number for number in HALF_TURN), False, cause)
+        expect_rotation(tuple(n), False)
+    about.cause = "it scales one axis up and another down, and its determinant is 1"
+    expect_rotation((2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0), False)
+    about.cause = "it is a mirror: its rows are orthonormal, but its determinant is -1"
+    expect_rotation((d, e, f, a, b, c, g, h, i), False)
+    expect_rotation(tuple(-number for number in HALF_TURN), False)
     # The determinant of a mirror that passes for orthonormal is near -1, on either side of it.
     for scale in (-1.0, -1.0 - 4e-6, 4e-6 - 1.0):
-        expect_rotation(tuple(scale * number for number in m), False, cause)
-    cause = "it skews: rows of length 1 that do not stand at right angles"
+        expect_rotation(tuple(scale * number for number in m), False)
+    about.cause = "it skews: rows of length 1 that do not stand at right angles"
     s, t = math.sin(0.3), math.cos(0.3)
     for n in (
         (1.0, 0.0, 0.0, s, t, 0.0, 0.0, 0.0, 1.0),
         (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, s, 0.0, t),
         (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, s, t),
     ):
-        expect_rotation(n, False, cause)
+        expect_rotation(n, False)
 
 
 @pytest.mark.exercise("B9.6")
@@ -86,32 +95,35 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
     limit = "products of rows may be off by ROTATION_TOLERANCE, 1e-5"
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
-        cause = f"{limit}: each row times itself is off by {2.0 * scale:.2g} here. The determinant"
-        cause += " has no such limit: it only has to be positive, which tells a turn from a mirror"
-        expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted, cause)
+        about.cause = f"{limit}: each row times itself is off by {2.0 * scale:.2g} here. The "
+        about.cause += "determinant has no such limit: it only has to be positive, which tells a "
+        about.cause += "turn from a mirror"
+        expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted)
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
         n = (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0)
-        cause = f"{limit}: the first row times the second is {angle:.2g} here, and should be 0"
-        expect_rotation(n, wanted, cause)
+        about.cause = f"{limit}: the first row times the second is {angle:.2g} here, and should be "
+        about.cause += "0"
+        expect_rotation(n, wanted)
 
 
 @pytest.mark.exercise("B9.6")
 @pytest.mark.robust
 def test_what_is_huge_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
-    cause = "a square of 1e200 fits in no float, and ** raises OverflowError of it: use a product"
-    expect_rotation(tuple(1e200 * number for number in m), False, cause)
+    about.cause = "a square of 1e200 fits in no float, and ** raises OverflowError of it: use a "
+    about.cause += "product"
+    expect_rotation(tuple(1e200 * number for number in m), False)
 
 
 @pytest.mark.exercise("B9.6")
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
-    cause = "NaN compares false with everything: ask whether each product is near enough"
+    about.cause = "NaN compares false with everything: ask whether each product is near enough"
     for place in range(9):
         m = [*IDENTITY]
         m[place] = bad
-        expect_rotation(tuple(m), False, cause)
+        expect_rotation(tuple(m), False)
 
 
 def from_slips(q: Quad) -> dict[str, Nine]:
@@ -131,62 +143,58 @@ def from_slips(q: Quad) -> dict[str, Nine]:
 
 @pytest.mark.exercise("B9.12")
 def test_ninety_degrees_about_each_axis() -> None:
-    read = FROM
+    about.read = FROM
     half = math.sqrt(0.5)
-    cause = "the columns are where X, Y and Z go"
+    about.cause = "the columns are where X, Y and Z go"
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
         ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
         ((half, 0.0, 0.0, half), "Z", (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)),
     ):
-        call = f"Matrix3.from_quaternion(Quaternion{q}), 90 degrees about {axes}"
+        about.call = f"Matrix3.from_quaternion(Quaternion{q}), 90 degrees about {axes}"
         got = entries(Matrix3.from_quaternion(Quaternion(*q)))
-        why = named(got, cause, from_slips(q), wanted)
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
+        why = named(got, about.cause, from_slips(q), wanted)
+        expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.12")
 def test_the_matrix_of_any_quaternion(rng: Random) -> None:
-    read = FROM
-    cause = "nine terms, each to be looked at: mind the signs and the doubles"
+    about(cause="nine terms, each to be looked at: mind the signs and the doubles", read=FROM)
     for scale in (1.0, -1.0, 1.0 + 5e-7, -1.0 - 5e-7):
         q = tuple(scale * component for component in draw_quad(rng))
         quaternion = Quaternion(*q)
-        call = f"Matrix3.from_quaternion(Quaternion{q})"
+        about.call = f"Matrix3.from_quaternion(Quaternion{q})"
         got = entries(Matrix3.from_quaternion(quaternion))
         # A length that is 5e-7 off is let pass, and may be mended or not.
         near = TIGHT if abs(scale) == 1.0 else 1e-5
-        why = named(got, cause, from_slips(q), matrix_of(q) if near == TIGHT else ())
-        expect_close(call, got, matrix_of(q), cause=why, read=read, tolerance=near)
-        expect_unchanged(call, "q", rijk(quaternion), q, read=read)
+        why = named(got, about.cause, from_slips(q), matrix_of(q) if near == TIGHT else ())
+        expect_close(got, matrix_of(q), cause=why, tolerance=near)
+        expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("B9.12")
 @pytest.mark.robust
 def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
-    read = "the docstring of from_quaternion"
+    about.read = "the docstring of from_quaternion"
     q = draw_quad(rng)
-    cause = "ask is_unit() first: rounding is allowed for, up to 1e-6"
+    about.cause = "ask is_unit() first: rounding is allowed for, up to 1e-6"
 
     def of_length(length: float) -> object:
         return Matrix3.from_quaternion(Quaternion(*(component * length for component in q)))
 
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
         expect_error(
-            f"Matrix3.from_quaternion(q), of a q of length {length}",
             lambda length=length: of_length(length),
             ValueError,
+            call=f"Matrix3.from_quaternion(q), of a q of length {length}",
             allowed=lambda: [of_length(1.0 + 5e-7), of_length(1.0 - 5e-7)],
-            cause=cause,
-            read=read,
         )
-    cause = "four numbers are no Quaternion: TypeError"
+    about.cause = "four numbers are no Quaternion: TypeError"
     expect_error(
-        f"Matrix3.from_quaternion({q})",
         lambda: Matrix3.from_quaternion(q),
         TypeError,
+        call=f"Matrix3.from_quaternion({q})",
         allowed=lambda: of_length(1.0),
-        cause=cause,
         read="the first lines of matrix.py",
     )
 
@@ -197,11 +205,12 @@ def half_turn(axis: Sequence[float]) -> Quad:
     return 0.0, x, y, z
 
 
-def expect_back(q: Quad, cause: str) -> None:
+@scoped
+def expect_back(q: Quad) -> None:
     """Expect the quaternion, or its opposite, of this quaternion's matrix."""
-    read = TO
+    about.read = TO
     m = matrix_of(q)
-    call = f"Matrix3{m}.to_quaternion()"
+    about.call = f"Matrix3{m}.to_quaternion()"
     got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
     r, i, j, k = q
     slips = {
@@ -218,66 +227,68 @@ def expect_back(q: Quad, cause: str) -> None:
     signs = "h - f is 4 i r, c - g is 4 j r, d - b is 4 k r, whichever of them is divided by"
     why = named(got, signs, slips)
     if why != signs:
-        cause = why
+        about.cause = why
     # Components of 1e-8 come from differences of entries of 1: they are right to 1e-16 / 1.
-    expect_close(call, got, q, cause=cause, read=read, tolerance=TIGHT)
+    expect_close(got, q, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.13", weight=2)
 def test_back_from_a_matrix(rng: Random) -> None:
-    cause = "the sum of the diagonal is 4 r^2 - 1; h - f is 4 i r, c - g is 4 j r, d - b is 4 k r"
-    expect_back((1.0, 0.0, 0.0, 0.0), cause)
+    about.cause = "the sum of the diagonal is 4 r^2 - 1; h - f is 4 i r, c - g is 4 j r, d - b is "
+    about.cause += "4 k r"
+    expect_back((1.0, 0.0, 0.0, 0.0))
     for longest in range(3):
         # Two of i, j and k are negative, so that no lost sign looks like another one.
         axis = [-positive_number(rng, 0.5, 5.0) for _ in range(3)]
         axis[longest] = 10.0
         for angle in (0.9, 2.6):  # r is the largest, or that of the longest
-            expect_back(quad(axis, angle), cause)
+            expect_back(quad(axis, angle))
     for _ in range(4):
-        expect_back(draw_quad(rng), cause)
-    expect_back(quad(components(rng), -0.9), cause)
-    cause = "it is a rotation, though the product of its diagonal is negative: ask is_rotation()"
-    expect_back(quad((2.0, 2.1, 1.0), 3.0), cause)
+        expect_back(draw_quad(rng))
+    expect_back(quad(components(rng), -0.9))
+    about.cause = "it is a rotation, though the product of its diagonal is negative: ask "
+    about.cause += "is_rotation()"
+    expect_back(quad((2.0, 2.1, 1.0), 3.0))
 
 
 @pytest.mark.exercise("B9.13")
 def test_back_from_a_half_turn(rng: Random) -> None:
-    cause = "r is 0 here, or as good as: divide by the largest of the four components"
+    about.cause = "r is 0 here, or as good as: divide by the largest of the four components"
     for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
-        expect_back((0.0, *axis), cause)
+        expect_back((0.0, *axis))
     for longest in range(3):
         axis = [0.1 * component for component in components(rng)]
         axis[longest] = 10.0
-        expect_back(half_turn(axis), cause)
+        expect_back(half_turn(axis))
         for short in (1e-3, 1e-9, -1e-9):
-            expect_back(quad(axis, math.pi - short), cause)
-    cause = "some components are equally large here, and no other is larger: divide by any of them"
+            expect_back(quad(axis, math.pi - short))
+    about.cause = "some components are equally large here, and no other is larger: divide by any "
+    about.cause += "of them"
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
-        expect_back(half_turn(axis), cause)
-    cause = "the largest of all four: each with each must be compared"
+        expect_back(half_turn(axis))
+    about.cause = "the largest of all four: each with each must be compared"
     for axis in permutations((0.0, 1e-6, 1.0)):
-        expect_back(half_turn(axis), cause)
+        expect_back(half_turn(axis))
 
 
 @pytest.mark.exercise("B9.13")
 def test_what_comes_back_has_length_one(rng: Random) -> None:
-    read = TO
-    cause = "normalise what you return: the matrix may be off by rounding, or by more"
+    about(cause="normalise what you return: the matrix may be off by rounding, or by more", read=TO)
     half_turns = [(0.0, 0.8, 0.6, 0.0), (0.0, 0.0, 0.8, 0.6), (0.0, 0.6, 0.0, 0.8)]
     half_turns.append((0.0, 2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0))
     for q in (draw_quad(rng), quad(components(rng), 0.3), *half_turns):
         m = tuple(number * (1.0 + 3e-6) for number in matrix_of(q))
-        call = f"Matrix3{m}.to_quaternion(), its length"
+        about.call = f"Matrix3{m}.to_quaternion(), its length"
         got = math.hypot(*rijk(Matrix3(*m).to_quaternion()))
-        expect_close(call, got, 1.0, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(got, 1.0, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.13")
 @pytest.mark.robust
 def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
-    read = TO
+    about.read = TO
     m = draw_slight_turn(rng)
-    cause = "ask is_rotation() first"
+    about.cause = "ask is_rotation() first"
     for n in (
         tuple(2.0 * number for number in m),
         tuple(-number for number in m),
@@ -285,10 +296,8 @@ def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
         (math.nan, *m[1:]),
     ):
         expect_error(
-            f"Matrix3{n}.to_quaternion()",
             lambda n=n: Matrix3(*n).to_quaternion(),
             ValueError,
+            call=f"Matrix3{n}.to_quaternion()",
             allowed=lambda: Matrix3(*m).to_quaternion(),
-            cause=cause,
-            read=read,
         )

@@ -12,7 +12,7 @@ from ch09_rotations.exercise_probes import stones_after
 from ch09_rotations.exercises import balance_offset, center_of_stones, masses_beside
 from ch09_rotations.probes import entered_stones
 from draw import number, positive_number
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged
+from expect import about, expect_close, expect_error, expect_exactly, expect_unchanged
 from turning import TIGHT, named
 
 CENTER = "the docstring of center_of_stones"
@@ -95,15 +95,15 @@ def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
 
 @pytest.mark.exercise("9.7")
 def test_the_centre_of_a_box_with_stones(rng: Random) -> None:
-    read = CENTER
-    cause = "center_of_mass of the second number of each stone, and of its third and fourth"
+    about.read = CENTER
+    about.cause = "center_of_mass of the second number of each stone, and of its third and fourth"
     for count in (1, 4):
         stones = draw_stones(rng, count)
-        call = f"center_of_stones({stones})"
+        about.call = f"center_of_stones({stones})"
         got = center_of_stones(stones)
         wanted = middle(stones)
-        why = named(got, cause, center_slips(stones))
-        expect_close(call, got, (wanted.real, wanted.imag), cause=why, read=read, tolerance=TIGHT)
+        why = named(got, about.cause, center_slips(stones))
+        expect_close(got, (wanted.real, wanted.imag), cause=why, tolerance=TIGHT)
 
 
 def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
@@ -127,29 +127,29 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
 
 @pytest.mark.exercise("9.7")
 def test_where_the_edge_must_lie(rng: Random) -> None:
-    read = OFFSET
+    about.read = OFFSET
     stones = draw_stones(rng)
-    call = f"balance_offset({stones}, 0)"
-    cause = "an edge along X, below the centre of mass: its y"
+    about(f"balance_offset({stones}, 0)", cause="an edge along X, below the centre of mass: its y")
     got = balance_offset(stones, 0.0)
-    why = named(got, cause, offset_slips(stones, 0.0))
-    expect_close(call, got, middle(stones).imag, cause=why, read=read, tolerance=TIGHT)
-    cause = "the centre of mass times (-sin, cos), as a scalar product: mind the sign"
+    why = named(got, about.cause, offset_slips(stones, 0.0))
+    expect_close(got, middle(stones).imag, cause=why, tolerance=TIGHT)
+    about.cause = "the centre of mass times (-sin, cos), as a scalar product: mind the sign"
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
-        call = f"balance_offset({stones}, {angle})"
+        about.call = f"balance_offset({stones}, {angle})"
         wanted = left_of(middle(stones), angle)
         got = balance_offset(stones, angle)
-        why = named(got, cause, offset_slips(stones, angle))
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
+        why = named(got, about.cause, offset_slips(stones, angle))
+        expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
 def test_it_balances_though_the_masses_differ() -> None:
-    read = BESIDE
+    about.read = BESIDE
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
-    call = f"masses_beside({stones}, 0)"
-    cause = "y is 0.5 at the edge: 1 kg lies beyond, on the left of an edge along X, and 3 kg here"
+    about.call = f"masses_beside({stones}, 0)"
+    about.cause = "y is 0.5 at the edge: 1 kg lies beyond, on the left of an edge along X, and 3 "
+    about.cause += "kg here"
     got = masses_beside(stones, 0.0)
     slips = {
         "equal masses, as the book has them, which is wrong (E-32)": (2.0, 2.0),
@@ -157,18 +157,18 @@ def test_it_balances_though_the_masses_differ() -> None:
         "the numbers of stones, not their masses": (1.0, 1.0),
         "all on the left, as of a line through the corner, not the centre of mass": (4.0, 0.0),
     }
-    why = named(got, cause, slips)
-    expect_close(call, got, (1.0, 3.0), cause=why, read=read, tolerance=TIGHT)
-    call = f"masses_beside({stones}, pi / 2)"
-    cause = "x is 0.3 at the edge: an edge along Y has the smaller x on its left"
+    why = named(got, about.cause, slips)
+    expect_close(got, (1.0, 3.0), cause=why, tolerance=TIGHT)
+    about.call = f"masses_beside({stones}, pi / 2)"
+    about.cause = "x is 0.3 at the edge: an edge along Y has the smaller x on its left"
     got = masses_beside(stones, 0.5 * math.pi)
-    expect_close(call, got, (3.0, 1.0), cause=cause, read=read, tolerance=TIGHT)
+    expect_close(got, (3.0, 1.0), tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
 def test_the_masses_on_both_sides(rng: Random) -> None:
-    read = BESIDE
-    cause = "a stone is on the left where its own offset is larger than the edge's"
+    about.read = BESIDE
+    about.cause = "a stone is on the left where its own offset is larger than the edge's"
     cases = [(draw_telling_stones(rng), 0.3)]
     while len(cases) < 4:
         stones, angle = draw_stones(rng), number(rng, 0.1, 3.0)
@@ -176,14 +176,14 @@ def test_the_masses_on_both_sides(rng: Random) -> None:
         if min(abs(side) for side, _ in from_edge(stones, angle)) > 1e-3:
             cases.append((stones, angle))
     for stones, angle in cases:
-        call = f"masses_beside({stones}, {angle})"
+        about.call = f"masses_beside({stones}, {angle})"
         got, wanted = tuple(masses_beside(stones, angle)), beside(stones, angle)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(got, wanted, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
 def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
-    read = BESIDE
+    about.read = BESIDE
     mass, far = positive_number(rng), positive_number(rng, 0.1, 0.9)
     x, y, angle = positive_number(rng), positive_number(rng), number(rng, 0.3, 1.4)
     across = complex(-math.sin(angle), math.cos(angle)) * far
@@ -192,27 +192,26 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
         ("left of it", 0.7, x + across.real, y + across.imag),
         ("right of it", 0.7, x - across.real, y - across.imag),
     ]
-    call = f"masses_beside({stones}, {angle})"
-    cause = "rounding leaves it at some 1e-16 m: within 1e-9 m is over the edge"
+    about.call = f"masses_beside({stones}, {angle})"
+    about.cause = "rounding leaves it at some 1e-16 m: within 1e-9 m is over the edge"
     got = tuple(masses_beside(stones, angle))
-    expect_close(call, got, (0.7, 0.7), cause=cause, read=read, tolerance=TIGHT)
+    expect_close(got, (0.7, 0.7), tolerance=TIGHT)
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
-        cause = (
-            f"within 1e-9 m is over the edge, and {off:.0e} m is {'less' if off < 1e-9 else 'more'}"
-        )
+        about.cause = f"within 1e-9 m is over the edge, and {off:.0e} m is "
+        about.cause += f"{'less' if off < 1e-9 else 'more'}"
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
-        call = f"masses_beside({stones}, 0), {off} m from the edge"
+        about.call = f"masses_beside({stones}, 0), {off} m from the edge"
         got = tuple(masses_beside(stones, 0.0))
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+        expect_close(got, wanted, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7", weight=0.5)
 @pytest.mark.parametrize("name", ["center_of_stones", "balance_offset", "masses_beside"])
 def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
-    read = "the first lines of exercises.py"
+    about.read = "the first lines of exercises.py"
     stones = draw_telling_stones(rng)
-    call = f"{name}({stones}{'' if name == 'center_of_stones' else ', 0.3'})"
-    cause = "the call must not change its list: sort, or take from, a copy"
+    about.call = f"{name}({stones}{'' if name == 'center_of_stones' else ', 0.3'})"
+    about.cause = "the call must not change its list: sort, or take from, a copy"
     center = middle(stones)
     wanted = {
         "center_of_stones": (center.real, center.imag),
@@ -220,9 +219,9 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
         "masses_beside": beside(stones, 0.3),
     }[name]
     got, after = stones_after(name, stones)
-    expect_unchanged(call, "the list", after, stones, cause=cause, read=read)
-    cause = "right for one list as for another"
-    expect_close(call, got, wanted, cause=cause, read=read, tolerance=TIGHT)
+    expect_unchanged("the list", after, stones)
+    about.cause = "right for one list as for another"
+    expect_close(got, wanted, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.7")
@@ -234,7 +233,7 @@ def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
         ("balance_offset", balance_offset, (0.3,)),
         ("masses_beside", masses_beside, (0.3,)),
     )
-    cause = "center_of_mass refuses what is no box with stones"
+    about.cause = "center_of_mass refuses what is no box with stones"
     for name, function, more in calls:
         for stones in (
             [],
@@ -244,41 +243,38 @@ def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
             [*good, ("nowhere", 1.0, math.nan, 0.2)],
         ):
             expect_error(
-                f"{name}{(stones, *more)}",
                 lambda function=function, stones=stones, more=more: function(stones, *more),
                 ValueError,
+                call=f"{name}{(stones, *more)}",
                 allowed=lambda function=function, more=more: function(good, *more),
-                cause=cause,
                 read=f"the docstring of {name}",
             )
-    cause = "finite of arguments.py refuses an angle that is none"
+    about.cause = "finite of arguments.py refuses an angle that is none"
     for name, function, _ in calls[1:]:
         for angle in (math.nan, math.inf):
             expect_error(
-                f"{name}({good}, {angle})",
                 lambda function=function, angle=angle: function(good, angle),
                 ValueError,
+                call=f"{name}({good}, {angle})",
                 allowed=lambda function=function: function(good, 0.3),
-                cause=cause,
                 read=f"the docstring of {name}",
             )
 
 
 @pytest.mark.exercise("9.7")
 def test_your_own_stones() -> None:
-    read = DATA
-    call = "center_of_stones(the stones of your stones.csv)"
-    cause = "enter your own, one a line, with plain numbers of kg and m, such as: a flat piece of "
-    cause += "slate,0.212,0.120,0.060"
+    about("center_of_stones(the stones of your stones.csv)", read=DATA)
+    about.cause = "enter your own, one a line, with plain numbers of kg and m, such as: a flat "
+    about.cause += "piece of slate,0.212,0.120,0.060"
     stones = [tuple(stone) for stone in entered_stones()]
     name = "your stones.csv: how many lines are there, if up to 4 count, three stones and the box"
-    expect_exactly(name, min(len(stones), 4), 4, cause=cause, read=read)
-    cause = "measure where each lies"
+    expect_exactly(min(len(stones), 4), 4, call=name)
+    about.cause = "measure where each lies"
     places = {(x, y) for _, _, x, y in stones}
     name = "your stones.csv: in how many places do stones lie, if up to 3 count"
-    expect_exactly(name, min(len(places), 3), 3, cause=cause, read=read)
-    call = "center_of_stones(your stones)"
+    expect_exactly(min(len(places), 3), 3, call=name)
+    about.call = "center_of_stones(your stones)"
     got = center_of_stones(stones)
     wanted = middle(stones)
-    cause = "center_of_mass of the second number of each stone, and of its third and fourth"
-    expect_close(call, got, (wanted.real, wanted.imag), cause=cause, read=read, tolerance=TIGHT)
+    about.cause = "center_of_mass of the second number of each stone, and of its third and fourth"
+    expect_close(got, (wanted.real, wanted.imag), tolerance=TIGHT)

@@ -11,10 +11,13 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components
 from expect import (
+    UNCHANGED,
+    about,
     expect_close,
     expect_error,
     expect_unchanged,
     expect_vector,
+    scoped,
     xyz,
 )
 from turning import (
@@ -56,35 +59,35 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
 
 @pytest.mark.exercise("B9.9")
 def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
-    read = MAKE
-    call = "Quaternion.from_axis_angle(Vector3(1, 2, 3), 1.2)"
-    cause = "the cosine of half the angle, and the axis, normalised, times its sine"
+    about("Quaternion.from_axis_angle(Vector3(1, 2, 3), 1.2)", read=MAKE)
+    about.cause = "the cosine of half the angle, and the axis, normalised, times its sine"
     got = rijk(Quaternion.from_axis_angle(Vector3(1.0, 2.0, 3.0), 1.2))
-    why = named(got, cause, make_slips((1.0, 2.0, 3.0), 1.2))
+    why = named(got, about.cause, make_slips((1.0, 2.0, 3.0), 1.2))
     # Eight decimals of SciPy's Rotation.from_rotvec.
     wanted = (0.82533561, 0.15090705, 0.30181410, 0.45272115)
-    expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-8)
+    expect_close(got, wanted, cause=why, tolerance=1e-8)
     axis, angle = draw_turn(rng)
     for t in (angle, -angle, 2.0 * math.pi + angle):
         v = Vector3(*axis)
-        call = f"Quaternion.from_axis_angle(Vector3{axis}, {t})"
+        about.call = f"Quaternion.from_axis_angle(Vector3{axis}, {t})"
         wanted = quad(axis, t)
         got = rijk(Quaternion.from_axis_angle(v, t))
         if t > math.pi:  # a turn by t - 2 pi is the same, and has the opposite quaternion
             got = same_sign(got, wanted)
-        why = named(got, cause, make_slips(axis, t))
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
-        expect_unchanged(call, "axis", xyz(v), axis, read=read)
+        why = named(got, about.cause, make_slips(axis, t))
+        expect_close(got, wanted, cause=why, tolerance=TIGHT)
+        expect_unchanged("axis", xyz(v), axis, cause=UNCHANGED)
 
 
+@scoped
 def expect_any_length(rng: Random, scale: float, cause: str) -> None:
     """Expect an axis that is so many times as long to make the same quaternion."""
-    read = MAKE
+    about(cause=cause, read=MAKE)
     axis, angle = draw_turn(rng)
     scaled = tuple(component * scale for component in axis)
-    call = f"Quaternion.from_axis_angle(Vector3{scaled}, {angle})"
+    about.call = f"Quaternion.from_axis_angle(Vector3{scaled}, {angle})"
     got = rijk(Quaternion.from_axis_angle(Vector3(*scaled), angle))
-    expect_close(call, got, quad(axis, angle), cause=cause, read=read, tolerance=TIGHT)
+    expect_close(got, quad(axis, angle), tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.9")
@@ -96,14 +99,14 @@ def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
 @pytest.mark.robust
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
     for scale in (1e200, 1e-200):
-        cause = "the squares of its components fit in no float: normalized of Vector3 copes"
-        expect_any_length(rng, scale, cause)
+        about.cause = "the squares of its components fit in no float: normalized of Vector3 copes"
+        expect_any_length(rng, scale, about.cause)
 
 
 @pytest.mark.exercise("B9.9")
 @pytest.mark.robust
 def test_no_axis_or_no_angle_is_refused() -> None:
-    read = MAKE
+    about.read = MAKE
     for axis, angle, error in (
         ((0.0, 0.0, 0.0), 1.0, ValueError),
         ((0.0, math.nan, 1.0), 1.0, ValueError),
@@ -112,63 +115,62 @@ def test_no_axis_or_no_angle_is_refused() -> None:
         ((0.0, 1.0, 1.0), math.inf, ValueError),
         ((0.0, 1.0, 1.0), "1.0", TypeError),
     ):
-        call = f"Quaternion.from_axis_angle(Vector3{axis}, {angle!r})"
-        cause = "zero has no direction; finite_vector and finite of arguments.py refuse the rest"
+        about.call = f"Quaternion.from_axis_angle(Vector3{axis}, {angle!r})"
+        about.cause = "zero has no direction; finite_vector and finite of arguments.py refuse the "
+        about.cause += "rest"
         expect_error(
-            call,
             lambda axis=axis, angle=angle: Quaternion.from_axis_angle(Vector3(*axis), angle),
             error,
             allowed=lambda: Quaternion.from_axis_angle(Vector3(0.0, 1.0, 1.0), 1.0),
-            cause=cause,
-            read=read,
         )
-    cause = "three numbers are no Vector3: finite_vector of arguments.py refuses them"
+    about.cause = "three numbers are no Vector3: finite_vector of arguments.py refuses them"
     expect_error(
-        "Quaternion.from_axis_angle((0, 1, 1), 1.0)",
         lambda: Quaternion.from_axis_angle((0.0, 1.0, 1.0), 1.0),
         TypeError,
+        call="Quaternion.from_axis_angle((0, 1, 1), 1.0)",
         allowed=lambda: Quaternion.from_axis_angle(Vector3(0.0, 1.0, 1.0), 1.0),
-        cause=cause,
         read=FIRST_LINES,
     )
 
 
-def axis_angle_of(q: Quad, cause: str) -> tuple:
+@scoped
+def axis_angle_of(q: Quad) -> tuple:
     """Return axis and angle as plain numbers."""
-    read = BACK
-    call = f"Quaternion{q}.to_axis_angle()"
+    about(f"Quaternion{q}.to_axis_angle()", read=BACK)
     quaternion = Quaternion(*q)
     axis, angle = quaternion.to_axis_angle()
-    got = expect_vector(f"{call}, the axis", axis, cause=cause, read=read)
-    expect_unchanged(call, "q", rijk(quaternion), q, read=read)
+    got = expect_vector(axis, then=", the axis")
+    expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
     return got, angle
 
 
-def expect_small_turn(unit: Components, small: float, cause: str) -> None:
+@scoped
+def expect_small_turn(unit: Components, small: float) -> None:
     """Expect the axis and the angle of a turn by an angle that is next to nothing."""
-    read = BACK
+    about.read = BACK
     x, y, z = (component * 0.5 * small for component in unit)
-    call = f"Quaternion{(1.0, x, y, z)}.to_axis_angle(), "
-    got, turn = axis_angle_of((1.0, x, y, z), cause)
+    about.call = f"Quaternion{(1.0, x, y, z)}.to_axis_angle(), "
+    got, turn = axis_angle_of((1.0, x, y, z))
     # A sine is the angle but for its cube, 1e-11 of it and less here.
     near = 1e-10 * small
-    expect_close(f"{call}the angle", turn, small, cause=cause, read=read, tolerance=near)
-    expect_close(f"{call}the axis", got, unit, cause=cause, read=read, tolerance=TIGHT)
+    expect_close(turn, small, then="the angle", tolerance=near)
+    expect_close(got, unit, then="the axis", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.9", weight=2)
 def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
-    read = BACK
-    cause = "the angle is 2 atan2(|(i, j, k)|, |r|), and the axis (i, j, k) normalised"
+    about.read = BACK
+    about.cause = "the angle is 2 atan2(|(i, j, k)|, |r|), and the axis (i, j, k) normalised"
     for sign in (1.0, -1.0, 1.0 + 1e-14):  # the last is a length that rounding may leave
         axis, angle = draw_turn(rng)
         length = math.hypot(*axis)
         wanted = tuple(component / length for component in axis)
         r, i, j, k = (sign * component for component in quad(axis, angle))
-        call = f"Quaternion{(r, i, j, k)}.to_axis_angle(), "
+        about.call = f"Quaternion{(r, i, j, k)}.to_axis_angle(), "
         if r < 0.0:
-            cause += "; where r is negative, the same turn is that of -q: the axis turns round"
-        got, turn = axis_angle_of((r, i, j, k), cause)
+            about.cause += "; where r is negative, the same turn is that of -q: the axis turns "
+            about.cause += "round"
+        got, turn = axis_angle_of((r, i, j, k))
         slips = {
             "half the angle": 0.5 * angle,
             "the angle of the longer way round, above pi": math.tau - angle,
@@ -176,48 +178,49 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
             "the angle with the wrong sign": -angle,
             "half of the longer way round": math.pi - 0.5 * angle,
         }
-        why = named(turn, cause, slips)
-        expect_close(f"{call}the angle", turn, angle, cause=why, read=read, tolerance=TIGHT)
+        why = named(turn, about.cause, slips)
+        expect_close(turn, angle, then="the angle", cause=why, tolerance=TIGHT)
         slips = {
             "the axis of the longer way round, with the angle of the shorter": [-c for c in wanted],
             "(i, j, k) as they are, not normalised": (i, j, k),
         }
-        why = named(got, cause, slips)
-        expect_close(f"{call}the axis", got, wanted, cause=why, read=read, tolerance=TIGHT)
+        why = named(got, about.cause, slips)
+        expect_close(got, wanted, then="the axis", cause=why, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.9")
 def test_axis_and_angle_at_the_ends(rng: Random) -> None:
-    read = BACK
+    about.read = BACK
     axis, _ = draw_turn(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
-    cause = "there is nothing to turn: the angle is 0, and the axis X, for want of one"
+    about.cause = "there is nothing to turn: the angle is 0, and the axis X, for want of one"
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
-        call = f"Quaternion{q}.to_axis_angle(), "
-        got, turn = axis_angle_of(q, cause)
-        expect_close(f"{call}the angle", turn, 0.0, cause=cause, read=read, tolerance=0.0)
-        expect_close(f"{call}the axis", got, X_AXIS, cause=cause, read=read, tolerance=0.0)
-    cause = "r is 0 and the angle pi; the axis may point either way"
+        about.call = f"Quaternion{q}.to_axis_angle(), "
+        got, turn = axis_angle_of(q)
+        expect_close(turn, 0.0, then="the angle", tolerance=0.0)
+        expect_close(got, X_AXIS, then="the axis", tolerance=0.0)
+    about.cause = "r is 0 and the angle pi; the axis may point either way"
     by_asin = "asin loses half of the digits near pi, as acos does near 0: atan2 of sine and cosine"
     q = (0.0, *unit)
-    call = f"Quaternion{q}.to_axis_angle(), "
-    got, turn = axis_angle_of(q, cause)
-    why = by_asin if isinstance(turn, float) and abs(turn - math.pi) < 1e-6 else cause
-    expect_close(f"{call}the angle", turn, math.pi, cause=why, read=read, tolerance=TIGHT)
+    about.call = f"Quaternion{q}.to_axis_angle(), "
+    got, turn = axis_angle_of(q)
+    why = by_asin if isinstance(turn, float) and abs(turn - math.pi) < 1e-6 else about.cause
+    expect_close(turn, math.pi, then="the angle", cause=why, tolerance=TIGHT)
     got = same_sign(got, unit)
-    expect_close(f"{call}the axis", got, unit, cause=cause, read=read, tolerance=TIGHT)
-    cause = by_asin
+    expect_close(got, unit, then="the axis", tolerance=TIGHT)
+    about.cause = by_asin
     for less in (1e-3, 1e-6):
         q = quad(unit, math.pi - less)
-        call = f"Quaternion{q}.to_axis_angle(), "
-        got, turn = axis_angle_of(q, cause)
+        about.call = f"Quaternion{q}.to_axis_angle(), "
+        got, turn = axis_angle_of(q)
         wanted = math.pi - less
-        expect_close(f"{call}the angle", turn, wanted, cause=cause, read=read, tolerance=TIGHT)
-        expect_close(f"{call}the axis", got, unit, cause=cause, read=read, tolerance=TIGHT)
-    cause = "near 0 the cosine is 1 for every angle, so acos finds none: atan2 of sine and cosine"
+        expect_close(turn, wanted, then="the angle", tolerance=TIGHT)
+        expect_close(got, unit, then="the axis", tolerance=TIGHT)
+    about.cause = "near 0 the cosine is 1 for every angle, so acos finds none: atan2 of sine and "
+    about.cause += "cosine"
     for small in (1e-5, 1e-9):
-        expect_small_turn(unit, small, cause)
+        expect_small_turn(unit, small)
 
 
 @pytest.mark.exercise("B9.9")
@@ -226,56 +229,57 @@ def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     axis, _ = draw_turn(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
-    cause = "the squares of its components are 0 in a float: magnitude() and normalize() of "
-    cause += "Vector3 cope"
-    expect_small_turn(unit, 1e-200, cause)
+    about.cause = "the squares of its components are 0 in a float: magnitude() and normalize() of "
+    about.cause += "Vector3 cope"
+    expect_small_turn(unit, 1e-200)
 
 
 @pytest.mark.exercise("B9.9", weight=0.5)
 def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
-    read = BACK
+    about.read = BACK
     drawn = draw_quad(rng)
     length = math.hypot(*drawn[1:])
     unit = tuple(component / length for component in drawn[1:])
-    cause = "a length that is_unit lets pass may be above 1 or below: atan2 asks only proportions"
+    about.cause = "a length that is_unit lets pass may be above 1 or below: atan2 asks only "
+    about.cause += "proportions"
     for off in (1.0 + 5e-7, 1.0 - 5e-7):
         for whole in (drawn, (0.0, *unit), (1.0, 0.0, 0.0, 0.0)):
             q = tuple(component * off for component in whole)
-            call = f"Quaternion{q}.to_axis_angle(), "
-            got, turn = axis_angle_of(q, cause)
+            about.call = f"Quaternion{q}.to_axis_angle(), "
+            got, turn = axis_angle_of(q)
             wanted = 2.0 * math.atan2(math.hypot(*q[1:]), q[0])
-            expect_close(f"{call}the angle", turn, wanted, cause=cause, read=read, tolerance=1e-5)
+            expect_close(turn, wanted, then="the angle", tolerance=1e-5)
             axis = X_AXIS if whole[0] == 1.0 else unit
             got = same_sign(got, axis)
-            expect_close(f"{call}the axis", got, axis, cause=cause, read=read, tolerance=TIGHT)
+            expect_close(got, axis, then="the axis", tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.9", weight=0.5)
 def test_each_axis_is_a_new_vector() -> None:
-    read = BACK
-    call = "axis, _ = Quaternion().to_axis_angle(), a second time, after the first axis is inverted"
-    cause = "a new vector in every call: one that is kept is changed by whoever was given it"
+    about.read = BACK
+    about.call = "axis, _ = Quaternion().to_axis_angle(), a second time, after the first axis is "
+    about.call += "inverted"
+    about.cause = "a new vector in every call: one that is kept is changed by whoever was given it"
     first, _ = Quaternion().to_axis_angle()
     first.invert()
     second, _ = Quaternion().to_axis_angle()
-    expect_close(call, xyz(second), X_AXIS, cause=cause, read=read, tolerance=0.0)
+    expect_close(xyz(second), X_AXIS, tolerance=0.0)
 
 
+@scoped
 def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
     """Expect a quaternion just off length 1 to be refused, and one that is nearer not to be."""
-    cause = "ask is_unit() first: rounding is allowed for, up to 1e-6"
+    about(cause="ask is_unit() first: rounding is allowed for, up to 1e-6", read=read)
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
         scaled = tuple(component * length for component in q)
         expect_error(
-            f"Quaternion{scaled}{what}, of length {length}",
             lambda scaled=scaled: use(Quaternion(*scaled)),
             ValueError,
+            call=f"Quaternion{scaled}{what}, of length {length}",
             allowed=lambda: [
                 use(Quaternion(*(component * near for component in q)))
                 for near in (1.0 + 5e-7, 1.0 - 5e-7)
             ],
-            cause=cause,
-            read=read,
         )
 
 
@@ -301,30 +305,31 @@ def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
 
 @pytest.mark.exercise("B9.10", weight=2)
 def test_a_vector_is_turned(rng: Random) -> None:
-    read = ROTATE
+    about.read = ROTATE
     half = math.sqrt(0.5)
-    call = f"Quaternion({half}, 0, 0, {half}).rotate(Vector3(1, 0, 0)), 90 degrees about Z"
-    cause = "q (0, v) q*, in this order: X goes to Y, counter-clockwise"
+    about.call = f"Quaternion({half}, 0, 0, {half}).rotate(Vector3(1, 0, 0)), 90 degrees about Z"
+    about.cause = "q (0, v) q*, in this order: X goes to Y, counter-clockwise"
     got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
-    why = named(got, cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))
-    expect_close(call, got, (0.0, 1.0, 0.0), cause=why, read=read, tolerance=TIGHT)
-    cause = "q (0, v) q*, in this order, or v + 2 r (u x v) + 2 u x (u x v), with u = (i, j, k)"
+    why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))
+    expect_close(got, (0.0, 1.0, 0.0), cause=why, tolerance=TIGHT)
+    about.cause = "q (0, v) q*, in this order, or v + 2 r (u x v) + 2 u x (u x v), with u = (i, j, "
+    about.cause += "k)"
     for sign in (1.0, -1.0, 1.0 + 5e-7):
         q, a = tuple(sign * component for component in draw_quad(rng)), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
-        call = f"q = Quaternion{q}; q.rotate(Vector3{a})"
+        about.call = f"q = Quaternion{q}; q.rotate(Vector3{a})"
         got = xyz(quaternion.rotate(v))
         # Rounding of a vector of a length up to 17; or what a length that is 5e-7 off may make.
         near = 1e-11 if abs(sign) == 1.0 else 1e-4
-        why = named(got, cause, rotate_slips(q, a))
-        expect_close(call, got, turned(q, a), cause=why, read=read, tolerance=near)
-        expect_unchanged(call, "v", xyz(v), a, read=read)
-        expect_unchanged(call, "q", rijk(quaternion), q, read=read)
-    call = f"v = Vector3{a}; Quaternion().rotate(v), which is inverted then; v"
-    cause = "a new vector, where nothing turns too"
+        why = named(got, about.cause, rotate_slips(q, a))
+        expect_close(got, turned(q, a), cause=why, tolerance=near)
+        expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
+        expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
+    about.call = f"v = Vector3{a}; Quaternion().rotate(v), which is inverted then; v"
+    about.cause = "a new vector, where nothing turns too"
     same = Quaternion().rotate(v)
     same.invert()
-    expect_unchanged(call, "v", xyz(v), a, cause=cause, read=read)
+    expect_unchanged("v", xyz(v), a)
 
 
 @pytest.mark.exercise("B9.10")
@@ -337,18 +342,15 @@ def test_what_is_no_turn_turns_nothing(rng: Random) -> None:
 @pytest.mark.exercise("B9.10")
 @pytest.mark.robust
 def test_only_a_vector_is_turned(rng: Random) -> None:
-    read = FIRST_LINES
-    cause = "three numbers are no Vector3: TypeError"
+    about(cause="three numbers are no Vector3: TypeError", read=FIRST_LINES)
     q = draw_quad(rng)
     for other in ((1.0, 2.0, 3.0), 1.0):
         expect_error(
-            f"Quaternion{q}.rotate({other})",
             lambda other=other: Quaternion(*q).rotate(other),
             TypeError,
+            call=f"Quaternion{q}.rotate({other})",
             allowed=lambda: [
                 Quaternion(*q).rotate(Vector3(*any_will_do))
                 for any_will_do in ((1.0, 2.0, 3.0), (math.inf, math.nan, 0.0))
             ],
-            cause=cause,
-            read=read,
         )

@@ -11,7 +11,16 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.probes import in_parts
 from ch09_rotations.quaternion import Quaternion
 from draw import Components, components, positive_number
-from expect import expect_close, expect_error, expect_exactly, expect_unchanged, xyz
+from expect import (
+    UNCHANGED,
+    about,
+    expect_close,
+    expect_error,
+    expect_exactly,
+    expect_unchanged,
+    scoped,
+    xyz,
+)
 from turning import TIGHT, Quad, draw_quad, hamilton, named, quad, rijk, same_sign
 
 BY_VECTOR = "book 9.4.10, the docstring of rotate_by, and E-12"
@@ -53,63 +62,61 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
 
 @pytest.mark.exercise("B9.11", weight=2)
 def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
-    read = BY_VECTOR
-    cause = (
-        "make a turn of the vector, by from_axis_angle with its length as the angle; that times "
-    )
-    cause += "q, in this order, since the axis is the world's"
+    about.read = BY_VECTOR
+    about.cause = "make a turn of the vector, by from_axis_angle with its length as the angle; "
+    about.cause += "that times q, in this order, since the axis is the world's"
     for size in (0.3, 1.0, 9.0):
         q, a = draw_quad(rng), tuple(size * component for component in components(rng))
         quaternion, v = Quaternion(*q), Vector3(*a)
-        call = f"q = Quaternion{q}; q.rotate_by(Vector3{a}); q"
+        about.call = f"q = Quaternion{q}; q.rotate_by(Vector3{a}); q"
         returned = quaternion.rotate_by(v)
         wanted = hamilton(quad(a, math.hypot(*a)), q)
         got = same_sign(rijk(quaternion), wanted)
         slips = {name: same_sign(slip, wanted) for name, slip in by_vector_slips(q, a).items()}
-        why = named(got, cause, slips)
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=1e-11)
-        expect_unchanged(call, "the vector", xyz(v), a, read=read)
-        call = f"Quaternion{q}.rotate_by(Vector3{a}), what it returns"
+        why = named(got, about.cause, slips)
+        expect_close(got, wanted, cause=why, tolerance=1e-11)
+        expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
+        about.call = f"Quaternion{q}.rotate_by(Vector3{a}), what it returns"
         cause_none = "what changes in place returns nothing"
-        expect_exactly(call, returned, None, cause=cause_none, read=read)
+        expect_exactly(returned, None, cause=cause_none)
 
 
 @pytest.mark.exercise("B9.11")
 def test_a_steady_turn_is_exact_in_any_parts() -> None:
-    read = BY_VECTOR
-    cause = "it is a rotation, not its first order: the angle of each part is its length"
+    about.read = BY_VECTOR
+    about.cause = "it is a rotation, not its first order: the angle of each part is its length"
     for parts in (1, 7, 100):
-        call = (
-            f"{parts} times q.rotate_by(Vector3(0.3, -0.5, 0.8) * 2 / {parts}), from Quaternion()"
-        )
+        about.call = f"{parts} times q.rotate_by(Vector3(0.3, -0.5, 0.8) * 2 / {parts}), from "
+        about.call += "Quaternion()"
         got = in_parts((0.3, -0.5, 0.8), 2.0, parts)
         # Eight decimals of SciPy's Rotation.from_rotvec.
         wanted = (0.54873208, 0.25334573, -0.42224289, 0.67558862)
         got = same_sign(got, wanted)
-        expect_close(call, got, wanted, cause=cause, read=read, tolerance=1e-8)
+        expect_close(got, wanted, tolerance=1e-8)
 
 
+@scoped
 def expect_tiny_turn(tiny: float) -> None:
     """Expect a turn on by a vector that is next to nothing to be half of it."""
-    read = BY_VECTOR
-    cause = "half the vector, to rounding: no small angle may be taken for none"
+    about.read = BY_VECTOR
+    about.cause = "half the vector, to rounding: no small angle may be taken for none"
     quaternion = Quaternion()
-    call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
+    about.call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
     quaternion.rotate_by(Vector3(0.0, tiny, 0.0))
     got = same_sign(rijk(quaternion), (1.0, 0.0, 0.0, 0.0))[2] / tiny
-    expect_close(call, got, 0.5, cause=cause, read=read, tolerance=TIGHT)
+    expect_close(got, 0.5, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("B9.11")
 def test_turned_on_by_next_to_nothing(rng: Random) -> None:
-    read = BY_VECTOR
+    about.read = BY_VECTOR
     q = draw_quad(rng)
     quaternion = Quaternion(*q)
-    call = f"q = Quaternion{q}; q.rotate_by(Vector3(0, 0, 0)); q"
-    cause = "zero has no direction, and turns nothing"
+    about.call = f"q = Quaternion{q}; q.rotate_by(Vector3(0, 0, 0)); q"
+    about.cause = "zero has no direction, and turns nothing"
     quaternion.rotate_by(Vector3(0.0, 0.0, 0.0))
     # Whoever normalises in the end has a rounding there.
-    expect_close(call, rijk(quaternion), q, cause=cause, read=read, tolerance=TIGHT)
+    expect_close(rijk(quaternion), q, tolerance=TIGHT)
     expect_tiny_turn(1e-9)
 
 
@@ -148,31 +155,32 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
 
 @pytest.mark.exercise("B9.11", weight=2)
 def test_the_step_of_the_book(rng: Random) -> None:
-    read = ADD
+    about.read = ADD
     size = positive_number(rng, 0.01, 0.9)
     for scale in (-size, size):
         q, a = draw_quad(rng), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
-        call = f"q = Quaternion{q}; q.add_scaled(Vector3{a}, {scale}); q"
-        cause = "add scale/2 times (0, vector) q to q, all four components made from the old q"
+        about.call = f"q = Quaternion{q}; q.add_scaled(Vector3{a}, {scale}); q"
+        about.cause = "add scale/2 times (0, vector) q to q, all four components made from the old "
+        about.cause += "q"
         returned = quaternion.add_scaled(v, scale)
         wanted = stepped(q, hamilton((0.0, *a), q), 0.5 * scale)
         got = rijk(quaternion)
-        why = named(got, cause, add_slips(q, a, scale))
-        expect_close(call, got, wanted, cause=why, read=read, tolerance=TIGHT)
-        expect_unchanged(call, "the vector", xyz(v), a, read=read)
-    cause = "what changes in place returns nothing"
-    call = f"Quaternion{q}.add_scaled(Vector3{a}, {scale}), what it returns"
-    expect_exactly(call, returned, None, cause=cause, read=read)
+        why = named(got, about.cause, add_slips(q, a, scale))
+        expect_close(got, wanted, cause=why, tolerance=TIGHT)
+        expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
+    about.cause = "what changes in place returns nothing"
+    about.call = f"Quaternion{q}.add_scaled(Vector3{a}, {scale}), what it returns"
+    expect_exactly(returned, None)
 
 
 @pytest.mark.exercise("B9.11")
 @pytest.mark.robust
 @pytest.mark.parametrize("method", ["rotate_by", "add_scaled"])
 def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
-    read = f"the docstring of {method}"
+    about.read = f"the docstring of {method}"
     q, scale = draw_quad(rng), positive_number(rng)
-    cause = "finite_vector and finite of arguments.py refuse it, before anything is changed"
+    about.cause = "finite_vector and finite of arguments.py refuse it, before anything is changed"
     good = (0.0, 1.0, 1.0)
     bad = [((0.0, n, 1.0), scale, ValueError) for n in (math.nan, math.inf)]
     bad += [(good, n, ValueError) for n in (math.nan, math.inf) if method == "add_scaled"]
@@ -184,23 +192,20 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
     for a, by, error in [*bad, (None, scale, TypeError)]:
         quaternion = Quaternion(*q)
         vector = None if a is None else Vector3(*a)
-        call = f"q = Quaternion{q}; q.{method}({'None' if a is None else f'Vector3{a}'}"
-        call += f", {by!r})" if method == "add_scaled" else ")"
+        about.call = f"q = Quaternion{q}; q.{method}({'None' if a is None else f'Vector3{a}'}"
+        about.call += f", {by!r})" if method == "add_scaled" else ")"
         expect_error(
-            call,
             lambda quaternion=quaternion, vector=vector, by=by: use(quaternion, vector, by),
             error,
             allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
-            cause=cause,
-            read=read,
         )
-        expect_unchanged(call, "q", rijk(quaternion), q, cause=cause, read=read)
+        expect_unchanged("q", rijk(quaternion), q)
     more = (scale,) if method == "add_scaled" else ()
     shown = ", ".join(map(str, (good, *more)))
     expect_error(
-        f"Quaternion{q}.{method}({shown})",
         lambda: use(Quaternion(*q), good, scale),
         TypeError,
+        call=f"Quaternion{q}.{method}({shown})",
         allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
         cause="three numbers are no Vector3: finite_vector of arguments.py refuses them",
         read=FIRST_LINES,

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from autograder.answers import questions_of
-from autograder.grading import Assignment, grade_submission
+from autograder.assignment import Assignment
+from autograder.grading import grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
 from autograder.runner import run_checks
@@ -181,8 +182,8 @@ def test_the_readme_shows_what_the_sample_class_really_gets() -> None:
     for student, score, possible, on_given, passed, checks in rows:
         submission = Submission(student, ROOT / "sample_class" / student)
         report = grade_submission(assignment, submission)
-        statuses = [check["status"] for e in report["exercises"] for check in e["checks"]]
-        assert (float(score), int(possible)) == (report["score"], report["points"])
-        assert float(on_given) == report["score_on_given"]
+        statuses = [check.status for e in report.exercises for check in e.checks]
+        assert (float(score), int(possible)) == (report.score, report.points)
+        assert float(on_given) == report.score_on_given
         assert int(passed) == statuses.count("passed")
         assert int(checks) == len(statuses)

@@ -18,7 +18,8 @@ import pytest
 from autograder import make_venv
 from autograder.handout import STUDENT_TOOLS, make_handout
 from autograder.manifest import ROOT, load_chapters
-from autograder.runner import Verdict, run_checks
+from autograder.runner import Limits, run_checks
+from autograder.verdict import Verdict
 from copies import copy_tree
 from graded import points_of
 from small import RIGHT, make_root
@@ -186,14 +187,14 @@ def hanging(root: Path, engine: Path) -> list[Verdict]:
     endless = RIGHT.replace("return 4 * x", "while True: pass")
     (folder / "small.py").write_text(endless, encoding="utf-8")
     (chapter,) = load_chapters(root)
-    return run_checks(chapter, [engine], seed="1", root=root, time_limit=0.5)
+    return run_checks(chapter, [engine], seed="1", root=root, limits=Limits(0.5))
 
 
 @pytest.mark.parametrize("name", [r"C:\xfaces\u00e9t\games", "Spiele für mich", "\u5b66\u751f"])
 def test_an_endless_loop_is_placed_whatever_the_folder_is_called(name: str, tmp_path: Path) -> None:
     """The stack of a process has other letters escaped, and backslashes as they are."""
     verdicts = hanging(make_root(tmp_path / "root"), tmp_path / name)
-    assert "where     ch90_small/small.py, line 7, in quadruple" in verdicts[-1].message
+    assert "where     ch90_small/small.py, line 7, in quadruple" in str(verdicts[-1].message)
 
 
 def test_an_endless_loop_is_placed_in_a_folder_that_is_a_link(tmp_path: Path) -> None:
@@ -201,7 +202,7 @@ def test_an_endless_loop_is_placed_in_a_folder_that_is_a_link(tmp_path: Path) ->
     (tmp_path / "disk").mkdir()
     (tmp_path / "drive").symlink_to(tmp_path / "disk", target_is_directory=True)
     verdicts = hanging(make_root(tmp_path / "root"), tmp_path / "drive/engine")
-    assert "where     ch90_small/small.py, line 7, in quadruple" in verdicts[-1].message
+    assert "where     ch90_small/small.py, line 7, in quadruple" in str(verdicts[-1].message)
 
 
 def test_files_as_editors_on_windows_save_them_are_taken(tmp_path: Path) -> None:

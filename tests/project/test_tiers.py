@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import Chapter, load_chapters
-from autograder.runner import Verdict, run_checks
+from autograder.runner import run_checks
+from autograder.verdict import Verdict
 from plain import write_plain_engine
 
 CHAPTERS = load_chapters()

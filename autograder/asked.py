@@ -1,0 +1,66 @@
+"""What the running check asks: what it calls, the likely cause of a failure, and where to read.
+
+A check says so before it calls the student's code. Its expectations are told in these words, and so
+is an exception of that code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import ParamSpec, TypedDict, TypeVar
+
+Parameters = ParamSpec("Parameters")
+Returned = TypeVar("Returned")
+
+
+class Words(TypedDict, total=False):
+    """Words for one expectation in place of what the check has said; ``then`` follows the call."""
+
+    call: str
+    then: str
+    cause: str
+    read: str
+
+
+class About:
+    """The words of the running check. Calling it changes those that are given.
+
+    They may also be assigned one at a time: about.call += "; v.x".
+    """
+
+    def __init__(self) -> None:
+        self.call = self.cause = self.read = ""
+
+    def __call__(
+        self, call: str | None = None, *, cause: str | None = None, read: str | None = None
+    ) -> None:
+        self.call = self.call if call is None else call
+        self.cause = self.cause if cause is None else cause
+        self.read = self.read if read is None else read
+
+    def but(self, words: Words) -> tuple[str, str, str]:
+        """Return call, cause and place to read, with these words in place of the check's own."""
+        call = words.get("call", self.call) + words.get("then", "")
+        return call, words.get("cause", self.cause), words.get("read", self.read)
+
+    def forget(self) -> None:
+        """Begin a new check."""
+        self("", cause="", read="")
+
+
+about = About()
+
+
+def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
+    """Have what a helper says be forgotten when it returns; an exception is told in its words."""
+
+    @wraps(helper)
+    def run(*arguments: Parameters.args, **keywords: Parameters.kwargs) -> Returned:
+        __tracebackhide__ = True
+        before = about.but({})
+        returned = helper(*arguments, **keywords)
+        about(before[0], cause=before[1], read=before[2])
+        return returned
+
+    return run

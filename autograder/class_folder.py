@@ -1,0 +1,78 @@
+"""The folder that a class is graded into: held by one run, with its state and temporary files."""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import secrets
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from autograder.submissions.find import file_name
+
+
+def seed_of(state: Path, seed: str | None) -> str:
+    """Return the seed that is wanted, that of a run that was stopped here, or a new one."""
+    if seed:
+        return seed
+    try:
+        last = json.loads(state.read_text(encoding="utf-8"))
+        if last["finished"] is False and isinstance(last["seed"], str):
+            return last["seed"]
+    except (OSError, ValueError, KeyError, TypeError):
+        pass  # no run was stopped here
+    return secrets.token_hex(4)
+
+
+@contextmanager
+def only_run(out: Path) -> Iterator[Path]:
+    """Make the folder and hold it for this run; yield the file that keeps the run's state."""
+    if out.exists() and not out.is_dir():
+        raise ValueError(f"--out must be a folder, got {str(out)!r}")
+    out.mkdir(parents=True, exist_ok=True)
+    with (out / ".lock").open("w", encoding="utf-8") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise ValueError(f"another run is grading into {str(out)!r}") from None
+        yield out / "run.json"
+
+
+@contextmanager
+def temporary_files_in(out: Path) -> Iterator[None]:
+    """Have temporary files in the folder of the reports, where a later run finds and removes them.
+
+    A run that is killed cannot remove its own.
+    """
+    own, before = out / ".temporary", tempfile.tempdir
+    shutil.rmtree(own, ignore_errors=True)
+    own.mkdir(mode=0o700, exist_ok=True)
+    tempfile.tempdir = str(own.resolve())
+    try:
+        yield
+    finally:
+        tempfile.tempdir = before
+        shutil.rmtree(own, ignore_errors=True)
+
+
+def put_others_aside(out: Path, students: list[str]) -> int:
+    """Move the reports of students who are not in this class away; return how many students.
+
+    They are another class's, or of somebody who has withdrawn.
+    """
+    names = {file_name(student) for student in students}
+    others = set()
+    for kind in ("results", "feedback", "gradescope"):
+        for path in (out / kind).glob("*"):
+            name = path.name if path.is_dir() else path.stem
+            if name not in names:
+                others.add(name)
+                target = out / "earlier" / kind / path.name
+                target.parent.mkdir(parents=True, exist_ok=True)
+                if target.is_dir():
+                    shutil.rmtree(target)
+                path.replace(target)
+    return len(others)

@@ -1,0 +1,179 @@
+"""Write frozen dataclasses as JSON, and read them: the one place that knows both directions.
+
+What is read was written by another process, or by an older version. It is taken only where every
+value has the type that its field names; the error says which value has not.
+"""
+
+from __future__ import annotations
+
+import types
+import typing
+from collections.abc import Callable
+from dataclasses import MISSING, fields, is_dataclass
+from enum import Enum
+from functools import cache
+from typing import Any, Literal, TypeVar
+
+Record = TypeVar("Record")
+
+
+class RecordError(ValueError):
+    """A value in the JSON is not of the type that its field names."""
+
+
+def to_json(value: Any) -> Any:
+    """Return a record as plain data for json.dumps; fields at their default are left out."""
+    if is_dataclass(value) and not isinstance(value, type):
+        told = {}
+        for field, default in _fields(type(value)):
+            if (own := getattr(value, field)) != default:
+                told[field] = to_json(own)
+        return told
+    if isinstance(value, Enum):
+        return value.value
+    if isinstance(value, (list, tuple)):
+        return [to_json(item) for item in value]
+    if isinstance(value, dict):
+        return {key: to_json(item) for key, item in value.items()}
+    return value
+
+
+def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
+    """Return the record of this kind that the data stand for.
+
+    ``what`` names the data in errors. Raises RecordError where a value is missing, has another type
+    or is unknown.
+    """
+    read: Callable[[Any, str], Record] = _reader(kind)  # type: ignore[arg-type]
+    return read(data, what or kind.__name__)
+
+
+@cache
+def _fields(kind: type) -> list[tuple[str, Any]]:
+    """Return the fields of a dataclass, each with its default, or MISSING for those without."""
+    found = []
+    for field in fields(kind):
+        made = field.default_factory
+        found.append((field.name, field.default if made is MISSING else made()))
+    return found
+
+
+@cache
+def _reader(kind: Any) -> Callable[[Any, str], Any]:
+    """Return what reads data of a type: it takes the data and their name, for errors."""
+    origin, arguments = typing.get_origin(kind), typing.get_args(kind)
+    if is_dataclass(kind):
+        return _record_reader(kind)  # type: ignore[arg-type]
+    if origin in (typing.Union, types.UnionType):
+        return _union_reader(arguments)
+    if origin is list:
+        return _list_reader(list, _reader(arguments[0]))
+    if origin is tuple and arguments[-1] is Ellipsis:
+        return _list_reader(tuple, _reader(arguments[0]))
+    if origin is tuple:
+        return _tuple_reader([_reader(argument) for argument in arguments])
+    if origin is dict:
+        return _dict_reader(_reader(arguments[1]))
+    if origin is Literal or (isinstance(kind, type) and issubclass(kind, Enum)):
+        return _choice_reader({one.value: one for one in kind} if origin is None else arguments)
+    return _plain_reader(kind)
+
+
+def _record_reader(kind: type) -> Callable[[Any, str], Any]:
+    hints = typing.get_type_hints(kind)
+    names = dict(_fields(kind))
+
+    def read(data: Any, what: str) -> Any:
+        if not isinstance(data, dict):
+            raise RecordError(f"{what} must be an object, got {_short(data)}")
+        if unknown := sorted(data.keys() - names.keys()):
+            raise RecordError(f"{what} has no {unknown[0]!r}")
+        for name, default in names.items():
+            if default is MISSING and name not in data:
+                raise RecordError(f"{what} lacks {name!r}")
+        values = {
+            name: _reader(hints[name])(value, f"{what}.{name}") for name, value in data.items()
+        }
+        return kind(**values)
+
+    return read
+
+
+def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
+    """Return what reads one of several types; the error is that of the first one."""
+    readers = [_reader(kind) for kind in kinds if kind is not type(None)]
+
+    def read(data: Any, what: str) -> Any:
+        if data is None and len(readers) < len(kinds):
+            return None
+        for reader in readers[1:]:
+            try:
+                return reader(data, what)
+            except RecordError:
+                pass
+        return readers[0](data, what)
+
+    return read
+
+
+def _list_reader(
+    collect: Callable[[Any], Any], reader: Callable[[Any, str], Any]
+) -> Callable[[Any, str], Any]:
+    def read(data: Any, what: str) -> Any:
+        if not isinstance(data, list):
+            raise RecordError(f"{what} must be a list, got {_short(data)}")
+        return collect(reader(item, f"{what}[{i}]") for i, item in enumerate(data))
+
+    return read
+
+
+def _tuple_reader(readers: list[Callable[[Any, str], Any]]) -> Callable[[Any, str], Any]:
+    def read(data: Any, what: str) -> Any:
+        if not isinstance(data, list) or len(data) != len(readers):
+            raise RecordError(f"{what} must be a list of {len(readers)}, got {_short(data)}")
+        return tuple(
+            reader(item, f"{what}[{i}]")
+            for i, (reader, item) in enumerate(zip(readers, data, strict=True))
+        )
+
+    return read
+
+
+def _dict_reader(reader: Callable[[Any, str], Any]) -> Callable[[Any, str], Any]:
+    def read(data: Any, what: str) -> Any:
+        if not isinstance(data, dict):
+            raise RecordError(f"{what} must be an object, got {_short(data)}")
+        return {key: reader(item, f"{what}[{key!r}]") for key, item in data.items()}
+
+    return read
+
+
+def _choice_reader(choices: Any) -> Callable[[Any, str], Any]:
+    known = choices if isinstance(choices, dict) else {choice: choice for choice in choices}
+
+    def read(data: Any, what: str) -> Any:
+        if not isinstance(data, str) or data not in known:
+            raise RecordError(f"{what} must be one of {', '.join(known)}, got {_short(data)}")
+        return known[data]
+
+    return read
+
+
+def _plain_reader(kind: Any) -> Callable[[Any, str], Any]:
+    """Return what reads a text, a number or a truth value. A whole number is a float as well."""
+    types_taken = (int, float) if kind is float else (kind,)
+
+    def read(data: Any, what: str) -> Any:
+        if kind is not Any and type(data) not in types_taken:
+            raise RecordError(f"{what} must be {_NAMES[kind]}, got {_short(data)}")
+        return data
+
+    return read
+
+
+_NAMES = {str: "a text", int: "a whole number", float: "a number", bool: "true or false"}
+
+
+def _short(data: Any) -> str:
+    text = repr(data)
+    return text if len(text) <= 60 else f"{text[:57]}..."

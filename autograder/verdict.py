@@ -1,0 +1,62 @@
+"""What became of a check, and which exercises it rests on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from autograder.manifest import Chapter
+from autograder.message import NOTHING, Message
+
+Status = Literal["passed", "failed", "blocked", "inherited", "error"]
+Point = tuple[float, float]  # on the chart of an open exercise: cost, in counted work, and error
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What became of one check.
+
+    ``robust`` says that the check is about bad arguments, overflow or NaN, and not the physics.
+    """
+
+    name: str
+    exercise: str
+    weight: float
+    status: Status
+    message: Message = NOTHING
+    hidden: bool = False
+    on_chart: Point | None = None
+    robust: bool = False
+
+
+def needs_of(chapter: Chapter, exercise: str) -> set[str]:
+    """Return the exercises that one builds on, directly or through others."""
+    needs = set(chapter.exercise(exercise).needs)
+    return needs.union(*(needs_of(chapter, need) for need in needs))
+
+
+def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
+    """Return these exercises (all by default) and what they need, in the manifest's order."""
+    everything = [exercise.id for exercise in chapter.exercises]
+    if exercises is None:
+        return everything
+    wanted = set(exercises).union(*(needs_of(chapter, exercise) for exercise in exercises))
+    return [exercise for exercise in everything if exercise in wanted]
+
+
+def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
+    """Turn failures of exercises that build on a failing one from failed into blocked.
+
+    Only the physics of an exercise counts: its robust checks block nothing. A check that passes
+    all the same keeps its verdict: what works earns its points.
+    """
+    failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
+    marked = []
+    for verdict in verdicts:
+        needs = [need for need in chapter.exercise(verdict.exercise).needs if need in failing]
+        if needs and verdict.status == "failed":
+            titles = tuple(f"{need} ({chapter.exercise(need).title})" for need in needs)
+            message = replace(verdict.message, blocked_by=titles)
+            verdict = replace(verdict, status="blocked", message=message)
+        marked.append(verdict)
+    return marked

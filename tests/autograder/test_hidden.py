@@ -1,0 +1,132 @@
+"""Hidden checks of an instructor: they count, and tell a rationale alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from autograder import cohort
+from graded import told_by
+from small import RIGHT, hand_in, make_root
+from small_class import everything_in, grade, make_class, results, scores
+
+HIDDEN = '''
+import pytest
+from ch90_small import small
+from ch90_small.hidden_probes import double_twice
+
+
+@pytest.mark.exercise("90.1")
+@pytest.mark.parametrize("secret_value", [1234, 5678])
+def test_secret_plan(secret_value):
+    """Quadruple must hold for large numbers."""
+    print("secret output")
+    assert small.quadruple(secret_value) == 4 * secret_value, "secret expectation"
+
+
+@pytest.mark.exercise("B90.1")
+def test_secret_second_plan():
+    assert double_twice(77) == 308, "secret expectation"
+'''
+HIDDEN_PROBES = """
+from ch90_small.small import double
+
+
+def double_twice(x):
+    return double(double(x))
+"""
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    return make_root(tmp_path / "root")
+
+
+@pytest.fixture
+def submissions(tmp_path: Path) -> Path:
+    return make_class(tmp_path / "class")
+
+
+def test_hidden_checks_count_and_tell_a_rationale_alone(
+    submissions: Path, root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / "test_more.py").write_text(HIDDEN, encoding="utf-8")
+    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    hand_in(submissions, "dee", RIGHT.replace("return 4 * x", "while True: pass"))
+    out = tmp_path / "out"
+    grade(submissions, out, root, hidden=tmp_path / "hidden", time_limit=0.7)
+    # Exercise 90.1 has 2 points for 4 checks now, and bob passes the one of zero.
+    assert scores(out) == {"ann": 6.0, "bob": 4.5, "cem": 6.0, "dee": 4.0}
+    (exercise,) = (e for e in results(out)["bob"]["exercises"] if e["id"] == "90.1")
+    told = {c["name"]: told_by(c) for c in exercise["checks"] if c["hidden"]}
+    assert told == {
+        "hidden check 2": "Quadruple must hold for large numbers.",
+        "hidden check 3": "Quadruple must hold for large numbers.",
+    }
+    assert "secret" not in everything_in(out) + capsys.readouterr().out
+    assert "1234" not in everything_in(out / "feedback") + everything_in(out / "gradescope")
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "complaint"),
+    [
+        (
+            "test_x.py",
+            HIDDEN.replace("4 * secret_value", "5"),
+            "plan.1234. fails on the reference itself: secret",
+        ),
+        (
+            "test_x.py",
+            HIDDEN.replace('"90.1"', '"90.9"'),
+            "do not run: .* is of an exercise that there is not",
+        ),
+        ("notes.py", "", "there is no check in"),
+    ],
+)
+def test_hidden_checks_that_are_wrong_themselves_stop_the_run_before_it_begins(
+    submissions: Path, root: Path, tmp_path: Path, name: str, text: str, complaint: str
+) -> None:
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / name).write_text(text, encoding="utf-8")
+    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    with pytest.raises(ValueError, match=complaint):
+        grade(submissions, tmp_path / "out", root, hidden=tmp_path / "hidden")
+    assert not (tmp_path / "out/results").exists()
+
+
+def test_hidden_probes_do_not_take_the_place_of_public_ones(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    (root / "tests/ch90_small/probes.py").touch()
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    (hidden / "probes.py").touch()
+    with pytest.raises(ValueError, match=r"probes\.py has the name of a public file"):
+        grade(submissions, tmp_path / "out", root, hidden=tmp_path / "hidden")
+
+
+def test_a_hidden_check_that_the_grader_fails_on_tells_nothing_either(
+    submissions: Path, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hidden = tmp_path / "hidden/ch90_small"
+    hidden.mkdir(parents=True)
+    fixture = "\n\n@pytest.fixture(autouse=True)\ndef odd():\n    raise OSError('secret fault')\n"
+    (hidden / "test_more.py").write_text(HIDDEN + fixture, encoding="utf-8")
+    (hidden / "hidden_probes.py").write_text(HIDDEN_PROBES, encoding="utf-8")
+    monkeypatch.setattr(cohort, "check_hidden", lambda _: None)
+    out = tmp_path / "out"
+    assert grade(submissions, out, root, hidden=tmp_path / "hidden") == 1
+    assert scores(out) == {"ann": None, "bob": None, "cem": None}
+    assert "the grader failed on this check" in everything_in(out / "feedback")
+    assert "secret" not in everything_in(out)
+
+
+def test_hidden_checks_of_no_chapter_are_refused(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    with pytest.raises(ValueError, match="--checks must be a folder that has one of ch90_small"):
+        grade(submissions, tmp_path / "out", root, hidden=tmp_path / "nowhere")

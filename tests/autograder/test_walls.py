@@ -1,0 +1,104 @@
+"""The walls around a worker, and what gets through where one is missing."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+
+from autograder.isolation.probe import HELD_BY_LANDLOCK, HELD_BY_SECCOMP, best_level, holds
+from autograder.isolation.sandbox import Level, landlock_version, seccomp_filter
+from autograder.isolation.template import Template, TemplateError
+
+
+def hang() -> NoReturn:
+    raise TimeoutError("hangs")
+
+
+@pytest.fixture(scope="module")
+def level() -> Level:
+    return best_level()
+
+
+@pytest.mark.skipif(landlock_version() == 0, reason="there is no Landlock here")
+def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Level) -> None:
+    if not (level.landlock and level.seccomp):
+        pytest.skip("Landlock and seccomp do not stand here")
+    attempts = [*HELD_BY_LANDLOCK, *HELD_BY_SECCOMP]
+    (tmp_path / "forbidden").touch()
+    through = []
+    for number, walls in enumerate([Level(), Level(landlock=True), Level(seccomp=True), level]):
+        own = tmp_path / str(number)
+        own.mkdir()
+        template = Template(walls, [], str(own), own, 5.0)
+        with contextlib.closing(template):
+            session = template.start_worker(hang)
+            path = str(tmp_path / "forbidden")
+            through.append(set(session.ask("test_the_walls", attempts, path)))
+    nothing, landlock, seccomp, all_of_them = through
+    assert nothing >= {*HELD_BY_LANDLOCK, "sending a signal"}
+    assert landlock.isdisjoint(HELD_BY_LANDLOCK)
+    assert seccomp.isdisjoint(HELD_BY_SECCOMP)
+    assert seccomp >= {*HELD_BY_LANDLOCK}
+    assert all_of_them == set()
+
+
+def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("autograder.isolation.template._python_folders", lambda: ["/"])
+    assert not holds(Level(landlock=True)), "everything can be read"
+
+
+def test_a_template_that_cannot_start_says_so(
+    tmp_path: Path, level: Level, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("autograder.isolation.template.ROOT", tmp_path)  # it has no autograder
+    template = Template(level, [], str(tmp_path), tmp_path, 1.0)
+    with (
+        contextlib.closing(template),
+        pytest.raises(TemplateError, match=r"(?s)did not come up: .*No module named"),
+    ):
+        template.start_worker(hang)
+
+
+def test_the_filter_refuses_what_it_does_not_name() -> None:
+    """Run the program by hand, as the kernel does: 8 bytes an instruction."""
+
+    def verdict(architecture: int, number: int) -> int:
+        program = seccomp_filter()
+        place, loaded = 0, 0
+        while True:
+            code, yes, no, value = _instruction(program, place)
+            place += 1
+            match code:
+                case 0x20:
+                    loaded = architecture if value == 4 else number
+                case 0x15:
+                    place += yes if loaded == value else no
+                case 0x35:
+                    place += yes if loaded >= value else no
+                case 0x06:
+                    return value
+
+    allow, refuse, kill = 0x7FFF0000, 0x00050001, 0x80000000
+    x86_64 = 0xC000003E
+    read, write, exit_group, statx = 0, 1, 231, 332
+    for number in (read, write, exit_group, statx):
+        assert verdict(x86_64, number) == allow
+    # ioctl, socket, clone, fork, vfork, execve, kill, ptrace, fcntl, prlimit64, memfd_create,
+    # execveat, clone3, and the 32-bit way in.
+    for number in (16, 41, 56, 57, 58, 59, 62, 101, 72, 302, 319, 322, 435, 0x40000000 | 1):
+        assert verdict(x86_64, number) == refuse
+    assert verdict(0x40000003, read) == kill, "another architecture"
+
+
+def _instruction(program: bytes, place: int) -> tuple[int, int, int, int]:
+    line = program[8 * place : 8 * place + 8]
+    return (
+        int.from_bytes(line[:2], sys.byteorder),
+        line[2],
+        line[3],
+        int.from_bytes(line[4:], sys.byteorder),
+    )

@@ -1,0 +1,45 @@
+"""A class of the small chapter, graded here, and what that leaves."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from pathlib import Path
+from typing import Any
+
+from autograder import cohort
+from autograder.cohort import ClassOptions
+from autograder.manifest import load_chapters
+from small import RIGHT, hand_in
+
+HALF = RIGHT.replace("4 * x", "3 * x")
+
+
+def make_class(folder: Path) -> Path:
+    """Make a class of three: one right, one half right, one in a zip with a folder around it."""
+    hand_in(folder, "ann", RIGHT)
+    hand_in(folder, "bob", HALF)
+    with zipfile.ZipFile(folder / "cem.zip", "w") as zipped:
+        zipped.writestr("my work/ch90_small/small.py", RIGHT)
+    return folder
+
+
+def grade(submissions: Path, out: Path, root: Path, seed: str | None = "1", **options: Any) -> int:
+    chapters = load_chapters(root)
+    how = ClassOptions(seed=seed, root=root, unsafe=True, **options)
+    return cohort.grade(submissions, out, chapters, how)
+
+
+def results(out: Path) -> dict[str, dict[str, Any]]:
+    reports = [json.loads(path.read_text(encoding="utf-8")) for path in out.glob("results/*.json")]
+    return {report["student"]: report for report in reports}
+
+
+def scores(out: Path) -> dict[str, float | None]:
+    return {student: report["score"] for student, report in sorted(results(out).items())}
+
+
+def everything_in(out: Path) -> str:
+    return "\n".join(
+        path.read_text(encoding="utf-8") for path in sorted(out.rglob("*")) if path.is_file()
+    )

@@ -1,0 +1,107 @@
+"""Submissions to be staged, as folders and as zips, and what comes of them."""
+
+from __future__ import annotations
+
+import os
+import struct
+import tempfile
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT, load_chapters
+from autograder.submissions.stage import stage
+
+CHAPTERS = load_chapters()[:2]
+EDITED = [f"{chapter.name}/{file}" for chapter in CHAPTERS for file in chapter.edited_files]
+VECTOR, EXERCISES = "ch02_vectors/vector.py", "ch02_vectors/exercises.py"
+CODE = b"x = 1\n"
+HandIn = Callable[[dict[str, bytes]], Path]
+# The files taken, why others are not, and the notes.
+Outcome = tuple[dict[str, bytes], dict[str, str], list[str]]
+TAKEN: Outcome = ({VECTOR: CODE}, {}, [])
+NOTHING: Outcome = ({}, {}, [])
+LINKED: Outcome = ({}, dict.fromkeys([VECTOR, EXERCISES], "its folder is a symbolic link"), [])
+
+LINK = "it is a symbolic link"
+NO_FILE = "it is no regular file"
+FOLDER = "it is a folder"
+TOO_LARGE = "it is larger than 1,000,000 bytes"
+NO_UTF8 = "it is not UTF-8: save it as UTF-8 in your editor"
+DENIED = "Permission denied"
+UNSEARCHED = f"was not searched: {DENIED}"
+UNKNOWN = f"a folder of the submission cannot be read: {DENIED}"  # who knows what is in it
+GONE = "No such file or directory"
+UNUSUAL = "it is compressed in an unusual way: make an ordinary zip"
+SPOILT = "it is damaged in the zip: zip the folder again"
+DAMAGED = "the zip is damaged, or no ordinary zip: zip the folder again"
+CROWDED = "the zip has more than 5,000 files and folders in it"
+
+posix = pytest.mark.skipif(os.name != "posix", reason="modes, pipes and such names are POSIX's")
+
+
+def only(why: str) -> Outcome:
+    """Nothing was taken of a submission that has but one file."""
+    return {}, {VECTOR: why}, []
+
+
+def refused(why: str) -> Outcome:
+    """The submission as a whole was not taken, which the instructor is told as well."""
+    return {}, dict.fromkeys(EDITED, why), [f"nothing was taken: {why}"]
+
+
+def boxed(submission: Path, root: Path = ROOT) -> Outcome:
+    """Stage a submission into a new box, and see what becomes of it."""
+    box = Path(tempfile.mkdtemp(dir=submission.parent, prefix=".box-"))
+    staged = stage(submission, CHAPTERS, box, root)
+    files = {str(p.relative_to(box)): p.read_bytes() for p in box.rglob("*") if p.is_file()}
+    for chapter in CHAPTERS:
+        for name in chapter.complete:
+            ours = (root / "chapters" / chapter.name / name).read_bytes()
+            assert files.pop(f"{chapter.name}/{name}") == ours
+    missing = {}
+    for module, sentence in staged.missing.items():
+        file, why = sentence.split(" was not taken: ")
+        assert file == module.replace(".", "/") + ".py"
+        missing[file] = why
+    return files, missing, staged.notes
+
+
+def make_folder(folder: Path, files: dict[str, bytes]) -> Path:
+    (folder / "ann").mkdir(exist_ok=True)
+    for name, content in files.items():
+        (folder / "ann" / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / "ann" / name).write_bytes(content)
+    return folder / "ann"
+
+
+def make_zip(folder: Path, files: dict[str, bytes], method: int = zipfile.ZIP_DEFLATED) -> Path:
+    with zipfile.ZipFile(folder / "ann.zip", "w", method) as file:
+        for name, content in files.items():
+            file.writestr(name, content)
+    return folder / "ann.zip"
+
+
+def special_zip(
+    folder: Path, name: str = VECTOR, mode: int = 0o100644, extra: bytes = b"", **fields: int
+) -> Path:
+    """A zip with one stored file, of which fields in the directory are set to other values."""
+    info = zipfile.ZipInfo(name)
+    info.create_system, info.external_attr, info.extra = 3, mode << 16, extra
+    with zipfile.ZipFile(folder / "ann.zip", "w") as file:
+        file.writestr(info, CODE)
+    return set_fields(folder / "ann.zip", **fields)
+
+
+def set_fields(path: Path, **fields: int) -> Path:
+    """Set fields of a zip's directory to other values, in what it says of its last file."""
+    data = bytearray(path.read_bytes())
+    short = {"version": 6, "flags": 8, "method": 10}
+    long = {"crc": 16, "packed": 20, "size": 24, "offset": 42}
+    for field, value in fields.items():
+        place = data.rindex(b"PK\1\2") + (short | long)[field]
+        struct.pack_into("<H" if field in short else "<L", data, place, value)
+    path.write_bytes(data)
+    return path

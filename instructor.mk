@@ -69,7 +69,7 @@ mutants: .venv/mutants ## how many changed references the checks notice (CH=6)
 seeds: $(READY) ## check right answers with 1,000 seeds (CH=6 SEEDS=100)
 	@$(RUN) tests/strength seeds $(if $(CH),--chapter "$(CH)") $(if $(SEEDS),--seeds "$(SEEDS)")
 
-table: $(READY) ## put both of these measurements into tests/README.md
+table: $(READY) ## put what was measured into the READMEs
 	@$(RUN) tests/strength table
 
 bench: $(READY) ## speed, as ratios measured in turn

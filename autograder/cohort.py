@@ -98,7 +98,7 @@ def grade(
         places = write_class(out, chapters, reports)
         finished = all(report["status"] == "graded" for report in reports)
         replace_file(state, json.dumps({"seed": seed, "finished": finished}) + "\n")
-    _print_class(console, reports)
+    print_class(console, reports)
     for report in reports:
         for note in report["notes"]:
             console.print(f"{report['student']}: {note}", markup=False)
@@ -319,7 +319,8 @@ def _cores() -> int:
     return os.cpu_count() or 1
 
 
-def _print_class(console: Console, reports: list[Report]) -> None:
+def print_class(console: Console, reports: list[Report]) -> None:
+    """Print a line for each student: points, checks, and the first problem."""
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right")

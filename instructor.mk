@@ -8,7 +8,7 @@ TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED
 TAKES_handout := CHAPTERS GIVEN OUT
 TAKES_classroom := CHAPTERS GIVEN OUT
 TAKES_gradescope := CHAPTERS GIVEN OUT
-TAKES_test :=
+TAKES_test := CH
 TAKES_lint :=
 TAKES_stubs :=
 TAKES_figures :=
@@ -38,12 +38,16 @@ gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
 
 # == For those who work on the companion itself ==
-test: say-what-test-is lint .venv/cluster .venv/mutants ## test the companion itself, in about 15 minutes
-	@$(RUN) -m pytest -n auto --engine=solutions --engine=chapters --ignore=$(HOSTILE)
-	@$(RUN) -m pytest --engine=solutions --engine=chapters $(HOSTILE)
+test: say-what-test-is lint .venv/cluster .venv/mutants ## test the companion itself; CH=6: what is about a chapter
+ifneq ($(CH),)
+	@PYTHONPATH=tests $(RUN) -m pytest -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
+else
+	@$(RUN) -m pytest -n auto --ignore=$(HOSTILE)
+	@$(RUN) -m pytest $(HOSTILE)
+endif
 
 say-what-test-is:
-	@echo "This tests the companion itself, and takes about 15 minutes."
+	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 15 minutes)."
 	@echo "To check what you wrote, run make check or make watch."
 
 .venv/cluster .venv/mutants: .venv/%: %.lock $(READY)
@@ -69,7 +73,7 @@ mutants: .venv/mutants ## how many changed references the checks notice (CH=6)
 seeds: $(READY) ## check right answers with 1,000 seeds (CH=6 SEEDS=100)
 	@$(RUN) tests/strength seeds $(if $(CH),--chapter "$(CH)") $(if $(SEEDS),--seeds "$(SEEDS)")
 
-table: $(READY) ## put both of these measurements into tests/README.md
+table: $(READY) ## put what was measured into the READMEs
 	@$(RUN) tests/strength table
 
 bench: $(READY) ## speed, as ratios measured in turn

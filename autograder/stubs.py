@@ -11,6 +11,7 @@ import ast
 import json
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -44,7 +45,13 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
 def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
     """Return the stub of one module, such as vector.py. Raises OSError without its solution."""
     source = (root / "solutions" / chapter.name / file).read_text(encoding="utf-8")
-    return stub_module(source, messages_of(chapter, file))
+    return _stub_of_text(source, tuple(messages_of(chapter, file).items()))
+
+
+@cache
+def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
+    """Return the stub of a text. It is made once: libcst takes seconds for all chapters."""
+    return stub_module(source, dict(messages))
 
 
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import csv
 import platform
 import sys
 import time
@@ -15,14 +14,15 @@ from rich.console import Console
 from rich.table import Table
 
 from autograder.manifest import ROOT
+from studies.benchmarks.kept import FILE, keep
 from studies.plot import shown
-from studies.timing import Line, Measurement, measure
+from studies.timing import Measurement, measure
 
 
 def main(arguments: list[str]) -> int:
-    """Measure every line, print the table and write it; return 0, whatever misses its target."""
+    """Measure every line, print the table and keep it; return 0, whatever misses its target."""
     parser = argparse.ArgumentParser(prog="python -m studies bench", description=__doc__)
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "bench.csv")
+    parser.add_argument("--out", type=Path, default=FILE, help="where the figures are kept")
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = Console(highlight=False)
@@ -39,12 +39,14 @@ def main(arguments: list[str]) -> int:
         target = str(line.target or "")
         table.add_row(line.what, number(line.median), spread, target, line.verdict)
     console.print(table)
-    write(lines, options.out)
+    keep(lines, _versions(), options.out)
     verdicts = [line.verdict for line in lines]
     met, missed = verdicts.count("met"), verdicts.count("missed")
     minutes = (time.monotonic() - start) / 60.0
     console.print(f"{met} targets met, {missed} missed, in {minutes:.1f} minutes")
-    console.print(f"all numbers: {shown(options.out)}", soft_wrap=True)
+    console.print(
+        f"kept in {shown(options.out)}; make table quotes them in the READMEs", soft_wrap=True
+    )
     console.print(f"Python {platform.python_version()}, {_versions()}; {platform.platform()}")
     return 0
 
@@ -74,17 +76,6 @@ def every(console: Console) -> list[Measurement]:
 def number(figure: float) -> str:
     """Return a figure as the table shows it."""
     return f"{figure:.2f}" if figure < 100.0 else f"{figure:,.0f}"
-
-
-def write(lines: list[Line], path: Path) -> None:
-    """Write the table as CSV."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(("what", "ratio", "lower", "upper", "target", "verdict"))
-        for line in lines:
-            figures = (line.median, line.low, line.high)
-            writer.writerow((line.what, *figures, line.target or "", line.verdict))
 
 
 def _versions() -> str:

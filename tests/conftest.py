@@ -16,7 +16,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--engine",
         action="append",
-        help="a folder of chapters to check; more of them lie below the first (default: chapters)",
+        help="a folder of chapters to check; more of them lie below the first "
+        "(default: solutions, where there is such a folder, over chapters)",
     )
     parser.addoption("--seed", default="1", help="seed of the numbers that checks draw")
 
@@ -28,7 +29,8 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line(
         "markers", "robust: the check is about bad arguments, overflow or NaN, and not the physics"
     )
-    folders = config.getoption("engine") or ["chapters"]
+    there = [name for name in ("solutions", "chapters") if (TESTS.parent / name).is_dir()]
+    folders = config.getoption("engine") or there
     for folder in folders:
         if not (TESTS.parent / folder).is_dir():
             raise pytest.UsageError(f"--engine: there is no folder {folder!r}")

@@ -287,7 +287,8 @@ def test_a_slip_outside_all_bodies_is_where_the_screen_sends_to(engine: Path) ->
 
 def test_a_helper_that_is_not_handed_in_is_named(engine: Path) -> None:
     (engine / "ch03_laws_of_motion/my_helper.py").touch()
-    assert "Not handed in, so nothing may import it: my_helper.py" in check(engine).stdout
+    done = check(engine, "--exercise", "B3.1")
+    assert "Not handed in, so nothing may import it: my_helper.py" in done.stdout
 
 
 def test_the_given_folder_is_gone_afterwards() -> None:

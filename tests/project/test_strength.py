@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-import re
+import subprocess
 import sys
 import tomllib
 from collections import Counter
@@ -12,6 +12,7 @@ import pytest
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
+from studies.benchmarks import kept as bench_figures
 from wrong import read_wrong
 
 CHAPTERS = load_chapters()
@@ -49,30 +50,77 @@ def test_a_survivor_is_a_line_of_the_reference_and_has_a_reason(chapter: Chapter
         assert len(survivor["reason"].split()) >= 4
 
 
-def test_the_table_has_every_chapter_as_it_is_now_and_strong_enough() -> None:
-    page = (ROOT / "tests/README.md").read_text(encoding="utf-8")
-    rows = [
-        [cell.strip() for cell in line.split("|")[1:-1]]
-        for line in page.splitlines()
-        if re.match(r"\| \d ", line)
-    ]
-    assert [row[0] for row in rows] == [f"{c.number} {c.title}" for c in CHAPTERS]
-    for chapter, row in zip(CHAPTERS, rows, strict=True):
-        checked = [exercise for exercise in chapter.exercises if exercise.kind != "written"]
-        points = sum(exercise.points for exercise in checked)
-        assert (row[1], row[3]) == (str(len(checked)), str(points))
-        assert row[6] == str(len(read_wrong(chapter)))
-        assert float(re.search(r"([\d.]+) %", row[4])[1]) >= 97.0
-        for cell in row[7:]:  # the reference, and the second solution
-            seeds, _, pythons = cell.partition(" on ")
-            assert int(seeds) >= 1000
-            assert pythons == "3.11, 3.12, 3.13"
+@pytest.fixture
+def strength(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the modules of tests/strength be imported."""
+    monkeypatch.setattr(sys, "path", [str(ROOT / "tests/strength"), *sys.path])
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+@pytest.mark.usefixtures("strength")
+def test_make_table_would_write_the_row_that_is_there(chapter: Chapter) -> None:
+    """Of what this copy has: in a fresh one it changes nothing."""
+    import table
+    from pages import between
+
+    page = table.PAGE.read_text(encoding="utf-8")
+    rows = between(page, table.BEGIN, table.END).splitlines()[2:]
+    assert table.table_of([table.row(chapter)]).splitlines()[2] == rows[CHAPTERS.index(chapter)]
+    assert len(rows) == len(CHAPTERS)
+
+
+@pytest.mark.usefixtures("strength")
+def test_make_table_would_write_the_sample_class_that_is_there() -> None:
+    import table
+    from pages import between
+
+    page = table.FRONT.read_text(encoding="utf-8")
+    assert between(page, table.BEGIN_SAMPLE, table.END_SAMPLE) == table.sample_table()
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+@pytest.mark.usefixtures("strength")
+def test_the_checks_of_a_chapter_are_strong_and_fair_enough(chapter: Chapter) -> None:
+    from kept import kept
+
+    mutants = kept("mutants", chapter)
+    assert mutants["killed"] / mutants["of"] >= 0.97
+    for solution in ("reference", "second solution"):
+        pythons = kept(f"seeds of {solution}", chapter)
+        assert pythons.keys() == {"3.11", "3.12", "3.13"}
+        assert min(pythons.values()) >= 1000
+
+
+def test_what_is_measured_is_committed() -> None:
+    """What a fresh copy lacks, make table there would erase."""
+    ignored = ("git", "check-ignore", "tests/strength/figures.json", str(bench_figures.FILE))
+    assert subprocess.run(ignored, cwd=ROOT, check=False).returncode != 0
+
+
+@pytest.mark.usefixtures("strength")
+def test_text_between_two_comments_is_replaced_and_nothing_else() -> None:
+    import pages
+
+    page = "before <a>\n\nold\n\n<b> after\n"
+    assert pages.between(page, "<a>", "<b>") == "old"
+    assert pages.with_text(page, "<a>", "<b>", "old") == page
+    assert pages.with_text(page, "<a>", "<b>", "new") == page.replace("old", "new")
+    with pytest.raises(ValueError, match="lacks '<c>' or '<b>'"):
+        pages.with_text(page, "<c>", "<b>", "new")
+
+
+@pytest.mark.usefixtures("strength")
+def test_a_figure_that_was_never_measured_is_a_dash(monkeypatch: pytest.MonkeyPatch) -> None:
+    import table
+
+    monkeypatch.setattr(table, "run_checks", lambda *_, **__: [])
+    monkeypatch.setattr(table, "kept", lambda *_: {})
+    assert [cell for cell in table.row(CHAPTERS[0]) if cell == "-"] == ["-"] * 4
 
 
 @pytest.fixture
-def mutants(monkeypatch: pytest.MonkeyPatch) -> object:
+def mutants(strength: None) -> object:  # noqa: ARG001
     pytest.importorskip("cosmic_ray")
-    monkeypatch.setattr(sys, "path", [str(ROOT / "tests/strength"), *sys.path])
     import mutants
 
     return mutants

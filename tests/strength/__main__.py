@@ -37,9 +37,9 @@ def main() -> int:
 
         done = [run_seeds(chapters, arguments.seeds, arguments.jobs)]
     else:
-        from table import write_table
+        from table import write_tables
 
-        done = [write_table(chapters, console)]
+        done = [write_tables(console)]
     return 0 if all(done) else 1
 
 

@@ -1,27 +1,27 @@
-"""Figures that have been measured here, by chapter, in one file for the table."""
+"""The figures that have been measured, by chapter, in one committed file for the table."""
 
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
 from autograder.manifest import ROOT, Chapter
 
-FOLDER = ROOT / "build" / "strength"
-FILE = FOLDER / "figures.json"
+FOLDER = ROOT / "build" / "strength"  # what a measurement needs to resume: not committed
+FILE = Path(__file__).with_name("figures.json")
 
 
 def kept(name: str, chapter: Chapter) -> dict[str, Any]:
-    """Return the figures of this name, empty where there are none."""
+    """Return the figures of this name, or an empty dict where nothing was measured."""
     return dict(_read().get(name, {}).get(chapter.name, {}))
 
 
 def keep(name: str, chapter: Chapter, **figures: Any) -> None:
-    """Add figures of this name; new ones take the place of older ones."""
+    """Add figures of this name. New ones replace older ones."""
     everything = _read()
     everything.setdefault(name, {}).setdefault(chapter.name, {}).update(figures)
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    FILE.write_text(json.dumps(everything, indent=1) + "\n", encoding="utf-8")
+    FILE.write_text(json.dumps(everything, indent=1, sort_keys=True) + "\n", encoding="utf-8")
 
 
 def _read() -> dict[str, Any]:

@@ -1,16 +1,21 @@
-"""Write the table of how strong and how fair the checks are into tests/README.md."""
+"""Write what was measured into the pages: the checks' strength, the sample class, the speeds."""
 
 from __future__ import annotations
 
 from rich.console import Console
 
-from autograder.manifest import ROOT, Chapter
+from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.runner import run_checks
 from kept import kept
+from pages import with_text
+from sample import sample_table
+from studies.benchmarks.kept import write_quotations
 from wrong import read_wrong
 
 PAGE = ROOT / "tests" / "README.md"
 BEGIN, END = "<!-- strength: `make table` writes this -->", "<!-- end of strength -->"
+FRONT = ROOT / "README.md"
+BEGIN_SAMPLE, END_SAMPLE = "<!-- sample: `make table` writes this -->", "<!-- end of sample -->"
 HEAD = [
     "chapter",
     "exercises",
@@ -24,18 +29,27 @@ HEAD = [
 ]
 
 
-def write_table(chapters: list[Chapter], console: Console) -> bool:
-    """Write a row a chapter, and say where a figure has not been measured here."""
-    lines = [HEAD, ["---", *["---:"] * (len(HEAD) - 1)], *map(row, chapters)]
-    table = "\n".join(f"| {' | '.join(line)} |" for line in lines)
-    before, _, rest = PAGE.read_text(encoding="utf-8").partition(BEGIN)
-    after = rest.partition(END)[2]
-    PAGE.write_text(f"{before}{BEGIN}\n\n{table}\n\n{END}{after}", encoding="utf-8")
-    console.print(f"the table is in {PAGE}", markup=False)
-    missing = any("-" in line for line in lines[2:])
+def write_tables(console: Console) -> bool:
+    """Write all that is made into the pages; return whether every figure has been measured."""
+    rows = [row(chapter) for chapter in load_chapters()]
+    for path, begin, end, text in (
+        (PAGE, BEGIN, END, table_of(rows)),
+        (FRONT, BEGIN_SAMPLE, END_SAMPLE, sample_table()),
+    ):
+        page = path.read_text(encoding="utf-8")
+        path.write_text(with_text(page, begin, end, text), encoding="utf-8", newline="\n")
+    write_quotations()
+    console.print(f"the tables are in {PAGE} and {FRONT}", markup=False)
+    missing = any("-" in cells for cells in rows)
     if missing:
-        console.print("A dash is what was not measured here: make mutants, make seeds")
+        console.print("A dash is a figure that was never measured: make mutants, make seeds")
     return not missing
+
+
+def table_of(rows: list[list[str]]) -> str:
+    """Return the table of all chapters' rows in Markdown."""
+    lines = [HEAD, ["---", *["---:"] * (len(HEAD) - 1)], *rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 def row(chapter: Chapter) -> list[str]:

@@ -13,7 +13,9 @@ PATIENCE = 600.0  # seconds for another process's plots, of which the longest ta
 
 
 @pytest.fixture(scope="session")
-def drawn(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tuple[Path, str]:
+def drawn(
+    tmp_path_factory: pytest.TempPathFactory, worker_id: str, pytestconfig: pytest.Config
+) -> tuple[Path, str]:
     """Where the reference's plots were drawn to, and what was said of it.
 
     Each process draws the chapters that no other has begun, the last ones first: they take longest.
@@ -24,7 +26,9 @@ def drawn(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> tuple[Pat
     base = tmp_path_factory.getbasetemp()
     out = (base if alone else base.parent) / "plots"
     out.mkdir(exist_ok=True)
+    only = pytestconfig.getoption("chapter", None)  # of make test CH=6
     numbers = sorted((chapter.number for chapter in load_chapters()), reverse=True)
+    numbers = [only] if only in numbers else numbers
     for number in numbers:
         try:
             (out / f"{number}.begun").touch(exist_ok=False)

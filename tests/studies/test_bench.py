@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import csv
 import io
+import json
 import math
+import platform
 import timeit
 from collections.abc import Callable
 from itertools import chain
@@ -27,6 +28,7 @@ from studies.benchmarks import (
     springs,
     vectors,
 )
+from studies.benchmarks.kept import kept, pages, with_quotations
 from studies.drag_flight import PROJECTILE, make_particle
 from studies.timing import Measurement, Target
 
@@ -129,7 +131,7 @@ def test_the_table_is_printed_and_written_and_a_miss_is_no_failure(
         Measurement("told", lambda: 0.25, 2),
     ]
     monkeypatch.setattr(bench, "every", lambda _: made_up)
-    out = tmp_path / "new" / "bench.csv"
+    out = tmp_path / "figures.json"
     assert bench.main(["--out", str(out)]) == 0
     told = capsys.readouterr().out
     cells = {words[0]: words[1:] for line in told.splitlines() if (words := line.split())}
@@ -137,14 +139,31 @@ def test_the_table_is_printed_and_written_and_a_miss_is_no_failure(
     assert cells["slow"] == ["1.50", "1.50-1.50", "at", "most", "1.15", "missed"]
     assert cells["told"] == ["0.25", "0.25-0.25"]
     assert "1 targets met, 1 missed" in told
-    assert "bench.csv" in told
-    with out.open(encoding="utf-8") as file:
-        assert [*csv.reader(file)] == [
-            ["what", "ratio", "lower", "upper", "target", "verdict"],
-            ["quick", "2500.4", "2500.4", "2500.4", "at least 2,000", "met"],
-            ["slow", "1.5", "1.5", "1.5", "at most 1.15", "missed"],
-            ["told", "0.25", "0.25", "0.25", "", ""],
-        ]
+    assert "figures.json" in told
+    found = json.loads(out.read_text(encoding="utf-8"))
+    assert found["machine"] == f"{platform.system()} {platform.machine()}"
+    assert [*found["lines"].values()] == [
+        {"ratio": 2500.0, "quartiles": [2500.0] * 2, "target": "at least 2,000", "verdict": "met"},
+        {"ratio": 1.5, "quartiles": [1.5] * 2, "target": "at most 1.15", "verdict": "missed"},
+        {"ratio": 0.25, "quartiles": [0.25] * 2, "target": "", "verdict": ""},
+    ]
+    assert kept(out) == {"quick": 2500.0, "slow": 1.5, "told": 0.25}
+
+
+@pytest.mark.parametrize("path", pages(), ids=str)
+def test_a_page_quotes_the_figures_that_are_kept(path: Path) -> None:
+    page = path.read_text(encoding="utf-8")
+    assert with_quotations(page, kept()) == page
+
+
+def test_a_quotation_has_two_digits_of_the_one_line_that_it_begins() -> None:
+    ratios = {"a cloth / b": 1.846, "a clock": 4217.0, "a rope": 0.0512}
+    for begins, shown in (("a cloth", "1.8"), ("a clock", "4,200"), ("a rope", "0.051")):
+        page = f"takes <!-- bench: {begins} -->99<!-- end --> times"
+        assert with_quotations(page, ratios) == page.replace("99", shown)
+    for begins, count in (("a clo", 2), ("a chain", 0)):
+        with pytest.raises(ValueError, match=f"{count} lines of make bench begin with '{begins}'"):
+            with_quotations(f"<!-- bench: {begins} -->1<!-- end -->", ratios)
 
 
 def test_each_side_makes_the_fewest_steps_that_are_accurate_enough() -> None:

@@ -1,0 +1,89 @@
+"""The figures of the last `make bench`, committed here, and their quotations in the READMEs.
+
+A README quotes the median of a line between two comments. The first one has the beginning of what
+the line describes, enough to tell it from all other lines:
+
+    takes <!-- bench: a cloth of 180 springs by connect -->1.8<!-- end --> times as long
+"""
+
+from __future__ import annotations
+
+import json
+import platform
+import re
+from collections.abc import Sequence
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+from autograder.manifest import ROOT
+from studies.timing import Line
+
+FILE = Path(__file__).with_name("figures.json")
+PAGES = ("README.md", "studies/README.md", "chapters/*/README.md")
+QUOTATION = re.compile(r"(<!-- bench: ([^>]*?) -->)(.*?)(<!-- end -->)", re.DOTALL)
+
+
+def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
+    """Write the lines of a run, with the day, the Python and the kind of machine."""
+    found: dict[str, Any] = {
+        "measured": date.today().isoformat(),
+        "python": platform.python_version(),
+        "machine": f"{platform.system()} {platform.machine()}",
+        "libraries": versions,
+    }
+    found["lines"] = {
+        line.what: {
+            "ratio": rounded(line.median),
+            "quartiles": [rounded(line.low), rounded(line.high)],
+            "target": str(line.target or ""),
+            "verdict": line.verdict,
+        }
+        for line in lines
+    }
+    file.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+
+
+def rounded(figure: float) -> float:
+    """Return a figure with three digits: its spread is wider than a fourth one."""
+    return float(f"{figure:.3g}")
+
+
+def kept(file: Path = FILE) -> dict[str, float]:
+    """Return the ratios of the last run by what they describe: none before the first run."""
+    if not file.exists():
+        return {}
+    lines = json.loads(file.read_text(encoding="utf-8"))["lines"]
+    return {what: line["ratio"] for what, line in lines.items()}
+
+
+def with_quotations(page: str, ratios: dict[str, float]) -> str:
+    """Return a page whose quotations are the figures of a run, with two digits.
+
+    Raises:
+        ValueError: A quotation is of no line of the run, or of more than one.
+    """
+
+    def renewed(match: re.Match[str]) -> str:
+        wanted = " ".join(match[2].split())
+        found = [ratio for what, ratio in ratios.items() if what.startswith(wanted)]
+        if len(found) != 1:
+            raise ValueError(f"{len(found)} lines of make bench begin with {wanted!r}, not one")
+        return f"{match[1]}{float(f'{found[0]:.2g}'):,g}{match[4]}"
+
+    return QUOTATION.sub(renewed, page)
+
+
+def pages() -> list[Path]:
+    """Return the pages that may quote a figure."""
+    return [path for pattern in PAGES for path in sorted(ROOT.glob(pattern))]
+
+
+def write_quotations() -> None:
+    """Renew the quotations of all pages. Raises ValueError where one quotes no line."""
+    ratios = kept()
+    for path in pages():
+        old = path.read_text(encoding="utf-8")
+        new = with_quotations(old, ratios)
+        if new != old:
+            path.write_text(new, encoding="utf-8", newline="\n")

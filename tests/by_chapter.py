@@ -1,0 +1,73 @@
+"""A pytest plugin: run what is about one chapter, as `make test CH=6` does.
+
+- A test whose parameters have a chapter, or a path of one, is about that chapter.
+- Every other test is about the latest chapter that its file imports, or names: the earlier ones are
+  what it builds on. A file that has none is asked for the modules of studies that it imports.
+- The tests of the tools, in tests/autograder/, are about no chapter; nor is a file that names none.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT, Chapter
+
+NAME = re.compile(r"\bch(\d\d)_")
+IMPORT = re.compile(r"^ *from (studies[\w.]*) import (.*)$", re.MULTILINE)
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--chapter", type=int, help="run only what is about this chapter")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    wanted = config.getoption("chapter")
+    if wanted is None:
+        return
+    about = [wanted in chapters_of(item) for item in items]
+    config.hook.pytest_deselected(
+        items=[i for i, is_it in zip(items, about, strict=True) if not is_it]
+    )
+    items[:] = [item for item, is_it in zip(items, about, strict=True) if is_it]
+
+
+def chapters_of(item: pytest.Item) -> set[int]:
+    """Return the chapters that a test is about; one at most, but for odd parameters."""
+    if item.path.is_relative_to(ROOT / "tests/autograder"):
+        return set()
+    parameters = item.callspec.params.values() if hasattr(item, "callspec") else ()
+    found = {value.number for value in parameters if isinstance(value, Chapter)}
+    for value in parameters:
+        if isinstance(value, str | Path):
+            found |= named_in(str(value))
+    return found or latest(item.path)
+
+
+@cache
+def latest(file: Path) -> set[int]:
+    """Return the latest chapter that a file imports or names, if any."""
+    if own := NAME.match(file.parent.name):
+        return {int(own[1])}
+    if file.is_relative_to(ROOT / "tests/project"):
+        return set()  # what holds of every chapter has it as a parameter
+    text = file.read_text(encoding="utf-8")
+    found = {
+        number
+        for each in re.findall(r"^(?:from|import) ch\d\d_", text, re.M)
+        for number in named_in(each)
+    }
+    found = found or named_in(text)
+    for module, names in () if found else IMPORT.findall(text):
+        for name in ("", *re.findall(r"\w+", names)):
+            path = ROOT / f"{f'{module}.{name}'.rstrip('.').replace('.', '/')}.py"
+            found |= named_in(path.read_text(encoding="utf-8")) if path.is_file() else set()
+    return {max(found)} if found else set()
+
+
+def named_in(text: str) -> set[int]:
+    """Return the numbers of the chapters whose packages a text names."""
+    return {int(number) for number in NAME.findall(text)}

@@ -1,0 +1,52 @@
+"""`make test CH=6` runs what is about chapter 6, and nothing that is about another one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from autograder.manifest import ROOT, load_chapters
+from by_chapter import chapters_of, latest
+
+CHAPTERS = load_chapters()
+REFERENCE = sorted((ROOT / "tests/reference").glob("test_*.py"))
+
+
+def item(file: str, **parameters: object) -> SimpleNamespace:
+    """Return what the plugin reads of a test."""
+    return SimpleNamespace(path=ROOT / "tests" / file, callspec=SimpleNamespace(params=parameters))
+
+
+@pytest.mark.parametrize(
+    ("file", "parameters", "chapters"),
+    [
+        ("ch06_springs/test_steps.py", {}, {6}),
+        ("reference/test_links.py", {}, {7}),  # it imports 2, 5 and 6 as well
+        ("reference/test_links.py", {"count": 3, "name": "ch06"}, {7}),
+        ("studies/test_limits.py", {}, {6}),  # by what it imports of the studies
+        ("studies/test_plot_rotations.py", {}, {9}),  # by the names in its text
+        ("studies/test_plot.py", {"name": "ch02_vectors/addition"}, {2}),
+        ("project/test_proofs.py", {"chapter": CHAPTERS[2]}, {4}),
+        ("project/test_structure.py", {"path": ROOT / "solutions/ch05_forces/forces.py"}, {5}),
+        ("project/test_structure.py", {}, set()),
+        ("autograder/test_runner.py", {"chapter": CHAPTERS[2]}, set()),
+    ],
+)
+def test_a_test_is_about_the_chapter_of_its_parameters_or_of_its_file(
+    file: str, parameters: dict[str, object], chapters: set[int]
+) -> None:
+    assert chapters_of(item(file, **parameters)) == chapters
+
+
+def test_every_test_of_the_reference_is_about_a_chapter_and_every_chapter_has_some() -> None:
+    found = {path.name: latest(path) for path in REFERENCE if path.name != "test_examples.py"}
+    assert [name for name, chapters in found.items() if len(chapters) != 1] == []
+    assert set().union(*found.values()) == {chapter.number for chapter in CHAPTERS}
+
+
+def test_a_file_that_names_no_chapter_is_about_none(tmp_path: Path) -> None:
+    path = tmp_path / "test_nothing.py"
+    path.write_text("import math\n", encoding="utf-8")
+    assert latest(path) == set()

@@ -1,0 +1,26 @@
+"""Text of a page that is made, between two comments."""
+
+from __future__ import annotations
+
+
+def between(page: str, begin: str, end: str) -> str:
+    """Return what stands between two comments. Raises ValueError where the page lacks one."""
+    return _split(page, begin, end)[1]
+
+
+def with_text(page: str, begin: str, end: str, text: str) -> str:
+    """Return a page with another text between two comments, an empty line around it.
+
+    Raises:
+        ValueError: The page lacks one of the comments.
+    """
+    before, _, after = _split(page, begin, end)
+    return f"{before}{begin}\n\n{text}\n\n{end}{after}"
+
+
+def _split(page: str, begin: str, end: str) -> tuple[str, str, str]:
+    before, found_begin, rest = page.partition(begin)
+    inside, found_end, after = rest.partition(end)
+    if not (found_begin and found_end):
+        raise ValueError(f"the page lacks {begin!r} or {end!r}")
+    return before, inside.strip("\n"), after

@@ -1,0 +1,39 @@
+"""What students of the sample class get, as the README shows it."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+
+from rich.console import Console
+
+from autograder.assignment import Assignment
+from autograder.class_run import print_class
+from autograder.grading import grade_submission
+from autograder.isolation.sandbox import Level
+from autograder.manifest import ROOT, load_chapters
+from autograder.submissions.find import Submission
+
+STUDENTS = ("ada", "ben", "dina", "finn", "hana")
+WIDTH = 130  # characters of a line, of which some messages have more
+
+
+def sample_table(students: Sequence[str] = STUDENTS) -> str:
+    """Grade some students and return their lines of the table that `make grade` prints.
+
+    They are indented, which makes them a block of code in Markdown.
+    """
+    assignment = Assignment(load_chapters(), "1", Level())
+    reports = [
+        grade_submission(assignment, Submission(student, ROOT / "sample_class" / student))
+        for student in students
+    ]
+    screen = io.StringIO()
+    print_class(Console(file=screen, width=1000), reports)
+    lines = [line.rstrip() for line in screen.getvalue().splitlines()]
+    return "\n".join(f"    {cut(line)}" for line in lines if line.strip(" ─"))
+
+
+def cut(line: str) -> str:
+    """Return a line, or its first words and dots where it is too long for the page."""
+    return line if len(line) <= WIDTH else f"{line[:WIDTH].rpartition(' ')[0]} ..."

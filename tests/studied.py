@@ -1,0 +1,98 @@
+"""Run a command of the studies in a copy of a process that has matplotlib ready.
+
+A new Python takes most of a second to import matplotlib, and the tests run dozens of such commands.
+Where there is no fork, as on Windows, each command has a process of its own after all.
+
+This file is also what waits: it reads a request a line, and forks for each.
+"""
+
+from __future__ import annotations
+
+import atexit
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import traceback
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+ENVIRONMENT = os.environ | {"MPLBACKEND": "Agg", "PYTHONPATH": str(ROOT)}
+
+
+def study(*arguments: str, settings: dict[str, int] | None = None) -> subprocess.CompletedProcess:
+    """Run `python -m studies` with these arguments.
+
+    Settings replace constants of the command's module: {"STEPS_A_PICTURE": 6} for a demo.
+    """
+    if not hasattr(os, "fork"):
+        command = [sys.executable, "-m", "studies", *arguments]
+        return subprocess.run(
+            command, cwd=ROOT, env=ENVIRONMENT, capture_output=True, encoding="utf-8", check=False
+        )
+    with tempfile.TemporaryDirectory(prefix="study-") as folder:
+        out, err = Path(folder) / "out", Path(folder) / "err"
+        request = {"arguments": arguments, "out": str(out), "err": str(err), "set": settings or {}}
+        waiting = _waiting()
+        print(json.dumps(request), file=waiting.stdin, flush=True)
+        status = int(waiting.stdout.readline())
+        texts = (path.read_text(encoding="utf-8") for path in (out, err))
+        return subprocess.CompletedProcess(arguments, status, *texts)
+
+
+@cache
+def _waiting() -> subprocess.Popen[str]:
+    """Return the process that waits for requests, one for all tests of a process."""
+    waiting = subprocess.Popen(
+        [sys.executable, __file__],
+        cwd=ROOT,
+        env=ENVIRONMENT,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        encoding="utf-8",
+    )
+    atexit.register(waiting.stdin.close)  # it ends with its input
+    return waiting
+
+
+def _wait() -> None:
+    """Import what takes long, and fork for each request; say how the copy ended."""
+    sys.path[0] = str(ROOT)
+    import studies.__main__
+    import studies.demo
+    import studies.plot  # noqa: F401
+
+    for line in sys.stdin:
+        process = os.fork()
+        if not process:
+            os._exit(_run(json.loads(line)))
+        print(os.waitstatus_to_exitcode(os.waitpid(process, 0)[1]), flush=True)
+
+
+def _run(request: dict) -> int:
+    """Be the process of one command; return its exit status."""
+    for number, name in ((1, "out"), (2, "err")):
+        os.dup2(os.open(request[name], os.O_WRONLY | os.O_CREAT), number)
+    sys.argv = ["studies", *request["arguments"]]
+    module = sys.modules.get(f"studies.{sys.argv[1]}")
+    for name, value in request["set"].items():
+        assert hasattr(module, name), name
+        setattr(module, name, value)
+    try:
+        status = sys.modules["studies.__main__"].main()
+    except SystemExit as end:
+        status = end.code
+    except BaseException:
+        traceback.print_exc()
+        status = 1
+    if isinstance(status, str):
+        print(status, file=sys.stderr)
+    sys.stdout.flush()
+    sys.stderr.flush()
+    return 1 if isinstance(status, str) else status or 0
+
+
+if __name__ == "__main__":
+    _wait()

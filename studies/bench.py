@@ -58,6 +58,7 @@ def every(console: Console) -> list[Measurement]:
         constraints,
         forces,
         grading,
+        integrators,
         particles,
         rotations,
         sparks,
@@ -67,7 +68,8 @@ def every(console: Console) -> list[Measurement]:
     )
 
     found = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    found += [*forces.lines(), *springs.lines(), *constraints.lines(), *worlds.lines()]
+    found += [*forces.lines(), *springs.lines(), *integrators.lines(), *constraints.lines()]
+    found += worlds.lines()
     return [*found, *rotations.lines(console), *accuracy.lines(), *grading.lines()]
 
 

@@ -29,7 +29,7 @@ def main(arguments: list[str]) -> int:
     start = time.monotonic()
     with console.status("making the scenes, and looking for the steps that they need"):
         measurements = every(console)
-    console.print(f"{len(measurements)} lines in one run: about six minutes")
+    console.print(f"{len(measurements)} lines in one run: about seven minutes")
     lines = measure(measurements)
     table = Table("what", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("ratio", "spread", "target", ""):

@@ -29,7 +29,7 @@ def main(arguments: list[str]) -> int:
     start = time.monotonic()
     with console.status("making the scenes, and looking for the steps that they need"):
         measurements = every(console)
-    console.print(f"{len(measurements)} lines in one run: about six minutes")
+    console.print(f"{len(measurements)} lines in one run: about seven minutes")
     lines = measure(measurements)
     table = Table("what", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("ratio", "spread", "target", ""):
@@ -60,6 +60,7 @@ def every(console: Console) -> list[Measurement]:
         constraints,
         forces,
         grading,
+        integrators,
         particles,
         rotations,
         sparks,
@@ -69,7 +70,8 @@ def every(console: Console) -> list[Measurement]:
     )
 
     found = [*check.lines(), *vectors.lines(console), *particles.lines(), *sparks.lines()]
-    found += [*forces.lines(), *springs.lines(), *constraints.lines(), *worlds.lines()]
+    found += [*forces.lines(), *springs.lines(), *integrators.lines(), *constraints.lines()]
+    found += worlds.lines()
     return [*found, *rotations.lines(console), *accuracy.lines(), *grading.lines()]
 
 

@@ -10,7 +10,6 @@ Lengths are in m, velocities in m/s.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from typing import Protocol
 
@@ -53,7 +52,12 @@ class Contact:
         self.other = None if other is None else a_particle("other", other)
         if other is particle:
             raise ValueError(f"other must be another particle than particle, got {other!r} twice")
-        self.normal = a_unit_vector("normal", normal)
+        if not (isinstance(normal, Vector3) and abs(normal.magnitude() - 1.0) <= UNIT_TOLERANCE):
+            normal = finite_vector("normal", normal)
+            if abs(normal.magnitude() - 1.0) > UNIT_TOLERANCE:
+                wanted = f"normal must have length 1, to {UNIT_TOLERANCE:g}"
+                raise ValueError(f"{wanted}, got {normal!r}")
+        self.normal = normal.copy()
         if not (type(restitution) is float and 0.0 <= restitution <= 1.0):
             restitution = a_restitution("restitution", restitution)
         self.restitution = restitution
@@ -191,18 +195,6 @@ def a_particle(name: str, value: Particle) -> Particle:
     if not isinstance(value, Particle):
         raise TypeError(f"{name} must be a Particle, got {value!r}")
     return value
-
-
-def a_unit_vector(name: str, v: Vector3) -> Vector3:
-    """Return a copy of a vector of length 1, to UNIT_TOLERANCE; ValueError for another length."""
-    try:
-        x, y, z = v.x, v.y, v.z
-    except AttributeError:
-        raise TypeError(f"{name} must be a Vector3, got {v!r}") from None
-    if not abs(math.hypot(x, y, z) - 1.0) <= UNIT_TOLERANCE:  # NaN too
-        finite_vector(name, v)
-        raise ValueError(f"{name} must have length 1, to {UNIT_TOLERANCE:g}, got {v!r}")
-    return Vector3(x, y, z)
 
 
 def a_restitution(name: str, value: float) -> float:

@@ -325,7 +325,7 @@ def test_a_worker_tells_what_differs(
     checks.write_text(checks.read_text(encoding="utf-8") + "\n# new\n", encoding="utf-8")
     monkeypatch.setattr(platform, "python_version", lambda: "3.99.0")
     differences = (
-        rf"Python 3\.99\.0 and not {re.escape(work.key['python'])}; another version of tests/"
+        rf"Python 3\.99\.0 and not {re.escape(work.key.python)}; another version of tests/"
     )
     with pytest.raises(ValueError, match=differences):
         over_cluster.check_worker(work)

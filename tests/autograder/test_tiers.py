@@ -125,7 +125,7 @@ def test_the_screen_shows_physics_before_robust_checks(
 
 def test_reports_show_both_tiers(tmp_path: Path) -> None:
     report = report_of()
-    report["exercises"][1]["checks"].append(check("test_refuses", "failed", "got 1", robust=True))
+    report.exercises[1].checks.append(check("test_refuses", "failed", "got 1", robust=True))
     page = write_feedback(tmp_path, report).read_text(encoding="utf-8")
     assert "physics 1 of 3, robust 0 of 1" in page
     tests = gradescope_results(report)["tests"]

@@ -1,0 +1,85 @@
+"""What each integrator costs: one particle on an anchored spring, per step."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import (
+    Integrator,
+    leapfrog,
+    runge_kutta_4,
+    semi_implicit_euler,
+    velocity_verlet,
+)
+from ch06_springs.springs import AnchoredSpring
+from studies.timing import Measurement, Target, timer, versus
+
+STIFFNESS, REST_LENGTH, DAMPING, MASS = 100.0, 1.0, 0.2, 1.0  # N/m, m, N s/m, kg
+STEP = 1.0 / 60.0  # s
+STEPS = 2000
+ROUNDS = 51
+
+
+def lines() -> list[Measurement]:
+    """Return every line about integrators."""
+    once = timer(stepping(semi_implicit_euler))
+    return [
+        Measurement(
+            "a step of one particle on a spring: semi-implicit Euler / its own arithmetic",
+            versus(once, timer(arithmetic)),
+            ROUNDS,
+            Target("at most", 6.6),  # nine tenths of what a step cost before kick and drift
+        ),
+        Measurement(
+            "the same: leapfrog / semi-implicit Euler",
+            versus(timer(stepping(leapfrog)), once),
+            ROUNDS,
+            Target("at most", 1.1),
+        ),
+        Measurement(
+            "the same: velocity Verlet / semi-implicit Euler",
+            versus(timer(stepping(velocity_verlet)), once),
+            ROUNDS,
+        ),
+        Measurement(
+            "the same: Runge-Kutta 4 / semi-implicit Euler",
+            versus(timer(stepping(runge_kutta_4)), once),
+            ROUNDS,
+            Target("at most", 4.5),
+        ),
+    ]
+
+
+def stepping(integrator: Integrator) -> Callable[[], None]:
+    """Return a run of many steps. The particle swings on from round to round."""
+    particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0), mass=MASS)
+    registry = ForceRegistry()
+    registry.add(particle, AnchoredSpring(Vector3(), STIFFNESS, REST_LENGTH, DAMPING))
+    particles = [particle]
+
+    def run() -> None:
+        for _ in range(STEPS):
+            integrator(particles, registry.update_forces, STEP)
+
+    return run
+
+
+def arithmetic() -> tuple[float, float, float]:
+    """Make the same steps of semi-implicit Euler in local variables; return the last position."""
+    x, y, z = 1.0, 2.0, 3.0
+    u, v, w = 1.0, 2.0, 3.0
+    for _ in range(STEPS):
+        length = math.hypot(x, y, z)
+        rate = (u * x + v * y + w * z) / length
+        pull = (STIFFNESS * (REST_LENGTH - length) - DAMPING * rate) / length
+        u += x * pull / MASS * STEP
+        v += y * pull / MASS * STEP
+        w += z * pull / MASS * STEP
+        x += u * STEP
+        y += v * STEP
+        z += w * STEP
+    return x, y, z

@@ -117,7 +117,8 @@ class Particle:
         The velocity stays as it is, and an immovable particle stays where it is. Integrators drift
         for parts of a step, and a few drift back, so the duration may be 0 or negative.
 
-        Raises ValueError where the duration is not finite, and TypeError where it is not a number.
+        The duration is not checked here, because a step has several moves. What makes the step
+        checks it once: integrate, an integrator or a world.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
@@ -126,9 +127,8 @@ class Particle:
 
         The velocity is damped after the acceleration is added. That is the form of the book's
         listing; its Eq. 3.6 has v d^h + a h (E-16). The position stays as it is, and an immovable
-        particle keeps its velocity. The duration may be 0 or negative, as for drift.
-
-        Raises ValueError where the duration is not finite, and TypeError where it is not a number.
+        particle keeps its velocity. The duration may be 0 or negative, and is not checked, as for
+        drift.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 

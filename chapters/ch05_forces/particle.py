@@ -115,7 +115,6 @@ class Particle(particle.Particle):
         last kick. The sum is cleared, for an immovable particle too, and kept as what the last
         step used. integrate needs no body here: chapter 3's drifts, and then calls this kick.
 
-        Raises ValueError where the duration is not finite, and TypeError where it is not a number;
-        the velocity, and the sum of the forces, are then as they were.
+        The duration is not checked, as in chapter 3.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")

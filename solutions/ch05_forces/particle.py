@@ -5,7 +5,7 @@ Units are SI: forces are in N. What is no number, or no Vector3, is a TypeError 
 
 from __future__ import annotations
 
-from ch02_vectors.arguments import finite, finite_vector
+from ch02_vectors.arguments import finite_vector
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import particle
 
@@ -127,11 +127,8 @@ class Particle(particle.Particle):
         last kick. The sum is cleared, for an immovable particle too, and kept as what the last
         step used. integrate needs no body here: chapter 3's drifts, and then calls this kick.
 
-        Raises ValueError where the duration is not finite, and TypeError where it is not a number;
-        the velocity, and the sum of the forces, are then as they were.
+        The duration is not checked, as in chapter 3.
         """
-        if type(duration) is not float or duration * 0.0 != 0.0:
-            finite("duration", duration)
         forces = self._forces
         force, last_force = forces
         if force is not last_force:  # both None: no force acts, and none has to be forgotten

@@ -373,25 +373,3 @@ def test_a_refused_step_keeps_the_forces(duration: float) -> None:
         expect_close(got, f, then="; p.force_accumulator")
         got = xyz(p.last_acceleration)
         expect_close(got, a, then="; p.last_acceleration")
-
-
-@pytest.mark.exercise("B5.2")
-@pytest.mark.robust
-@pytest.mark.parametrize("duration", [math.inf, -math.inf, math.nan, "0.5"])
-def test_a_refused_kick_keeps_the_forces(duration: float) -> None:
-    about.read = "the docstring of kick"
-    error = TypeError if isinstance(duration, str) else ValueError
-    x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
-    for mass in (2.0, math.inf):
-        words, p = moving(x, v, a, mass)
-        about.cause = "finite of arguments.py refuses it. Negative durations and 0 are allowed "
-        about.cause += "here."
-        about.call = f"{words}; p.add_force(Vector3{f}); p.kick({duration!r})"
-        p.add_force(Vector3(*f))
-        expect_error(lambda p=p: p.kick(duration), error, allowed=lambda: Particle().kick(-0.5))
-        about.cause = "Refuse the duration before anything is changed."
-        expect_unchanged("p.velocity", xyz(p.velocity), v)
-        got = xyz(p.force_accumulator)
-        expect_close(got, f, then="; p.force_accumulator")
-        got = xyz(p.last_acceleration)
-        expect_close(got, a, then="; p.last_acceleration")

@@ -185,11 +185,6 @@ def ended_game() -> BallGame:
     return game
 
 
-FINITE: dict[str, Callable[[], Entry]] = {
-    f"{kind.__module__}: {method}": partial(plain, method, kind)
-    for kind in (PlainParticle, Particle)
-    for method in ("drift", "kick")
-}
 NOT_NEGATIVE: dict[str, Callable[[], Entry]] = {
     "Contact.velocity_after": partial(contact, "velocity_after"),
     "Contact.resolve_velocity": partial(contact, "resolve_velocity"),
@@ -253,7 +248,6 @@ POSITIVE: dict[str, Callable[[], Entry]] = {
 BEFORE_NOW = (-1.0, -1, -5e-324)
 NOTHING = (0.0, -0.0, 0)
 CASES = [
-    *((name, make, NO_TIME) for name, make in FINITE.items()),
     *((name, make, (*NO_TIME, *BEFORE_NOW)) for name, make in NOT_NEGATIVE.items()),
     *((name, make, (*NO_TIME, *BEFORE_NOW, *NOTHING)) for name, make in POSITIVE.items()),
 ]

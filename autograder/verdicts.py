@@ -72,10 +72,10 @@ class Recorder:
         """Sort the checks by the manifest's order, tell the runner, and leave out what is done."""
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
-            if _marker(item).args[0] not in self.config.arranged.known:
+            if exercise_of(item) not in self.config.arranged.known:
                 raise pytest.UsageError(f"{item.nodeid} is of an exercise that there is not")
-        items[:] = [item for item in items if _marker(item).args[0] in order]
-        items.sort(key=lambda item: (order[_marker(item).args[0]], _is_robust(item)))
+        items[:] = [item for item in items if exercise_of(item) in order]
+        items.sort(key=lambda item: (order[exercise_of(item)], _is_robust(item)))
         hidden = [item for item in items if "/hidden/" in item.path.as_posix()]
         for number, item in enumerate(hidden, 1):
             item.user_properties.append(("rationale", _rationale(item)))
@@ -85,7 +85,7 @@ class Recorder:
         checks = [
             Check(
                 item.name,
-                _marker(item).args[0],
+                exercise_of(item),
                 _marker(item).kwargs.get("weight", 1),
                 _is_robust(item),
                 _told(item).get("rationale"),
@@ -103,8 +103,8 @@ class Recorder:
         apart = isinstance(self.engine, InProcess) and self.engine.apart
         if session.testsfailed or not apart:  # checks that cannot be collected are for pytest
             return None
-        for _, group in groupby(session.items, lambda item: _marker(item).args[0]):
-            run_in_a_copy(partial(_run_all, list(group)))
+        for _, group in groupby(session.items, exercise_of):
+            run_in_a_copy(partial(run_all, list(group)))
         return True
 
     @pytest.hookimpl(wrapper=True)
@@ -144,7 +144,7 @@ class Recorder:
                 message = explain_exception(error, self.engine.engine, arranged.complete)
             if not ours:
                 edits = arranged.edits
-                message = explain_gone(message, _marker(item).args[0], edits, self._defined)
+                message = explain_gone(message, exercise_of(item), edits, self._defined)
         if report.when == "call":
             printed = self.engine.stop()
             if printed and message:
@@ -178,7 +178,8 @@ class Recorder:
             self.tell(Ended())
 
 
-def _run_all(checks: list[pytest.Item]) -> None:
+def run_all(checks: list[pytest.Item]) -> None:
+    """Run checks that pytest has collected."""
     for check in checks:
         runtestprotocol(check, log=False)
 
@@ -205,6 +206,11 @@ def _rationale(item: pytest.Item) -> str:
     return words.splitlines()[0] if words else "a hidden check of this exercise fails"
 
 
+def exercise_of(item: pytest.Item) -> str:
+    """Return the id of the exercise that a check belongs to."""
+    return str(_marker(item).args[0])
+
+
 def _marker(item: pytest.Item) -> pytest.Mark:
     marker = item.get_closest_marker("exercise")
     if marker is None or not marker.args:
@@ -227,12 +233,17 @@ def main() -> int:
         wire.write(write_event(event))
         wire.flush()
 
+    return int(pytest.main(pytest_arguments(config), plugins=[Recorder(config, tell)]))
+
+
+def pytest_arguments(config: Config) -> list[str]:
+    """Return what pytest is called with."""
     arranged = config.arranged
     arguments = [*arranged.tests, "--capture=no", f"--rootdir={arranged.root}"]
     arguments += [f"--seed={config.seed}", *(f"--engine={path}" for path in arranged.engine)]
     for plugin in UNUSED_PLUGINS.split():
         arguments += ["-p", f"no:{plugin}"]
-    return int(pytest.main(arguments, plugins=[Recorder(config, tell)]))
+    return arguments
 
 
 if __name__ == "__main__":

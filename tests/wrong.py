@@ -1,26 +1,31 @@
-"""Make the wrong submissions that a chapter's wrong.toml describes."""
+"""Make the wrong submissions that a chapter's wrong.toml describes: see tests/README.md."""
 
 from __future__ import annotations
 
+import ast
+import textwrap
 import tomllib
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
-import libcst
-
+from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter
-from autograder.stubs import with_bodies
 
 
 @dataclass(frozen=True)
 class Wrong:
-    """The reference with one body as a student may have written it, and the checks it loses."""
+    """The reference with one body as a student may have written it.
 
-    mistake: str
+    ``replace`` has what is old and what is new in the reference's body, in turn; each that is old
+    is there once. A body that differs more is written out.
+    """
+
     edit: str
-    body: str
-    loses: list[str] = field(default_factory=list)
+    mistake: str
+    caught_by: str  # the check that is meant to fail
+    replace: Sequence[str] = ()
+    body: str = ""
     says: str = ""  # words of the first message, where the numbers tell the mistake
     opens: str = ""  # the body that the screen sends the student to, where it is another one
 
@@ -28,7 +33,8 @@ class Wrong:
 def read_wrong(chapter: Chapter) -> list[Wrong]:
     """Return the wrong submissions of a chapter."""
     text = (ROOT / "tests" / chapter.name / "wrong.toml").read_text(encoding="utf-8")
-    return [Wrong(**entry) for entry in tomllib.loads(text)["wrong"]]
+    bodies = tomllib.loads(text).items()
+    return [Wrong(edit, **entry) for edit, entries in bodies for entry in entries]
 
 
 def write_wrong(chapter: Chapter, wrongs: Iterable[Wrong], engine: Path) -> None:
@@ -36,7 +42,7 @@ def write_wrong(chapter: Chapter, wrongs: Iterable[Wrong], engine: Path) -> None
     bodies: dict[str, dict[str, str]] = {}
     for wrong in wrongs:
         module, _, name = wrong.edit.partition(".")
-        bodies.setdefault(f"{module}.py", {})[name] = wrong.body.strip() + "\n"
+        bodies.setdefault(f"{module}.py", {})[name] = wrong.body or _replaced(chapter, wrong)
     for file, changed in bodies.items():
         _write_changed(chapter, file, changed, engine)
 
@@ -61,7 +67,35 @@ def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence
 
 
 def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: Path) -> None:
-    source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
+    """Write a module of the reference with other bodies; docstrings stay."""
+    lines, found = _lines_and_bodies(ROOT / "solutions" / chapter.name / file)
+    for name in sorted(bodies, key=lambda name: found[name].start, reverse=True):  # from the end
+        where, indent = found[name], "    " * (1 + name.removesuffix(".setter").count("."))
+        lines[where.start : where.stop] = textwrap.indent(bodies[name].strip("\n"), indent).split(
+            "\n"
+        )
     (engine / chapter.name).mkdir(parents=True, exist_ok=True)
-    code = with_bodies(libcst.parse_module(source), bodies).code
-    (engine / chapter.name / file).write_text(code, encoding="utf-8")
+    (engine / chapter.name / file).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def _replaced(chapter: Chapter, wrong: Wrong) -> str:
+    """Return the reference's body with the replacements made."""
+    module, _, name = wrong.edit.partition(".")
+    lines, found = _lines_and_bodies(ROOT / "solutions" / chapter.name / f"{module}.py")
+    body = textwrap.dedent("\n".join(lines[found[name].start : found[name].stop]))
+    for old, new in zip(wrong.replace[::2], wrong.replace[1::2], strict=True):
+        if body.count(old) != 1:
+            raise ValueError(f"{wrong.edit}, {wrong.mistake}: {old!r} must be there once")
+        body = body.replace(old, new)
+    return body
+
+
+def _lines_and_bodies(file: Path) -> tuple[list[str], dict[str, slice]]:
+    """Return the lines of a module, and which of them are the body of each function."""
+    source = file.read_text(encoding="utf-8")
+    found = {}
+    for name, function in functions(ast.parse(source)).items():
+        first = function.body[0]
+        start = first.end_lineno if ast.get_docstring(function) else first.lineno - 1
+        found[name] = slice(start, function.end_lineno)
+    return source.splitlines(), found

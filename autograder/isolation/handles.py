@@ -165,10 +165,19 @@ def _exception(data: Any) -> BaseException:
         kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
     except (KeyError, TypeError, ValueError, OverflowError) as error:
         raise BrokenProtocolError("an exception of no known form") from error
-    # A KeyError adds quotes to what it is given.
-    exception: BaseException = kind(fault.text.strip("'") if kind is KeyError else fault.text)
+    exception: BaseException = (WordedKeyError if kind is KeyError else kind)(fault.text)
     exception.fault = fault  # type: ignore[attr-defined]
     return exception
+
+
+class WordedKeyError(KeyError):
+    """A KeyError with the student's words: Python's own would put quotes around them."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:

@@ -102,7 +102,7 @@ def assert_verdicts_and_sentences(chapter: Chapter, exercises: list[str], folder
 @given(data=st.data())
 def test_any_result_and_any_error_of_a_body(chapter: Chapter, data: st.DataObject) -> None:
     exercise = data.draw(st.sampled_from([e for e in chapter.exercises if e.edit]))
-    wrongs = [Wrong("", edit, data.draw(bodies, label=edit)) for edit in exercise.edit]
+    wrongs = [Wrong(edit, "", "", body=data.draw(bodies, label=edit)) for edit in exercise.edit]
     with tempfile.TemporaryDirectory() as folder:
         write_wrong(chapter, wrongs, Path(folder))
         assert_verdicts_and_sentences(chapter, [exercise.id], Path(folder))

@@ -19,8 +19,8 @@ from autograder.scores import results_of, total
 from autograder.verdict import Verdict, with_needs
 from copies import copy_tree
 from made import made_stubs
+from ready import ready
 from walls import behind_walls
-from warm import run_checks_warm
 from wrong import Wrong, read_wrong, write_all, write_wrong
 
 CHAPTERS = load_chapters()
@@ -72,14 +72,6 @@ def exercise_of(chapter: Chapter, wrong: Wrong) -> Exercise:
     return exercise
 
 
-def built_on(chapter: Chapter, exercise: Exercise) -> list[str]:
-    """Return an exercise and those that build on it: all that its bodies can make fail.
-
-    The checks of the others pass without it: test_an_exercise_needs_no_other_than_it_says.
-    """
-    return [e.id for e in chapter.exercises if exercise.id in with_needs(chapter, [e.id])]
-
-
 def lost(verdicts: list[Verdict]) -> dict[str, str]:
     """Return the checks that do not pass, each with its status and message."""
     return {v.name: f"{v.status}: {v.message}" for v in verdicts if v.status != "passed"}
@@ -124,41 +116,43 @@ def test_doing_nothing_and_refusing_everything_earn_nothing(
 ) -> None:
     """Every body is the same line; without one, the modules are empty."""
     write_all(chapter, body, tmp_path)
-    verdicts = run_checks_warm(chapter, engine_with(tmp_path), seed=SEED)
+    verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED)
     assert [verdict.name for verdict in verdicts if verdict.status == "passed"] == []
 
 
 @pytest.mark.parametrize(("chapter", "exercise"), EXERCISES, ids=[e for _, e in EXERCISES])
-def test_an_exercise_needs_no_other_than_it_says(
-    chapter: Chapter, exercise: str, tmp_path: Path
-) -> None:
+def test_an_exercise_needs_no_other_than_it_says(chapter: Chapter, exercise: str) -> None:
     """With all other bodies unwritten, its checks pass."""
-    body = "raise NotImplementedError('no')"
-    write_all(chapter, body, tmp_path, but=with_needs(chapter, [exercise]))
-    verdicts = run_checks_warm(chapter, engine_with(tmp_path), seed=SEED, exercises=[exercise])
-    assert lost([verdict for verdict in verdicts if verdict.exercise == exercise]) == {}
+    needed = with_needs(chapter, [exercise])
+    waiting = ready(chapter)
+    write_all(chapter, "raise NotImplementedError('no')", waiting.top, but=needed)
+    edits = [edit for e in chapter.exercises if e.id not in needed for edit in e.edit]
+    assert lost(waiting.run(edits, [exercise])) == {}
 
 
 @pytest.mark.parametrize(
     ("chapter", "wrong"), WRONG, ids=[f"{w.edit}: {w.mistake}" for _, w in WRONG]
 )
-def test_a_wrong_submission_loses_exactly_its_checks(
-    chapter: Chapter, wrong: Wrong, tmp_path: Path, pytestconfig: pytest.Config
+def test_a_wrong_submission_is_caught(
+    chapter: Chapter, wrong: Wrong, pytestconfig: pytest.Config
 ) -> None:
-    write_wrong(chapter, [wrong], tmp_path)
+    """It can make no other checks fail than those of its exercise and of what builds on that:
+
+    test_an_exercise_needs_no_other_than_it_says.
+    """
+    waiting = ready(chapter, pytestconfig.getoption("seed"))
+    write_wrong(chapter, [wrong], waiting.top)
     exercise = exercise_of(chapter, wrong)
-    reached = built_on(chapter, exercise)
-    seed = pytestconfig.getoption("seed")
-    verdicts = run_checks_warm(chapter, engine_with(tmp_path), seed=seed, exercises=reached)
+    verdicts = waiting.run([wrong.edit], [exercise.id])
     failed = [verdict for verdict in verdicts if verdict.status != "passed"]
-    assert {verdict.name for verdict in failed} == set(wrong.loses)
-    first = next(verdict for verdict in failed if verdict.exercise == exercise.id)
+    assert wrong.caught_by in [verdict.name for verdict in failed]
+    first = failed[0]
     assert first.message.likely
     assert first.message.read
     assert wrong.says in str(first.message)
-    file, _, line = next_place(engine_with(tmp_path), chapter, exercise, first).rpartition(":")
+    file, _, line = next_place(waiting.engine, chapter, exercise, first).rpartition(":")
     module, _, name = (wrong.opens or wrong.edit).partition(".")
-    assert Path(file) == tmp_path / chapter.name / f"{module}.py"
+    assert Path(file) == waiting.top / chapter.name / f"{module}.py"
     body = functions(ast.parse(Path(file).read_text(encoding="utf-8")))[name]
     assert body.end_lineno is not None
     assert body.lineno <= int(line) <= body.end_lineno
@@ -167,9 +161,7 @@ def test_a_wrong_submission_loses_exactly_its_checks(
 @pytest.mark.parametrize(
     ("chapter", "depth"), LEVELS, ids=[f"{chapter.name}, {depth}" for chapter, depth in LEVELS]
 )
-def test_a_wrong_submission_is_told_the_same_both_ways(
-    chapter: Chapter, depth: int, tmp_path: Path
-) -> None:
+def test_a_wrong_submission_is_told_the_same_both_ways(chapter: Chapter, depth: int) -> None:
     """The first wrong submission of each exercise: every verdict and every word of its checks.
 
     All exercises that as many build the way to are wrong at once; what they need is right.
@@ -178,9 +170,10 @@ def test_a_wrong_submission_is_told_the_same_both_ways(
     wrongs = [w for w in read_wrong(chapter) if exercise_of(chapter, w).id in ids]
     firsts = {exercise_of(chapter, wrong).id: wrong for wrong in reversed(wrongs)}
     assert firsts.keys() == set(ids)
-    write_wrong(chapter, firsts.values(), tmp_path)
-    engine = engine_with(tmp_path)
-    beside = run_checks_warm(chapter, engine, seed=SEED, exercises=ids)
-    assert beside == run_checks(chapter, engine, seed=SEED, exercises=ids, behind=behind_walls())
+    waiting = ready(chapter)
+    write_wrong(chapter, firsts.values(), waiting.top)
+    beside = waiting.run([wrong.edit for wrong in firsts.values()], with_needs(chapter, ids))
+    behind = behind_walls()
+    assert beside == run_checks(chapter, waiting.engine, seed=SEED, exercises=ids, behind=behind)
     failed = {verdict.exercise for verdict in beside if verdict.status == "failed"}
     assert failed == set(ids)

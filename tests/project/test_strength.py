@@ -12,6 +12,7 @@ import pytest
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
+from ready import ready
 from studies.benchmarks import kept as bench_figures
 from wrong import read_wrong
 
@@ -148,5 +149,6 @@ def test_a_mistake_is_killed_and_what_is_the_same_survives(mutants: object) -> N
         next(m for m in made if (m.line, m.became) == (line, became))
         for became in ("if length <= 0.0:", "if length == 1.0:")
     )
-    assert mutants.killer_of(CHAPTERS[0], same) == ""
-    assert mutants.killer_of(CHAPTERS[0], other).startswith("test_")
+    waiting = ready(CHAPTERS[0])
+    assert mutants.killer_of(waiting, same) == ""
+    assert mutants.killer_of(waiting, other).startswith("test_")

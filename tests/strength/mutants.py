@@ -12,13 +12,13 @@ import ast
 import hashlib
 import json
 import re
-import tempfile
 import tomllib
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from queue import Queue
 
 from cosmic_ray import plugins
 from cosmic_ray.ast import ast_nodes, get_ast
@@ -29,7 +29,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter
 from kept import FOLDER, keep
-from warm import run_checks_warm
+from ready import Ready
 
 SHARE = 0.97  # of the mutants that do not do the same as the reference, at least
 # Shifts, bits and matrix products fail on every float, and so tell nothing of a check; and "is".
@@ -108,22 +108,29 @@ def _bodies(chapter: Chapter, file: str, source: str) -> dict[str, tuple[int, in
     return bodies
 
 
-def killer_of(chapter: Chapter, mutant: Mutant) -> str:
+def killer_of(waiting: Ready, mutant: Mutant) -> str:
     """Return the first check that a mutant does not pass, or nothing where it survives.
 
     Those of its own exercise come first: most die there.
     """
+    chapter = waiting.chapter
     (exercise,) = (e.id for e in chapter.exercises if mutant.edit in e.edit)
-    with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
-        (Path(folder) / chapter.name).mkdir()
-        (Path(folder) / chapter.name / mutant.file).write_text(mutant.code, encoding="utf-8")
-        engine = [Path(folder), ROOT / "solutions", ROOT / "chapters"]
-        for wanted in ([exercise], None):
-            verdicts = run_checks_warm(chapter, engine, seed=SEED, exercises=wanted)
-            for verdict in verdicts:
-                if verdict.status != "passed":
-                    return verdict.name
+    waiting.clear()
+    (waiting.top / chapter.name / mutant.file).write_text(mutant.code, encoding="utf-8")
+    for wanted in ([exercise], [e.id for e in chapter.exercises]):
+        for verdict in waiting.run([mutant.edit], wanted):
+            if verdict.status != "passed":
+                return verdict.name
     return ""
+
+
+def _killer_of(mutant: Mutant, free: Queue[Ready]) -> str:
+    """Return what kills a mutant, by one of the processes that wait."""
+    waiting = free.get()
+    try:
+        return killer_of(waiting, mutant)
+    finally:
+        free.put(waiting)
 
 
 def run_mutants(chapter: Chapter, jobs: int, console: Console) -> bool:
@@ -140,7 +147,10 @@ def run_mutants(chapter: Chapter, jobs: int, console: Console) -> bool:
         Progress(*columns, TimeRemainingColumn(), console=console, transient=True) as progress,
     ):
         task = progress.add_task(f"mutants of chapter {chapter.number}", total=len(todo))
-        futures = {pool.submit(killer_of, chapter, mutant): mutant for mutant in todo}
+        free: Queue[Ready] = Queue()
+        for _ in range(jobs):
+            free.put(Ready(chapter, SEED))
+        futures = {pool.submit(_killer_of, mutant, free): mutant for mutant in todo}
         try:
             for future in as_completed(futures):
                 key, killer = futures[future].key, future.result()

@@ -1,0 +1,169 @@
+"""Run a chapter's checks on the reference with some bodies changed, in a twentieth of a second.
+
+To import an engine and to collect the checks takes ten times as long as to run those of one
+exercise. So a process does both once, and waits. For each change it forks, and gives the functions
+their new code: whatever has imported one of them then calls the new one.
+
+This file is also the process that waits: it reads a request a line. Where there is no fork, or the
+new code does not fit (it uses super() where the old one does not), the checks run the slow way.
+"""
+
+from __future__ import annotations
+
+import atexit
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Collection
+from importlib import import_module
+from pathlib import Path
+from types import CodeType, FunctionType
+from typing import Any
+
+import pytest
+
+from autograder.apart import CAN_COPY
+from autograder.arrange import Config
+from autograder.events import Checks, Ended, Event, read_event, write_event
+from autograder.judge import environment
+from autograder.manifest import ROOT, Chapter
+from autograder.records import from_json, to_json
+from autograder.runner import Order, Run, run_checks
+from autograder.verdict import Verdict
+from autograder.verdicts import Recorder, exercise_of, pytest_arguments, run_all
+
+_ready: dict[str, Ready] = {}  # by chapter and seed
+
+
+def ready(chapter: Chapter, seed: str = "1") -> Ready:
+    """Return what waits for a chapter, with its folder empty: one process for all tests of ours."""
+    key = f"{chapter.name} {seed}"
+    if key not in _ready:
+        _ready[key] = Ready(chapter, seed)
+    _ready[key].clear()
+    return _ready[key]
+
+
+class Ready:
+    """A chapter's checks on the reference. What differs from it is written into a folder, top."""
+
+    def __init__(self, chapter: Chapter, seed: str) -> None:
+        self.chapter = chapter
+        self.seed = seed
+        self.kept = tempfile.TemporaryDirectory(prefix="ready-")
+        self.folder = Path(self.kept.name)
+        self.top = self.folder / "engine"
+        (self.top / chapter.name).mkdir(parents=True)
+        self.engine = [self.top, ROOT / "solutions", ROOT / "chapters"]
+        self.process = self._start() if CAN_COPY else None
+
+    def clear(self) -> None:
+        """Empty the folder of what differs."""
+        for file in self.top.glob("*/*"):
+            file.unlink()
+
+    def run(self, edits: Collection[str], exercises: list[str]) -> list[Verdict]:
+        """Return the verdicts on these exercises, with the bodies ``edits`` as top has them."""
+        ran = Run(self._order(exercises))
+        events = self.folder / "events.txt"
+        events.unlink(missing_ok=True)
+        request = {"edits": sorted(edits), "exercises": exercises, "events": str(events)}
+        if self.process is not None:
+            print(json.dumps(request), file=self.process.stdin, flush=True)
+            self.process.stdout.readline()
+            for line in events.read_text(encoding="utf-8").splitlines() if events.exists() else ():
+                ran.take(read_event(line))
+        if ran.finished:
+            return ran.outcome()
+        return run_checks(self.chapter, self.engine, seed=self.seed, exercises=exercises)
+
+    def _order(self, exercises: list[str]) -> Order:
+        return Order(self.chapter, self.engine, exercises, self.seed, apart=False)
+
+    def _start(self) -> subprocess.Popen[str]:
+        everything = Run(self._order([exercise.id for exercise in self.chapter.exercises]))
+        config = self.folder / "config.json"
+        config.write_text(json.dumps(to_json(everything.config(self.folder))), encoding="utf-8")
+        process = subprocess.Popen(
+            [sys.executable, __file__, str(config)],
+            cwd=ROOT,
+            env=environment(),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            encoding="utf-8",
+        )
+        atexit.register(process.stdin.close)  # it ends with its input
+        process.stdout.readline()  # it has imported the reference, and top may be filled
+        return process
+
+
+class Waiting(Recorder):
+    """A recorder that waits when the checks are collected, and forks for each request."""
+
+    told: list[Event]
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        (checks,) = (event for event in self.told if isinstance(event, Checks))
+        os.write(ANSWERS, b"\n")
+        for line in sys.stdin:
+            copy = os.fork()
+            if not copy:
+                try:
+                    self._run(session, checks, json.loads(line))
+                finally:
+                    os._exit(0)
+            os.waitpid(copy, 0)
+            os.write(ANSWERS, b"\n")
+        os._exit(0)
+
+    def _run(self, session: pytest.Session, checks: Checks, request: dict[str, Any]) -> None:
+        """Be a copy: change the bodies, run the checks, and tell what a runner expects."""
+        wanted = request["exercises"]
+        with Path(request["events"]).open("w", encoding="utf-8", buffering=1) as events:
+            self.tell = lambda event: events.write(write_event(event))
+            for edit in request["edits"]:
+                change(self.engine.engine[0] / self.config.arranged.chapter, edit)
+            self.tell(Checks([check for check in checks.checks if check.exercise in wanted]))
+            run_all([item for item in session.items if exercise_of(item) in wanted])
+            self.tell(Ended())
+
+
+def change(folder: Path, edit: str) -> None:
+    """Give a function of a module that has been imported the code that a file has for it."""
+    module, *names = edit.split(".")
+    file = folder / f"{module}.py"
+    code = compile(file.read_bytes(), file, "exec", dont_inherit=True)
+    setter = names[-1] == "setter"
+    names = names[:-1] if setter else names
+    new: CodeType = code
+    for name in names:  # of a property the last is what sets it
+        found = [c for c in new.co_consts if isinstance(c, CodeType) and c.co_name == name]
+        new = found[-1] if setter else found[0]
+    *scope, name = names
+    owner: Any = import_module(f"{folder.name}.{module}")
+    for each in scope:
+        owner = getattr(owner, each)
+    old: Any = vars(owner)[name]
+    if isinstance(old, property):
+        old = old.fset if setter else old.fget
+    while not isinstance(old, FunctionType):  # a classmethod, or what a decorator has made
+        old = old.__func__ if hasattr(old, "__func__") else old.__wrapped__
+    old.__code__ = new
+
+
+def main() -> None:
+    """Collect the checks that a configuration names, and wait."""
+    config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
+    told: list[Event] = []
+    recorder = Waiting(config, told.append)
+    recorder.told = told
+    pytest.main(pytest_arguments(config), plugins=[recorder])
+
+
+if __name__ == "__main__":
+    ANSWERS = os.dup(1)
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what the checks print is no answer
+    main()

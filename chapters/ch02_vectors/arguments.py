@@ -11,11 +11,14 @@ from __future__ import annotations
 
 import math
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
-if TYPE_CHECKING:  # for editors and type checkers alone: any file may import this one, vector.py too
+if (
+    TYPE_CHECKING
+):  # for editors and type checkers alone: any file may import this one, vector.py too
     from ch02_vectors.vector import Vector3
 
+Value = TypeVar("Value")
 LARGEST = sys.float_info.max  # an int beyond it would fit in no float
 
 
@@ -63,6 +66,13 @@ def finite_vector(name: str, v: Vector3) -> Vector3:
     if not (math.isfinite(v.x) and math.isfinite(v.y) and math.isfinite(v.z)):
         raise ValueError(f"{name} must have finite components, got {v!r}")
     return v.copy()
+
+
+def instance_of(name: str, value: Value, kind: type) -> Value:
+    """Return a value that is of a class, such as Particle."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name} must be a {kind.__name__}, got {value!r}")
+    return value
 
 
 def _refusal(name: str, value: object, wanted: str) -> Exception:

@@ -14,9 +14,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Protocol
 
-from ch02_vectors.arguments import finite, not_negative, positive
+from ch02_vectors.arguments import finite, instance_of, not_negative, positive
 from ch05_forces.particle import Particle
-from ch07_constraints.contacts import Contact, a_particle, a_restitution
+from ch07_constraints.contacts import Contact, a_restitution
 
 Impact = tuple[float, Contact]
 
@@ -145,5 +145,5 @@ def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
     if not isinstance(particles, (list, tuple)):
         raise TypeError(f"particles must be a list, got {particles!r}")
     for i, particle in enumerate(particles):
-        a_particle(f"particles[{i}]", particle)
+        instance_of(f"particles[{i}]", particle, Particle)
     return particles

@@ -11,10 +11,10 @@ yours to keep right.
 
 from __future__ import annotations
 
-from ch02_vectors.arguments import finite_vector, not_negative, positive
+from ch02_vectors.arguments import finite_vector, instance_of, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch07_constraints.contacts import Contact, a_particle, a_restitution
+from ch07_constraints.contacts import Contact, a_restitution
 
 
 class Cable:
@@ -45,7 +45,7 @@ class AnchoredCable:
     def __init__(
         self, particle: Particle, anchor: Vector3, max_length: float, restitution: float = 0.0
     ) -> None:
-        self.particle = a_particle("particle", particle)
+        self.particle = instance_of("particle", particle, Particle)
         self.anchor = finite_vector("anchor", anchor)
         self.max_length = positive("max_length", max_length)
         self.restitution = a_restitution("restitution", restitution)
@@ -77,7 +77,7 @@ class AnchoredRod:
     """Holds a particle at exactly one distance from an anchor, which may be moved (7.4.2)."""
 
     def __init__(self, particle: Particle, anchor: Vector3, length: float) -> None:
-        self.particle = a_particle("particle", particle)
+        self.particle = instance_of("particle", particle, Particle)
         self.anchor = finite_vector("anchor", anchor)
         self.length = positive("length", length)
 
@@ -139,7 +139,7 @@ class TwoSidedRod(Rod):
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:
     """Return both ends; TypeError for what is no Particle, ValueError where they are the same."""
-    a_particle("a", a)
-    if a_particle("b", b) is a:
+    instance_of("a", a, Particle)
+    if instance_of("b", b, Particle) is a:
         raise ValueError(f"b must be another particle than a, got {b!r} twice")
     return a, b

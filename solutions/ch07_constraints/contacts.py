@@ -14,7 +14,7 @@ import math
 from collections.abc import Iterable
 from typing import Protocol
 
-from ch02_vectors.arguments import finite, finite_vector, not_negative, positive
+from ch02_vectors.arguments import finite, finite_vector, instance_of, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 
@@ -49,8 +49,8 @@ class Contact:
     ) -> None:
         # Contacts are made anew in every frame. So each number is compared here, and only one that
         # looks wrong is passed on to the function that names it.
-        self.particle = a_particle("particle", particle)
-        self.other = None if other is None else a_particle("other", other)
+        self.particle = instance_of("particle", particle, Particle)
+        self.other = None if other is None else instance_of("other", other, Particle)
         if other is particle:
             raise ValueError(f"other must be another particle than particle, got {other!r} twice")
         if not (isinstance(normal, Vector3) and abs(normal.magnitude() - 1.0) <= UNIT_TOLERANCE):
@@ -257,13 +257,6 @@ class ContactResolver:
                 elif contact.other is b and b is not None:
                     contact.penetration += move_b.dot(contact.normal)
         return limit
-
-
-def a_particle(name: str, value: Particle) -> Particle:
-    """Return a particle; TypeError names what is none."""
-    if not isinstance(value, Particle):
-        raise TypeError(f"{name} must be a Particle, got {value!r}")
-    return value
 
 
 def a_restitution(name: str, value: float) -> float:

@@ -16,13 +16,12 @@ from collections.abc import Iterable, Sequence
 from itertools import combinations, product
 from typing import Protocol
 
-from ch02_vectors.arguments import finite, not_negative, positive
+from ch02_vectors.arguments import finite, instance_of, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import (
     VELOCITY_TOLERANCE,
     Contact,
-    a_particle,
     a_restitution,
     direction_of,
 )
@@ -236,5 +235,5 @@ def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
     if not isinstance(particles, (list, tuple)):
         raise TypeError(f"particles must be a list, got {particles!r}")
     for i, particle in enumerate(particles):
-        a_particle(f"particles[{i}]", particle)
+        instance_of(f"particles[{i}]", particle, Particle)
     return particles

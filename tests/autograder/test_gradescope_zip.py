@@ -70,18 +70,18 @@ def hand_in(tree: Path, files: dict[str, str]) -> None:
         path.write_text(text, encoding="utf-8")
 
 
-def answers_of(folder: str, below: str = "") -> dict[str, str]:
+def answers_of(folder: str) -> dict[str, str]:
     """Return the modules of both chapters in a folder of this repository."""
     return {
         f"{chapter.name}/{file.name}": file.read_text(encoding="utf-8")
         for chapter in (CH02, CH03)
-        for file in (ROOT / folder / chapter.name / below).glob("*.py")
+        for file in (ROOT / folder / chapter.name).glob("*.py")
     }
 
 
 def second_answers() -> dict[str, str]:
     """Right answers that are not the reference's."""
-    return answers_of("tests", "second")
+    return answers_of("sample_class/ada")
 
 
 def run(tree: Path, python: str = sys.executable) -> tuple[dict[str, Any], str]:

@@ -66,7 +66,7 @@ def test_a_student_can_check_the_stubs_and_then_an_answer(tmp_path: Path) -> Non
     assert f"] 0 of {points_of(CH02)} points" in before.stdout
     assert "Next: open chapters/ch02_vectors/vector.py:" in before.stdout
     for file in ("vector.py", "exercises.py"):
-        source = ROOT / "tests/ch02_vectors/second" / file
+        source = ROOT / "sample_class/ada/ch02_vectors" / file
         shutil.copyfile(source, tmp_path / "out/chapters/ch02_vectors" / file)
     after = check(tmp_path / "out", "--chapter", "2")
     assert after.returncode == 0, after.stdout
@@ -149,7 +149,7 @@ def test_a_chapter_on_a_given_one_can_be_checked_and_drawn(tmp_path: Path) -> No
     make_handout([CH03], [CH02], out)
     assert (out / "chapters/ch02_vectors/arguments.py").exists()
     assert "] 0 of 35 points" in check(out, "--chapter", "3").stdout
-    second = ROOT / "tests/ch03_laws_of_motion/second"
+    second = ROOT / "sample_class/ada/ch03_laws_of_motion"
     copy_tree(second, out / "chapters/ch03_laws_of_motion")
     assert "35 of 35 points" in check(out, "--chapter", "3").stdout
     command = [sys.executable, "-P", "-m", "studies", "plot", "--chapter", "3"]

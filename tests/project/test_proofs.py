@@ -91,7 +91,7 @@ def test_the_second_solution_earns_every_point(
     chapter: Chapter, seed_and_behind: tuple[str, Behind | None], tmp_path: Path
 ) -> None:
     seed, behind = seed_and_behind
-    second = ROOT / "tests" / chapter.name / "second"
+    second = ROOT / "sample_class" / "ada" / chapter.name
     assert {file.name for file in second.glob("*.py")} == set(chapter.edited_files)
     copy_tree(second, tmp_path / chapter.name)
     engine = engine_with(tmp_path)

@@ -217,7 +217,7 @@ def test_files_as_editors_on_windows_save_them_are_taken(tmp_path: Path) -> None
             file.write_bytes(codecs.BOM_UTF8 + text.replace(b"\n", b"\r\n"))
 
     command = (sys.executable, "-P", "-m", "autograder", "check", "--chapter", "2")
-    copy_tree(ROOT / "tests/ch02_vectors/second", folder)
+    copy_tree(ROOT / "sample_class/ada/ch02_vectors", folder)
     as_on_windows()
     done = run(*command, cwd=out, PYTHONPATH=".")
     assert done.returncode == 0, done.stdout

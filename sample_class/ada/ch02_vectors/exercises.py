@@ -1,62 +1,92 @@
-"""Ada's exercises."""
+"""A second right solution of the chapter's exercises, in another style than the first.
+
+It uses the public names of Vector3 alone, so it runs with any right vector module.
+"""
+
+from __future__ import annotations
 
 import math
 
 from ch02_vectors.vector import Vector3
 
+_TOLERANCE = 1e-6
+_ANGLE_WORDS = {-1: "obtuse", 0: "right", 1: "acute"}
 
-def split(v):
-    return v.magnitude(), v.normalized()
+
+def split(v: Vector3) -> tuple[float, Vector3]:
+    """Return the magnitude and the direction of v."""
+    direction = v.copy()
+    direction.normalize()
+    return v.magnitude(), direction
 
 
-def scalar_product_and_angle(a, b):
+def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
+    """Return a . b and the kind of angle that belongs to its sign."""
     product = a @ b
-    if product != product:
-        raise ValueError("the product is NaN")
-    word = "right" if product == 0 else "acute" if product > 0 else "obtuse"
-    return product, word
+    if math.isnan(product):
+        raise ValueError("the scalar product of a and b is NaN, and says nothing of their angle")
+    sign = (product > 0) - (product < 0)
+    return product, _ANGLE_WORDS[sign]
 
 
-def make_perpendicular(a, x, y):
-    if a.z == 0:
-        raise ValueError(f"a.z is zero in {a}")
-    return -(a.x * x + a.y * y) / a.z
+def make_perpendicular(a: Vector3, x: float, y: float) -> float:
+    """Return the z that makes the scalar product of (x, y, z) and a zero."""
+    if not a.z:
+        raise ValueError("a.z must not be zero: no z changes the scalar product")
+    return (a.y * y + a.x * x) / -a.z
 
 
-def unit(v):
-    if v == Vector3():
-        raise ValueError("a zero vector has no direction")
-    return v.normalized()
+def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
+    """Return the angle whose cosine is the scalar product of the directions."""
+    _require_direction("a", a)
+    _require_direction("b", b)
+    cosine = max(min(a.normalized() @ b.normalized(), 1.0), -1.0)  # in this order NaN stays NaN
+    return math.atan2(_other_leg(cosine), cosine)
 
 
-def angle_by_scalar_product(a, b):
-    return math.acos(max(min(unit(a) @ unit(b), 1.0), -1.0))
+def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
+    """Return the two angles whose sine is the length of the directions' vector product."""
+    _require_direction("a", a)
+    _require_direction("b", b)
+    sine = min(a.normalized().cross(b.normalized()).magnitude(), 1.0)  # NaN stays NaN
+    acute = math.atan2(sine, _other_leg(sine))
+    return acute, math.pi - acute
 
 
-def angles_by_vector_product(a, b):
-    angle = math.asin(min(unit(a).cross(unit(b)).magnitude(), 1.0))
-    return angle, math.pi - angle
-
-
-def remove_projection(a, b):
-    if not math.isclose(a.magnitude(), 1, rel_tol=1e-6):
-        raise ValueError(f"a is not a unit vector: {a}")
-    if not math.isclose(b.magnitude(), 1, rel_tol=1e-6):
-        raise ValueError(f"b is not a unit vector: {b}")
+def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
+    """Return a . b, what is left of b without its part along a, and the angle of that with a."""
+    for name, v in (("a", a), ("b", b)):
+        if not math.isclose(v.magnitude(), 1.0, rel_tol=0.0, abs_tol=_TOLERANCE):
+            raise ValueError(f"{name} must be a unit vector, not {v}")
     c = a @ b
     d = b - c * a
-    if d.magnitude() < 1e-6:
-        raise ValueError("nothing is left")
-    return c, d, angle_by_scalar_product(a, d)
+    if d.magnitude() < _TOLERANCE:
+        raise ValueError("a and b are parallel: nothing is left of b")
+    return c, d, math.atan2(a.cross(d).magnitude(), a @ d)
 
 
-def checked_duration(duration):
-    if not isinstance(duration, (int, float)):
-        raise TypeError(f"duration must be a number: {duration!r}")
-    if duration > 0 and duration != math.inf:
-        return float(duration)
-    raise ValueError(f"duration must be above 0 and finite: {duration!r}")
+def checked_duration(duration: float) -> float:
+    if isinstance(duration, str) or not hasattr(duration, "__float__"):
+        raise TypeError(f"duration should be a number, not {duration!r}")
+    seconds = float(duration)
+    if not math.isfinite(seconds) or seconds <= 0:
+        raise ValueError(f"duration is {duration!r} s, but has to be finite and above 0")
+    return seconds
 
 
-def position_after(position, velocity, duration):
-    return position + velocity * checked_duration(duration)
+def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
+    """Return the position after a time of constant velocity."""
+    if not 0 < duration < math.inf:
+        raise ValueError(f"duration must be positive and finite, not {duration}")
+    return duration * velocity + position
+
+
+def _other_leg(leg: float) -> float:
+    """Return the other leg of a right triangle with hypotenuse 1: a cosine's sine, or back."""
+    return math.sqrt((1.0 - leg) * (1.0 + leg))
+
+
+def _require_direction(name: str, v: Vector3) -> None:
+    """Raise ValueError where the argument of that name is zero."""
+    if not any(v):
+        raise ValueError(f"{name} is zero and has no direction")

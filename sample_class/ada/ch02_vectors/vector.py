@@ -1,120 +1,212 @@
-"""Ada's vectors."""
+"""A second right solution of the chapter's vector, in another style than the first.
+
+The components are kept in a private tuple, which vectors can share without harm. The forms that
+return a new vector do the work; the forms in place take over their result.
+"""
+
+from __future__ import annotations
 
 import math
+from array import array
+from collections.abc import Iterator
+from operator import add, eq, mul, neg, sub
 
-
-def need_vector(v):
-    if not isinstance(v, Vector3):
-        raise TypeError(f"expected a Vector3, got {v!r}")
-
-
-def need_number(value):
-    if isinstance(value, Vector3):
-        raise TypeError("expected a number; for vectors use dot, cross or component_product")
+_PARALLEL_SINE = 1e-12
 
 
 class Vector3:
-    def __init__(self, x=0.0, y=0.0, z=0.0):
-        self.x, self.y, self.z = float(x), float(y), float(z)
+    """Three floats along X, Y and Z. Raises TypeError where a component is not a number."""
 
-    def __repr__(self):
-        return f"Vector3({self.x}, {self.y}, {self.z})"
+    __slots__ = ("_xyz",)
 
-    def __iter__(self):
-        return iter((self.x, self.y, self.z))
+    _xyz: tuple[float, ...]
 
-    def __eq__(self, other):
-        return isinstance(other, Vector3) and tuple(self) == tuple(other)
+    def __init__(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> None:
+        self._xyz = _floats(x, y, z)
 
-    def set(self, x, y, z):
-        self.x, self.y, self.z = x, y, z
+    @property
+    def x(self) -> float:
+        """The first component."""
+        return self._xyz[0]
 
-    def copy(self):
+    @x.setter
+    def x(self, value: float) -> None:
+        self._xyz = _floats(value, self.y, self.z)
+
+    @property
+    def y(self) -> float:
+        """The second component."""
+        return self._xyz[1]
+
+    @y.setter
+    def y(self, value: float) -> None:
+        self._xyz = _floats(self.x, value, self.z)
+
+    @property
+    def z(self) -> float:
+        """The third component."""
+        return self._xyz[2]
+
+    @z.setter
+    def z(self, value: float) -> None:
+        self._xyz = _floats(self.x, self.y, value)
+
+    def __repr__(self) -> str:
+        return f"Vector3({', '.join(map(repr, self))})"
+
+    def __iter__(self) -> Iterator[float]:
+        return iter(self._xyz)
+
+    def __eq__(self, other: object) -> bool:
+        """Compare as floats do. Tuples would not: to them the same NaN object equals itself."""
+        return all(map(eq, self, other)) if isinstance(other, Vector3) else NotImplemented
+
+    def copy(self) -> Vector3:
+        """Return an equal vector."""
         return Vector3(*self)
 
-    def clear(self):
-        self.set(0.0, 0.0, 0.0)
+    def clear(self) -> None:
+        """Become the zero vector."""
+        self._become(Vector3())
 
-    def invert(self):
-        self.set(-self.x, -self.y, -self.z)
+    def invert(self) -> None:
+        """Become the opposite vector."""
+        self._become(-self)
 
-    def __neg__(self):
-        return -1.0 * self
+    def __neg__(self) -> Vector3:
+        """Return the opposite vector."""
+        return Vector3(*map(neg, self))
 
-    def magnitude(self):
-        return math.hypot(*self)
+    def magnitude(self) -> float:
+        """Return the length, worked out near 1, where squares neither overflow nor vanish."""
+        scale = self._scale()
+        return math.sqrt((self / scale).squared_magnitude()) * scale
 
-    def squared_magnitude(self):
-        return sum(n * n for n in self)
+    def squared_magnitude(self) -> float:
+        """Return the scalar product of the vector with itself."""
+        return self.dot(self)
 
-    def __mul__(self, scale):
-        need_number(scale)
-        return Vector3(*(n * scale for n in self))
+    def __mul__(self, scale: float) -> Vector3:
+        """Return the vector scaled by a number."""
+        _refuse_vector(scale)
+        return Vector3(*(component * scale for component in self))
 
     __rmul__ = __mul__
 
-    def __imul__(self, scale):
-        self.set(*(self * scale))
+    def __imul__(self, scale: float) -> Vector3:
+        """Become the vector scaled by a number."""
+        return self._become(self * scale)
+
+    def __truediv__(self, divisor: float) -> Vector3:
+        """Return the vector divided by a number, which floats refuse to be zero."""
+        _refuse_vector(divisor)
+        return Vector3(*(component / divisor for component in self))
+
+    def __itruediv__(self, divisor: float) -> Vector3:
+        """Become the vector divided by a number."""
+        return self._become(self / divisor)
+
+    def normalize(self) -> None:
+        """Become the unit vector of the same direction; stay zero where there is none."""
+        self._become(self.normalized())
+
+    def normalized(self) -> Vector3:
+        """Return the unit vector of the same direction, or zero where there is none."""
+        scaled = self / self._scale()
+        return scaled / (scaled.magnitude() or 1.0)
+
+    def __add__(self, v: Vector3) -> Vector3:
+        """Return the sum."""
+        return Vector3(*map(add, self, _require_vector(v)))
+
+    def __iadd__(self, v: Vector3) -> Vector3:
+        """Become the sum."""
+        return self._become(self + v)
+
+    def __sub__(self, v: Vector3) -> Vector3:
+        """Return the difference."""
+        return Vector3(*map(sub, self, _require_vector(v)))
+
+    def __isub__(self, v: Vector3) -> Vector3:
+        """Become the difference."""
+        return self._become(self - v)
+
+    def add_scaled(self, v: Vector3, scale: float) -> None:
+        """Become the sum with v * scale."""
+        self._become(self + _require_vector(v) * scale)
+
+    def component_product(self, v: Vector3) -> Vector3:
+        """Return the products of the components."""
+        return Vector3(*map(mul, self, _require_vector(v)))
+
+    def component_product_update(self, v: Vector3) -> None:
+        """Become the products of the components."""
+        self._become(self.component_product(v))
+
+    def dot(self, v: Vector3) -> float:
+        """Return the scalar product: the sum of the component product."""
+        x, y, z = self.component_product(v)
+        return z + y + x
+
+    def __matmul__(self, v: Vector3) -> float:
+        """Return the scalar product."""
+        return self.dot(v)
+
+    def cross(self, v: Vector3) -> Vector3:
+        """Return the vector product, from two turns of the ring x, y, z in either direction."""
+        forth = self._turned(1).component_product(_require_vector(v)._turned(2))
+        back = self._turned(2).component_product(v._turned(1))
+        return forth - back
+
+    def cross_update(self, v: Vector3) -> None:
+        """Become the vector product."""
+        self._become(self.cross(v))
+
+    def _become(self, v: Vector3) -> Vector3:
+        """Take over the components of v; return this vector, as the forms in place have to."""
+        self._xyz = v._xyz
         return self
 
-    def __truediv__(self, divisor):
-        need_number(divisor)
-        return Vector3(*(n / divisor for n in self))
+    def _turned(self, steps: int) -> Vector3:
+        """Return the vector with its components moved on in their ring: y, z, x for one step."""
+        return Vector3(*self._xyz[steps:], *self._xyz[:steps])
 
-    def __itruediv__(self, divisor):
-        self.set(*(self / divisor))
-        return self
+    def _scale(self) -> float:
+        """Return a power of two near the largest component, so that dividing by it is exact.
 
-    def normalized(self):
-        length = self.magnitude()
-        return self / length if length else Vector3()
-
-    def normalize(self):
-        self.set(*self.normalized())
-
-    def __add__(self, v):
-        need_vector(v)
-        return Vector3(*(a + b for a, b in zip(self, v)))
-
-    def __iadd__(self, v):
-        self.set(*(self + v))
-        return self
-
-    def __sub__(self, v):
-        need_vector(v)
-        return self + -v
-
-    def __isub__(self, v):
-        self.set(*(self - v))
-        return self
-
-    def add_scaled(self, v, scale):
-        self.set(*(self + v * scale))
-
-    def component_product(self, v):
-        return Vector3(*(a * b for a, b in zip(self, v)))
-
-    def component_product_update(self, v):
-        self.set(*self.component_product(v))
-
-    def dot(self, v):
-        need_vector(v)
-        return sum(a * b for a, b in zip(self, v))
-
-    __matmul__ = dot
-
-    def cross(self, v):
-        (a, b, c), (d, e, f) = self, v
-        return Vector3(b * f - c * e, c * d - a * f, a * e - b * d)
-
-    def cross_update(self, v):
-        self.set(*self.cross(v))
+        It is one half where the largest is zero, infinite or (as a first NaN is to max) NaN.
+        """
+        _, exponent = math.frexp(max(map(abs, self)))
+        return math.ldexp(1.0, exponent - 1)
 
 
-def make_orthonormal_basis(a, b):
-    a = a.normalized()
-    c = a.cross(b.normalized())
-    if c.magnitude() > 1e-10:
-        c.normalize()
-        return a, c.cross(a), c
-    raise ValueError(f"{a} and {b} span no plane")
+def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
+    """Return a right-handed basis: along a, then towards b, then at right angles to both.
+
+    The third vector comes from the first two, not straight from a x b, whose rounding errors count
+    where a and b are almost parallel.
+    """
+    first = a.normalized()
+    normal = first.cross(b.normalized())
+    if not normal.magnitude() >= _PARALLEL_SINE:  # true of NaN too
+        raise ValueError(f"no basis: {a} and {b} are parallel, zero or not finite")
+    second = normal.cross(first).normalized()
+    return first, second, first.cross(second)
+
+
+def _floats(*numbers: float) -> tuple[float, ...]:
+    """Return the numbers as floats. An array, unlike float, refuses text, with a TypeError."""
+    return tuple(array("d", numbers))
+
+
+def _require_vector(v: object) -> Vector3:
+    """Return v; raise TypeError where it is not a vector."""
+    if isinstance(v, Vector3):
+        return v
+    raise TypeError(f"a Vector3 is needed, not {type(v).__name__}")
+
+
+def _refuse_vector(number: object) -> None:
+    """Raise TypeError where a vector stands in the place of a number."""
+    if isinstance(number, Vector3):
+        raise TypeError("a number is needed; vectors have dot, cross and component_product")

@@ -1,65 +1,146 @@
-"""Ada's exercises."""
+"""Chapter 3's exercises as plain functions; nothing they are given is changed."""
 
-import random
-import statistics
+from __future__ import annotations
 
-from ch02_vectors.arguments import finite, positive
+import math
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from functools import partial, reduce
+from itertools import repeat
+from operator import index
+from random import Random
+from statistics import fmean
+
+from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 
-G = 6.67428e-11
+GRAVITATIONAL_CONSTANT = 6.67428e-11  # N m^2/kg^2, the book's value
+
+State = tuple[Vector3, Vector3]
 
 
-def speed_ratio(first_mass, second_mass):
-    force = time = 1.0
-    first = force / positive("first_mass", first_mass) * time
-    second = force / positive("second_mass", second_mass) * time
-    return first / second
+def speed_ratio(first_mass: float, second_mass: float) -> float:
+    """Exercise 3.1: equal impulses give speeds that are inverse to the masses."""
+    _require_positive(first_mass=first_mass, second_mass=second_mass)
+    return second_mass / first_mass
 
 
-def gravity_between(first_mass, second_mass, distance):
-    for name, value in (("first_mass", first_mass), ("second_mass", second_mass)):
-        positive(name, value)
-    return G * first_mass * second_mass / positive("distance", distance) ** 2
+def gravity_between(first_mass: float, second_mass: float, distance: float) -> float:
+    """Exercise 3.2: Newton's attraction G m1 m2 / r^2, in N."""
+    _require_positive(first_mass=first_mass, second_mass=second_mass, distance=distance)
+    # The square of this is m1 m2 / r^2, and it fits in a float wherever the force does.
+    root = math.sqrt(first_mass) * math.sqrt(second_mass) / distance
+    return GRAVITATIONAL_CONSTANT * root * root
 
 
-def position_by_equation(position, velocity, acceleration, time):
-    positive("time", time)
-    return position + velocity * time + acceleration * (0.5 * time**2)
+def position_by_equation(
+    position: Vector3, velocity: Vector3, acceleration: Vector3, time: float
+) -> Vector3:
+    """Exercise 3.4a: start plus the mean velocity times the time."""
+    _require_vectors(position=position, velocity=velocity, acceleration=acceleration)
+    _require_positive(time=time)
+    mean_velocity = velocity + acceleration * (time / 2)
+    return position + mean_velocity * time
 
 
-def state_by_steps(position, velocity, acceleration, duration, steps):
-    positive("duration", duration)
-    positive("steps", steps)
-    for _ in range(steps):
-        position = position + velocity * duration
-        velocity = velocity + acceleration * duration
-    return position, velocity
+def state_by_steps(
+    position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
+) -> State:
+    """Exercise 3.4b: position and velocity after so many undamped Euler steps."""
+    _require_vectors(position=position, velocity=velocity, acceleration=acceleration)
+    _require_positive(duration=duration)
+
+    def step(state: State, seconds: float) -> State:
+        place, motion = state
+        return place + motion * seconds, motion + acceleration * seconds
+
+    return reduce(step, repeat(duration, _count(steps)), (position, velocity))
 
 
-def stepping_error(position, velocity, acceleration, duration, steps):
-    stepped, _ = state_by_steps(position, velocity, acceleration, duration, steps)
-    return stepped - position_by_equation(position, velocity, acceleration, duration * steps)
+def stepping_error(
+    position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
+) -> Vector3:
+    """Exercise 3.4d: stepped minus exact position, which depends on neither of the starts."""
+    _require_vectors(position=position, velocity=velocity, acceleration=acceleration)
+    _require_positive(duration=duration)
+    total = duration * _count(steps)
+    return Vector3() - acceleration * (total * duration / 2)
 
 
-def random_frames(mean, jitter, total, seed):
-    positive("mean", mean)
-    positive("total", total)
-    if not 0 <= finite("jitter", jitter) < 1:
-        raise ValueError(f"jitter must be below 1, got {jitter!r}")
-    draw = random.Random(seed).uniform
-    frames, full = [], 0.0
-    while total - full > 1e-9 * total:
-        frames.append(min(draw(mean - jitter * mean, mean + jitter * mean), total - full))
-        full += frames[-1]
-    return frames
+def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[float]:
+    """Exercise 3.5a: frames that differ from the mean by up to a share ``jitter``, in s."""
+    _require_positive(mean=mean, total=total)
+    if not 0 <= _number("jitter", jitter) < 1:
+        raise ValueError(f"jitter should be at least 0 and less than 1; it is {jitter!r}")
+    if not isinstance(seed, int):
+        raise TypeError(f"seed should be an int; it is {seed!r}")
+    return list(_fill(total, _draws(mean, jitter, Random(seed))))
 
 
-def damping_difference(velocity, acceleration, damping, runs):
-    distances = []
-    for frames in runs:
-        first = second = velocity
-        for frame in frames:
-            first = damp_per_frame(first, acceleration, damping, frame)
-            second = damp_per_second(second, acceleration, damping, frame)
-        distances.append((first - second).magnitude())
-    return statistics.fmean(distances)
+def damping_difference(
+    velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
+) -> float:
+    """Exercise 3.5b: mean distance in m/s between the velocities that Eq. 3.5 and 3.6 lead to."""
+    _require_vectors(velocity=velocity, acceleration=acceleration)
+    if not 0 <= _number("damping", damping) < math.inf:
+        raise ValueError(f"damping should be finite and at least 0; it is {damping!r}")
+    if len(runs) == 0:
+        raise ValueError(f"runs should hold one run or more; it is {runs!r}")
+
+    def end(equation: Callable[..., Vector3], run: Sequence[float]) -> Vector3:
+        return reduce(lambda v, h: equation(v, acceleration, damping, h), run, velocity)
+
+    by_frame, by_second = partial(end, damp_per_frame), partial(end, damp_per_second)
+    return fmean((by_frame(run) - by_second(run)).magnitude() for run in runs)
+
+
+def _draws(mean: float, jitter: float, source: Random) -> Iterator[float]:
+    """Yield frame times without an end."""
+    while True:
+        yield mean * (1 + jitter * (2 * source.random() - 1))
+
+
+def _fill(total: float, draws: Iterator[float]) -> Iterator[float]:
+    """Pass draws on until they reach the total, the last one cut to what is left.
+
+    What is left is kept exactly, and a rest of a rounding error or two gets no frame of its own.
+    """
+    left = Fraction(total)
+    crumb = left / 2**50
+    while left > crumb:
+        frame = min(next(draws), float(left))
+        left -= Fraction(frame)
+        yield frame
+
+
+def _number(name: str, value: object) -> float:
+    """Return an int or a float as a float, one that does not fit as an infinity."""
+    if not isinstance(value, (int, float)):
+        raise TypeError(f"{name} should be a number; it is {value!r}")
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
+
+
+def _require_positive(**numbers: object) -> None:
+    for name, value in numbers.items():
+        if not 0 < _number(name, value) < math.inf:
+            raise ValueError(f"{name} should be finite and above 0; it is {value!r}")
+
+
+def _require_vectors(**vectors: object) -> None:
+    for name, value in vectors.items():
+        if not isinstance(value, Vector3):
+            raise TypeError(f"{name} should be a Vector3; it is {value!r}")
+
+
+def _count(steps: int) -> int:
+    """Return a number of steps, at least one."""
+    try:
+        count = index(steps)
+    except TypeError:
+        raise TypeError(f"steps should be a whole number; it is {steps!r}") from None
+    if count < 1:
+        raise ValueError(f"steps should be at least 1; it is {steps!r}")
+    return count

@@ -1,81 +1,163 @@
-"""Ada's particle."""
+"""Point masses that obey Newton's laws and advance one frame at a time. SI units throughout."""
+
+from __future__ import annotations
 
 import math
 
-from ch02_vectors.arguments import (
-    finite,
-    finite_vector,
-    not_negative,
-    positive,
-    positive_or_infinite,
-)
 from ch02_vectors.vector import Vector3
 
-VECTORS = ("position", "velocity", "acceleration")
+
+def _as_number(name: str, value: object) -> float:
+    """Turn an int or a float into a float; anything else is a TypeError.
+
+    An int too large for a float becomes an infinity, so that the range checks see it.
+    """
+    if not isinstance(value, (int, float)):
+        raise TypeError(f"{name}: expected a number, got {value!r}")
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
+
+
+def _at_least_zero(name: str, value: object) -> float:
+    number = _as_number(name, value)
+    if not math.isfinite(number) or number < 0:
+        raise ValueError(f"{name}: expected a finite number of 0 or more, got {value!r}")
+    return number
+
+
+def _own_vector(name: str, value: object) -> Vector3:
+    """Copy a finite vector for the particle to keep."""
+    if not isinstance(value, Vector3):
+        raise TypeError(f"{name}: expected a Vector3, got {value!r}")
+    if not all(map(math.isfinite, value)):
+        raise ValueError(f"{name}: expected finite components, got {value!r}")
+    return value.copy()
 
 
 class Particle:
-    def __init__(self, position=None, velocity=None, acceleration=None, *, mass=1.0, damping=1.0):
-        for name, value in zip(VECTORS, (position, velocity, acceleration), strict=True):
-            setattr(self, name, Vector3() if value is None else value)
+    """A mass at a point, with a velocity and an acceleration that does not change by itself.
+
+    The three vectors are the particle's own: assigning one stores a copy, reading one hands out
+    the stored vector, so its components can be edited in place. With mass math.inf the particle
+    never moves.
+    """
+
+    def __init__(
+        self,
+        position: Vector3 | None = None,
+        velocity: Vector3 | None = None,
+        acceleration: Vector3 | None = None,
+        *,
+        mass: float = 1.0,
+        damping: float = 1.0,
+    ) -> None:
+        self.position = Vector3() if position is None else position
+        self.velocity = Vector3() if velocity is None else velocity
+        self.acceleration = Vector3() if acceleration is None else acceleration
         self.mass = mass
         self.damping = damping
 
-    def __setattr__(self, name, value):
-        if name in VECTORS:
-            value = finite_vector(name, value)
-        object.__setattr__(self, name, value)
+    @property
+    def position(self) -> Vector3:
+        """Where the particle is, in m."""
+        return self._place
+
+    @position.setter
+    def position(self, place: Vector3) -> None:
+        self._place = _own_vector("position", place)
 
     @property
-    def mass(self):
-        return 1 / self._inverse_mass if self.has_finite_mass else math.inf
+    def velocity(self) -> Vector3:
+        """How fast it goes and where to, in m/s."""
+        return self._motion
+
+    @velocity.setter
+    def velocity(self, motion: Vector3) -> None:
+        self._motion = _own_vector("velocity", motion)
+
+    @property
+    def acceleration(self) -> Vector3:
+        """What its velocity gains every second, in m/s^2."""
+        return self._pull
+
+    @acceleration.setter
+    def acceleration(self, pull: Vector3) -> None:
+        self._pull = _own_vector("acceleration", pull)
+
+    @property
+    def mass(self) -> float:
+        """Kilograms; infinite when nothing can move the particle."""
+        return self._kilograms
 
     @mass.setter
-    def mass(self, mass):
-        self._inverse_mass = 1 / positive_or_infinite("mass", mass)
+    def mass(self, mass: float) -> None:
+        kilograms = _as_number("mass", mass)
+        if math.isnan(kilograms) or kilograms <= 0:
+            raise ValueError(f"mass: expected a number above 0, got {mass!r}")
+        self._kilograms = kilograms
 
     @property
-    def inverse_mass(self):
-        return self._inverse_mass
+    def inverse_mass(self) -> float:
+        """The reciprocal of the mass, in 1/kg; zero for an infinite mass."""
+        return 1 / self._kilograms
 
     @inverse_mass.setter
-    def inverse_mass(self, inverse_mass):
-        self._inverse_mass = not_negative("inverse_mass", inverse_mass)
+    def inverse_mass(self, inverse_mass: float) -> None:
+        reciprocal = _at_least_zero("inverse_mass", inverse_mass)
+        self._kilograms = 1 / reciprocal if reciprocal else math.inf
 
     @property
-    def has_finite_mass(self):
-        return self._inverse_mass != 0
+    def has_finite_mass(self) -> bool:
+        """False only for an immovable particle."""
+        return not math.isinf(self._kilograms)
 
     @property
-    def damping(self):
-        return self._damping
+    def damping(self) -> float:
+        """What a second leaves of the velocity: 1 is all of it, 0 nothing."""
+        return self._kept_per_second
 
     @damping.setter
-    def damping(self, damping):
-        self._damping = not_negative("damping", damping)
-
-    def momentum(self):
-        return self.velocity * self.mass if self.has_finite_mass else Vector3()
-
-    def kinetic_energy(self):
-        return 0.5 * self.momentum().dot(self.velocity)
+    def damping(self, damping: float) -> None:
+        self._kept_per_second = _at_least_zero("damping", damping)
 
     @property
-    def last_acceleration(self):
-        return self.acceleration.copy()
+    def last_acceleration(self) -> Vector3:
+        """A copy of the acceleration that a step applies, which is only the constant one so far."""
+        return self._pull.copy()
 
-    def drift(self, duration):
-        finite("duration", duration)
+    def kinetic_energy(self) -> float:
+        """Half the mass times the speed squared, in J; zero for an immovable particle."""
+        if not self.has_finite_mass:
+            return 0.0
+        return 0.5 * self._kilograms * (self._motion @ self._motion)
+
+    def momentum(self) -> Vector3:
+        """Mass times velocity, in kg m/s, as a fresh vector; zero for an immovable particle."""
+        return self._motion * self._kilograms if self.has_finite_mass else Vector3()
+
+    def drift(self, duration: float) -> None:
+        """Carry the position along with the velocity for so many seconds, backward if negative."""
+        seconds = _as_number("duration", duration)
+        if not math.isfinite(seconds):
+            raise ValueError(f"duration: expected a finite number, got {duration!r}")
         if self.has_finite_mass:
-            self.position += self.velocity * duration
+            self._place = self._place + self._motion * seconds
 
-    def kick(self, duration):
-        finite("duration", duration)
+    def kick(self, duration: float) -> None:
+        """Accelerate the velocity for so many seconds, then damp it."""
+        seconds = _as_number("duration", duration)
+        if not math.isfinite(seconds):
+            raise ValueError(f"duration: expected a finite number, got {duration!r}")
         if self.has_finite_mass:
-            self.velocity += self.acceleration * duration
-            self.velocity *= self.damping**duration
+            kept = math.pow(self._kept_per_second, seconds)
+            self._motion = (self._motion + self._pull * seconds) * kept
 
-    def integrate(self, duration):
-        positive("duration", duration)
-        self.drift(duration)
-        self.kick(duration)
+    def integrate(self, duration: float) -> None:
+        """Take one explicit Euler step of so many seconds; an immovable particle stays put."""
+        seconds = _as_number("duration", duration)
+        if not 0 < seconds < math.inf:
+            raise ValueError(f"duration: expected a finite number above 0, got {duration!r}")
+        self.drift(seconds)
+        self.kick(seconds)

@@ -1,25 +1,34 @@
-"""Ada's range."""
+"""Shots of several kinds on a range: Z leads down it, Y up, X to the left. Angles in radians."""
 
-import math
+from __future__ import annotations
+
+import cmath
+from collections import deque
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import chain
 
 from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
-from ch04_particle_engine.grenade import FUSE, bounce, fragments
-from ch04_particle_engine.targets import strike_first
+from ch04_particle_engine import grenade
+from ch04_particle_engine.targets import TargetBlock, strike_first
 
-MUZZLE = (0.0, 1.5, 0.0)
-LONGEST_FLIGHT = 5.0
-END_OF_RANGE = 200.0
+Numbers = tuple[float, float, float]
+
+MUZZLE = (0.0, 1.5, 0.0)  # m
+LONGEST_FLIGHT = 5.0  # s
+END_OF_RANGE = 200.0  # m
 
 
 @dataclass(frozen=True)
 class ShotType:
+    """What all shots of one kind have in common, in SI units."""
+
     name: str
     mass: float
-    velocity: tuple
-    acceleration: tuple
+    velocity: Numbers
+    acceleration: Numbers
     damping: float
 
 
@@ -33,66 +42,88 @@ SHOT_TYPES = {
 
 
 class Shot:
-    def __init__(self, type, particle):
-        self.type = type
-        self.particle = particle
-        self.age = 0.0
+    """One shot in the air: its kind, its particle, and for how many seconds it has flown."""
+
+    def __init__(self, type: str, particle: Particle) -> None:
+        self.type, self.particle, self.age = type, particle, 0.0
+
+    def move(self, duration: float) -> Vector3:
+        """Fly on for a frame, and return the place that was left."""
+        origin = self.particle.position.copy()
+        self.particle.integrate(duration)
+        self.age += duration
+        return origin
 
 
-def aim(speed, azimuth, elevation):
-    not_negative("speed", speed)
-    finite("azimuth", azimuth)
-    finite("elevation", elevation)
-    along = Vector3(math.sin(azimuth), 0.0, math.cos(azimuth))
-    return (along * math.cos(elevation) + Vector3(0, math.sin(elevation), 0)) * speed
+def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
+    """Turn a speed upwards in one complex plane, then what is level of it sideways in another."""
+    steep = cmath.rect(not_negative("speed", speed), finite("elevation", elevation))
+    level = cmath.rect(1.0, finite("azimuth", azimuth)) * steep.real
+    return Vector3(level.imag, steep.imag, level.real)
 
 
-def is_spent(shot):
-    place = shot.particle.position
-    flying = place.y >= 0 and shot.age <= LONGEST_FLIGHT and place.z <= END_OF_RANGE
-    return not flying
+def is_spent(shot: Shot) -> bool:
+    """Whether a shot has sunk, outlived its time or left the range."""
+    _, height, distance = shot.particle.position
+    return height < 0 or distance > END_OF_RANGE or shot.age > LONGEST_FLIGHT
 
 
-def grenade_after(shot):
-    bounce(shot.particle)
-    if shot.age < FUSE:
-        return [] if is_spent(shot) else [shot]
-    return [Shot("fragment", piece) for piece in fragments(shot.particle)]
+def grenade_after(shot: Shot) -> list[Shot]:
+    """A bounce, a burst, or the loss of a grenade that a frame has just moved."""
+    grenade.bounce(shot.particle)
+    if shot.age >= grenade.FUSE:
+        return [Shot("fragment", piece) for piece in grenade.fragments(shot.particle)]
+    return [] if is_spent(shot) else [shot]
 
 
 class BallisticRange:
-    def __init__(self, targets=()):
-        self.targets = list(targets)
-        self.shots = []
+    """A queue of shots, the first fired in front, and the blocks they are fired at."""
 
-    def fire(self, name, azimuth=0.0, elevation=None):
-        if name not in SHOT_TYPES:
-            raise ValueError(f"there is no shot called {name!r}")
-        kind = SHOT_TYPES[name]
-        speed = Vector3(*kind.velocity).magnitude()
-        if elevation is None:
-            elevation = math.asin(kind.velocity[1] / speed)
-        particle = Particle(
+    def __init__(self, targets: Iterable[TargetBlock] = ()) -> None:
+        self.targets = [*targets]
+        self._flying: deque[Shot] = deque()
+
+    @property
+    def shots(self) -> list[Shot]:
+        """What flies now, in the order of firing."""
+        return list(self._flying)
+
+    def fire(self, name: str, azimuth: float = 0.0, elevation: float | None = None) -> None:
+        """Send a shot of the named type off from the muzzle."""
+        try:
+            kind = SHOT_TYPES[name]
+        except KeyError:
+            raise ValueError(f"no shot is called {name!r}; try {[*SHOT_TYPES]}") from None
+        x, y, z = kind.velocity
+        speed, own_elevation = cmath.polar(complex(abs(complex(x, z)), y))
+        velocity = aim(speed, azimuth, own_elevation if elevation is None else elevation)
+        body = Particle(
             Vector3(*MUZZLE),
-            aim(speed, azimuth, elevation),
+            velocity,
             Vector3(*kind.acceleration),
             mass=kind.mass,
             damping=kind.damping,
         )
-        self.shots.append(Shot(name, particle))
+        self._flying.append(Shot(name, body))
 
-    def update(self, duration):
-        positive("duration", duration)
+    def update(self, duration: float) -> None:
+        """Let a frame pass for the blocks, and then for each shot."""
+        seconds = positive("duration", duration)
         for target in self.targets:
-            target.particle.integrate(duration)
-        self.shots = [left for shot in self.shots for left in self.move(shot, duration)]
+            target.particle.integrate(seconds)
+        remains = [self._after(shot, seconds) for shot in self._flying]
+        self._flying = deque(chain.from_iterable(remains))
 
-    def move(self, shot, duration):
-        start = shot.particle.position.copy()
-        shot.particle.integrate(duration)
-        shot.age += duration
-        if strike_first(start, shot.particle, self.targets):
-            return []
+    def _after(self, shot: Shot, seconds: float) -> Iterable[Shot]:
+        """What a frame makes of one shot: itself, nothing, or several others."""
+        origin = shot.move(seconds)
+        if strike_first(origin, shot.particle, self.targets):
+            return ()
         if shot.type == "grenade":
             return grenade_after(shot)
-        return [] if is_spent(shot) else [shot]
+        return _unless_spent(shot)
+
+
+def _unless_spent(shot: Shot) -> Iterator[Shot]:
+    if not is_spent(shot):
+        yield shot

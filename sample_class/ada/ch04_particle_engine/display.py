@@ -1,54 +1,66 @@
-"""Ada's game."""
+"""A game with a display: click rockets before they burn out, and the later the better."""
 
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ch04_particle_engine.fireworks import FireworksShow
+from ch04_particle_engine.fireworks import Firework, FireworksShow
 
-REACH = 2.5
-LATE = 0.4
+REACH = 2.5  # m around a click
+LATE = 0.4  # s of fuse
 MISSES_ALLOWED = 5
 
 
 @dataclass
 class Display:
+    """Where the game stands."""
+
     show: FireworksShow
     score: int = 0
     misses: int = 0
     time: float = 0.0
 
 
-def rockets(display):
-    rules = display.show.rules
-    return [f for f in display.show.fireworks if rules[f.type].payloads]
+def find_rocket(display: Display, x: float, y: float) -> Firework | None:
+    """Order the rockets that can be saved by their distance, and take the first one in reach."""
 
-
-def find_rocket(display, x, y):
-    def squared(rocket):
+    def distance(rocket: Firework) -> float:
         place = rocket.particle.position
-        return (place.x - x) ** 2 + (place.y - y) ** 2
+        return math.dist((place.x, place.y), (x, y))
 
-    near = [r for r in rockets(display) if r.age > 0 and squared(r) <= REACH**2]
-    return min(near, key=squared, default=None)
+    nearest_first = sorted((r for r in _rockets(display) if r.age > 0), key=distance)
+    return next((rocket for rocket in nearest_first if distance(rocket) <= REACH), None)
 
 
-def click(display, x, y):
+def click(display: Display, x: float, y: float) -> bool:
+    """Burst the rocket under a point, or count a miss."""
     if is_over(display):
         return False
-    rocket = find_rocket(display, x, y)
-    if rocket is None:
-        display.misses += 1
-        return False
-    display.score += 3 if rocket.age < LATE else 1
-    rocket.age = 0.0
-    display.show.launch(rocket.type)
-    return True
+    match find_rocket(display, x, y):
+        case None:
+            display.misses += 1
+            return False
+        case rocket:
+            display.score += 3 if rocket.age < LATE else 1
+            rocket.age = 0.0
+            display.show.launch(rocket.type)
+            return True
 
 
-def is_over(display):
-    return display.misses > MISSES_ALLOWED or len(rockets(display)) == 0
+def is_over(display: Display) -> bool:
+    """Whether the last rocket is gone or the misses are used up."""
+    return display.misses > MISSES_ALLOWED or next(_rockets(display), None) is None
 
 
-def tick(display, duration):
-    if not is_over(display):
-        display.time += duration
+def tick(display: Display, duration: float) -> None:
+    """Pass a frame, and count its time while the game goes on."""
+    display.time += 0.0 if is_over(display) else duration
     display.show.update(duration)
+
+
+def _rockets(display: Display) -> Iterator[Firework]:
+    """Yield what will leave something behind."""
+    rules = display.show.rules
+    return (burning for burning in display.show.fireworks if rules[burning.type].payloads)

@@ -1,104 +1,186 @@
-"""Ada's fireworks."""
+"""Fireworks: particles with a fuse. Rules say what each type does and what it leaves behind."""
 
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from random import Random
 
-from ch02_vectors.arguments import positive
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 
-GRAVITY = (0.0, -9.81, 0.0)
-LAUNCH_PLACES = (-5.0, 0.0, 5.0)
+Numbers = tuple[float, float, float]
+Birth = tuple[int, int, Particle | None]
+
+GRAVITY = (0.0, -9.81, 0.0)  # m/s^2
+LAUNCH_PLACES = (-5.0, 0.0, 5.0)  # m to the side
+POLICIES = ("keep_old", "drop_oldest")
 
 
 @dataclass(frozen=True)
 class Payload:
+    """So many fireworks of a type, which another one leaves behind."""
+
     type: int
     count: int
+
+    def __post_init__(self) -> None:
+        _at_least_one("count", self.count)
 
 
 @dataclass(frozen=True)
 class FireworkRule:
+    """The limits of age and velocity, the damping and the payloads of a type."""
+
     type: int
     min_age: float
     max_age: float
-    min_velocity: tuple
-    max_velocity: tuple
+    min_velocity: Numbers
+    max_velocity: Numbers
     damping: float
-    payloads: tuple = ()
+    payloads: Sequence[Payload] = ()
+
+    def __post_init__(self) -> None:
+        for name in ("damping", "min_age", "max_age"):
+            not_negative(name, getattr(self, name))
+        lows = [finite("min_velocity", low) for low in self.min_velocity]
+        highs = [finite("max_velocity", high) for high in self.max_velocity]
+        ranges = [(self.min_age, self.max_age), *zip(lows, highs, strict=True)]
+        if any(low > high for low, high in ranges):
+            raise ValueError(f"type {self.type!r} has a lower limit above the upper one: {ranges}")
 
 
 class Firework:
-    def __init__(self, type, age, particle):
+    """A particle that burns, and how long it still will, in s."""
+
+    def __init__(self, type: int, age: float, particle: Particle) -> None:
         self.type, self.age, self.particle = type, age, particle
 
-
-def make_firework(rule, random, parent=None):
-    age = random.uniform(rule.min_age, rule.max_age)
-    ranges = zip(rule.min_velocity, rule.max_velocity)
-    velocity = Vector3(*[random.uniform(low, high) for low, high in ranges])
-    place = Vector3(random.choice(LAUNCH_PLACES), 0, 0)
-    if parent is not None:
-        place = parent.position
-        velocity = velocity + parent.velocity
-    particle = Particle(place, velocity, Vector3(*GRAVITY), damping=rule.damping)
-    return Firework(rule.type, age, particle)
+    @property
+    def is_burnt_out(self) -> bool:
+        """Whether its fuse or its way down has come to an end."""
+        return self.age < 0 or self.particle.position.y < 0
 
 
-def endless_types(rules):
-    after = {rule.type: {p.type for p in rule.payloads} for rule in rules}
-    for _ in after:  # as many rounds as there are types
-        for type in after:
-            for other in set(after[type]):
-                after[type] |= after.get(other, set())
-    return sorted(type for type in after if type in after[type])
+def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = None) -> Firework:
+    """Draw a firework of a rule, from a parent or from the ground."""
+
+    def between(low: float, high: float) -> float:
+        share = random.random()
+        return low + (high - low) * share
+
+    origin = parent
+    if origin is None:
+        origin = Particle(Vector3(LAUNCH_PLACES[random.randrange(len(LAUNCH_PLACES))]))
+    thrown = Vector3(*map(between, rule.min_velocity, rule.max_velocity))
+    body = Particle(
+        origin.position, origin.velocity + thrown, Vector3(*GRAVITY), damping=rule.damping
+    )
+    return Firework(rule.type, between(rule.min_age, rule.max_age), body)
+
+
+def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
+    """Close the table of who lights whom (Warshall); who lights itself then is endless.
+
+    A row of the table is an int, whose bit n says that the type number n is lit sooner or later.
+    """
+    payloads = {rule.type: rule.payloads for rule in rules}
+    bit = {type: 1 << number for number, type in enumerate(payloads)}
+    lit = {
+        type: sum({bit.get(payload.type, 0) for payload in left}) for type, left in payloads.items()
+    }
+    for between in bit:
+        for type in bit:
+            if lit[type] & bit[between]:
+                lit[type] |= lit[between]
+    return sorted(type for type in bit if lit[type] & bit[type])
 
 
 class FireworksShow:
-    def __init__(self, rules, capacity, seed, when_full="keep_old"):
-        self.rules = {rule.type: rule for rule in rules}
-        self.capacity = capacity
+    """A queue of burning fireworks, the oldest in front, that never gets longer than its capacity.
+
+    A deque with a length puts its oldest out by itself where there are too many. So both policies
+    are one rule: of all that are to be lit, those in a window are, and the window lies at the front
+    or at the end.
+    """
+
+    def __init__(
+        self,
+        rules: Iterable[FireworkRule],
+        capacity: int,
+        seed: int,
+        when_full: str = "keep_old",
+    ) -> None:
+        given = list(rules)
+        self.rules = {rule.type: rule for rule in given}
+        if len(self.rules) < len(given):
+            raise ValueError(f"two rules share a type: {[rule.type for rule in given]}")
+        left = {payload.type for rule in given for payload in rule.payloads}
+        if not left <= self.rules.keys():
+            raise ValueError(f"payloads of a type without a rule: {left - self.rules.keys()}")
+        if when_full not in POLICIES:
+            raise ValueError(f"when_full has to be in {POLICIES}, and is {when_full!r}")
+        self.capacity = _at_least_one("capacity", capacity)
         self.when_full = when_full
         self.random = Random(seed)
-        self.fireworks = []
         self.dropped = 0
+        self._burning: deque[Firework] = deque(maxlen=capacity)
 
-    def launch(self, type):
+    @property
+    def fireworks(self) -> list[Firework]:
+        """What burns now, the oldest first."""
+        return list(self._burning)
+
+    def launch(self, type: int) -> None:
+        """Light one from the ground."""
+        if type not in self.rules:
+            raise ValueError(f"no rule for type {type!r}, only for {[*self.rules]}")
         self.light([(type, 1, None)])
 
-    def light(self, births):
+    def light(self, births: Sequence[Birth]) -> None:
+        """Line up all that are to be lit, and make those in the window of the policy."""
         for type, count, _ in births:
             if type not in self.rules or count < 0:
-                raise ValueError(f"cannot light {count!r} of type {type!r}")
-        asked = sum(count for _, count, _ in births)
-        burning = len(self.fireworks)
-        room = self.capacity
-        skip = 0
+                raise ValueError(f"births has {count!r} fireworks of type {type!r}")
+        before = len(self._burning)
+        total = sum(count for _, count, _ in births)
         if self.when_full == "keep_old":
-            room -= burning
+            opens, closes = 0, self.capacity - before
         else:
-            skip = max(0, asked - room)  # these would be put out at once
+            opens, closes = total - self.capacity, total
+        start = 0
         for type, count, parent in births:
-            skipped = min(skip, count)
-            skip -= skipped
-            lit = min(count - skipped, room)
-            room -= lit
-            for _ in range(lit):
-                self.fireworks.append(make_firework(self.rules[type], self.random, parent))
-        self.fireworks = self.fireworks[-self.capacity :]
-        self.dropped += burning + asked - len(self.fireworks)
+            stop = start + count
+            self._burning.extend(
+                make_firework(self.rules[type], self.random, parent)
+                for _ in range(max(start, opens), min(stop, closes))
+            )
+            start = stop
+        self.dropped += before + total - len(self._burning)
 
-    def update(self, duration):
-        positive("duration", duration)
-        for firework in self.fireworks:
-            firework.particle.integrate(duration)
-            firework.age -= duration
-        dead = [f for f in self.fireworks if f.age < 0 or f.particle.position.y < 0]
-        self.fireworks = [f for f in self.fireworks if f not in dead]
+    def update(self, duration: float) -> None:
+        """Burn on for a frame; then take out what has ended, and light what that leaves."""
+        seconds = positive("duration", duration)
+        for firework in self._burning:
+            firework.particle.integrate(seconds)
+            firework.age -= seconds
+        ended = [firework for firework in self._burning if firework.is_burnt_out]
+        lasting = (firework for firework in self._burning if not firework.is_burnt_out)
+        self._burning = deque(lasting, self.capacity)
         self.light(
             [
                 (payload.type, payload.count, firework.particle)
-                for firework in dead
+                for firework in ended
                 for payload in self.rules[firework.type].payloads
             ]
         )
+
+
+def _at_least_one(name: str, value: object) -> int:
+    if not isinstance(value, int):
+        raise TypeError(f"{name} counts things, and {value!r} is no count")
+    if value <= 0:
+        raise ValueError(f"{name} has to be at least 1, and is {value!r}")
+    return value

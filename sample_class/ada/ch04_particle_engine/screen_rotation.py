@@ -1,18 +1,26 @@
-"""Ada's turning squares."""
+"""Turning sparks for the eye only, in the complex plane of the screen."""
 
+from __future__ import annotations
+
+import cmath
 import math
 
 from ch02_vectors.arguments import finite, positive
 
-
-def screen_angle(start, rate, time):
-    angle = finite("start", start) + finite("rate", rate) * finite("time", time)
-    return angle - 2 * math.pi * round(angle / (2 * math.pi))
+Point = tuple[float, float]
 
 
-def screen_corners(center, size, angle):
-    x, y = (finite("center", coordinate) for coordinate in center)
-    away = positive("size", size) / math.sqrt(2)
-    finite("angle", angle)
-    turns = [angle + math.pi * (0.25 + 0.5 * i) for i in range(4)]
-    return [(x + away * math.cos(t), y + away * math.sin(t)) for t in turns]
+def screen_angle(start: float, rate: float, time: float) -> float:
+    """Return the angle of the direction that a spark has turned to, from -pi to pi."""
+    turned = finite("start", start) + finite("rate", rate) * finite("time", time)
+    return math.atan2(math.sin(turned), math.cos(turned))
+
+
+def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
+    """Turn one corner of a square to its angle, and then on by a quarter of a turn three times."""
+    across, up = center
+    middle = complex(finite("center", across), finite("center", up))
+    arm = complex(1, 1) * (positive("size", size) / 2)
+    arm *= cmath.rect(1.0, finite("angle", angle))
+    corners = [middle + arm * quarter for quarter in (1, 1j, -1, -1j)]
+    return [(corner.real, corner.imag) for corner in corners]

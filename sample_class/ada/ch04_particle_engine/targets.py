@@ -1,42 +1,66 @@
-"""Ada's targets."""
+"""Boxes to shoot at. What counts is the whole way of a shot in a frame, and not only its end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
 
 from ch02_vectors.arguments import positive
+from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 
 
 class TargetBlock:
-    def __init__(self, position, size, mass, damping=0.2):
+    """A box along the axes about its ``particle``, of a ``size`` in m, with a count of ``hits``."""
+
+    def __init__(
+        self,
+        position: Vector3,
+        size: tuple[float, float, float],
+        mass: float,
+        damping: float = 0.2,
+    ) -> None:
+        width, height, depth = (positive("size", side) for side in size)
+        self.size = (width, height, depth)
         self.particle = Particle(position, mass=mass, damping=damping)
-        self.size = tuple(positive("size", side) for side in size)
         self.hits = 0
 
 
-def hit_fraction(start, end, block):
+def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | None:
+    """Cut off what lies outside of each face in turn; where what is left begins is the hit."""
     first, last = 0.0, 1.0
-    for axis, size in zip("xyz", block.size):
-        a, b = getattr(start, axis), getattr(end, axis)
-        middle = getattr(block.particle.position, axis)
-        low, high = middle - size / 2, middle + size / 2
-        if a == b:
-            if not low <= a <= high:
-                return None
+    for before, after in _distances(start, end, block):
+        if before <= 0 and after <= 0:
+            continue  # behind this face all the way
+        if before > 0 and after <= 0:
+            first = max(first, before / (before - after))
+        elif before <= 0 and after > 0:
+            last = min(last, before / (before - after))
         else:
-            enter, leave = sorted([(low - a) / (b - a), (high - a) / (b - a)])
-            first, last = max(first, enter), min(last, leave)
+            return None  # in front of this face all the way, or nowhere at all
     return first if first <= last else None
 
 
-def strike_first(start, particle, targets):
-    touched = []
-    for target in targets:
-        fraction = hit_fraction(start, particle.position, target)
-        if fraction is not None:
-            touched.append((fraction, target))
-    if not touched:
+def strike_first(
+    start: Vector3, particle: Particle, targets: Sequence[TargetBlock]
+) -> TargetBlock | None:
+    """Push the block that the shot meets first, count the hit and return the block."""
+    meetings = {
+        number: fraction
+        for number, block in enumerate(targets)
+        if (fraction := hit_fraction(start, particle.position, block)) is not None
+    }
+    if not meetings:
         return None
-    target = min(touched, key=lambda pair: pair[0])[1]
-    share = particle.mass * target.particle.inverse_mass
-    target.particle.velocity.x += particle.velocity.x * share
-    target.particle.velocity.z += particle.velocity.z * share
-    target.hits += 1
-    return target
+    struck = targets[min(meetings, key=meetings.__getitem__)]
+    level = Vector3(1.0, 0.0, 1.0) * struck.particle.inverse_mass
+    struck.particle.velocity += particle.momentum().component_product(level)
+    struck.hits += 1
+    return struck
+
+
+def _distances(start: Vector3, end: Vector3, block: TargetBlock) -> Iterator[tuple[float, float]]:
+    """Yield for each of the six faces how far in front of it, in m, the way starts and ends."""
+    for a, b, middle, side in zip(start, end, block.particle.position, block.size, strict=True):
+        low, high = middle - side / 2, middle + side / 2
+        yield low - a, low - b
+        yield a - high, b - high

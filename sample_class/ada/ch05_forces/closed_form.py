@@ -1,48 +1,97 @@
-"""Ada's formulas."""
+"""What drag does to a particle, without steps; and the frames that are too long for the steps.
+
+Everything here moves along one line, and its numbers are in SI units. k1 and k2 are Eq. 5.1's.
+"""
+
+from __future__ import annotations
 
 import math
 
 from ch02_vectors.arguments import not_negative, positive
 
 
-def terminal_speed(weight, k1, k2):
+def terminal_speed(weight: float, k1: float, k2: float) -> float:
+    """Return the speed in m/s of a fall at which the drag is as large as the weight in N.
+
+    It solves k1 v + k2 v^2 = weight.
+
+    Raises ValueError where the weight is not positive, a coefficient is negative, one of them is
+    not finite, or both coefficients are 0: such a fall gains speed for ever.
+    """
     positive("weight", weight)
-    not_negative("k1", k1)
-    not_negative("k2", k2)
-    root = math.sqrt(k1**2 + 4 * k2 * weight)
-    if root == 0:
-        raise ValueError("there is no drag")
-    return 2 * weight / (k1 + root)
+    if not_negative("k1", k1) + not_negative("k2", k2) == 0.0:
+        raise ValueError("k1 and k2 must not both be 0")
+    # The usual root (-k1 + q) / (2 k2), multiplied above and below by k1 + q: good for k2 = 0 too.
+    q = math.hypot(k1, 2.0 * math.sqrt(k2) * math.sqrt(weight))
+    return 2.0 * (weight / (k1 + q))
 
 
-def quadratic_fall(mass, gravity, k2, time):
+def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
+    """Return the speed in m/s and the way in m after a fall from rest with quadratic drag alone.
+
+    With u = terminal speed and t = time: u tanh(g t / u), and (u^2 / g) ln cosh(g t / u).
+
+    Raises ValueError where mass, gravity or k2 is not positive, the time is negative, or one of
+    them is not finite.
+    """
     positive("mass", mass)
     positive("gravity", gravity)
     positive("k2", k2)
     not_negative("time", time)
-    u = math.sqrt(mass * gravity / k2)
-    x = gravity * time / u
-    if x > 100:
-        log_cosh = x - math.log(2)
-    else:
-        log_cosh = math.log1p(2 * math.sinh(x / 2) ** 2)
-    return u * math.tanh(x), mass / k2 * log_cosh
+    x = time * math.sqrt(gravity) * math.sqrt(k2) / math.sqrt(mass)  # g t / u
+    if x < 1e-4:  # hardly any drag yet: the series of tanh x and ln cosh x
+        speed = gravity * time
+        return speed * (1.0 - x * x / 3.0), speed * time / 2.0 * (1.0 - x * x / 6.0)
+    terminal = math.sqrt(mass) * math.sqrt(gravity) / math.sqrt(k2)
+    return terminal * math.tanh(x), mass / k2 * _ln_cosh(x)
 
 
-def coasting_speed(speed, k1, k2, mass, time):
-    for name, value in (("speed", speed), ("k1", k1), ("k2", k2), ("time", time)):
-        not_negative(name, value)
+def _ln_cosh(x: float) -> float:
+    if x < 1.0:
+        return math.log1p(2.0 * math.sinh(x / 2.0) ** 2)  # cosh x = 1 + 2 sinh^2 (x / 2)
+    return x - math.log(2.0) + math.log1p(math.exp(-2.0 * x))  # cosh x = e^x (1 + e^-2x) / 2
+
+
+def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
+    """Return what is left of a speed in m/s after a time in s in which nothing but drag acts.
+
+    With s = k1 t / m it is v e^-s / (1 + (k2 v t / m) (1 - e^-s) / s), where (1 - e^-s) / s goes
+    to 1 for s = 0.
+
+    Raises ValueError where the mass is not positive, another of them is negative, or one of them is
+    not finite.
+    """
+    not_negative("speed", speed)
+    not_negative("k1", k1)
+    not_negative("k2", k2)
     positive("mass", mass)
+    if not_negative("time", time) == 0.0:
+        return speed
     s = k1 * time / mass
-    share = -math.expm1(-s) / s if s > 0 else 1
-    return speed * math.exp(-s) / (1 + k2 * speed * time / mass * share)
+    left = speed * math.exp(-s)
+    if left == 0.0:
+        return 0.0
+    share = -math.expm1(-s) / s if s > 0.0 else 1.0
+    return left / (1.0 + k2 * speed / mass * time * share)
 
 
-def drag_limits(k1, k2, mass, speed):
-    for name, value in (("k1", k1), ("k2", k2), ("speed", speed)):
-        not_negative(name, value)
+def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
+    """Return two lengths of a frame in s, beyond which a step with drag alone goes wrong.
+
+    In a frame longer than the first, the drag turns the motion round; in one longer than the
+    second, the particle is faster afterwards than it was. The step is v' = v + (f / m) h, with the
+    f of Eq. 5.1 at the speed at which the frame begins. Without drag both are math.inf.
+
+    Raises ValueError where the mass is not positive, another of them is negative, or one of them is
+    not finite.
+    """
+    not_negative("k1", k1)
+    not_negative("k2", k2)
     positive("mass", mass)
-    drag = k1 + k2 * speed
-    if drag == 0:
+    not_negative("speed", speed)
+    # v' = v (1 - c h / m) with c = k1 + k2 v: it is 0 for h = m / c, and -v for twice that.
+    c = k1 + k2 * speed
+    if c == 0.0:
         return math.inf, math.inf
-    return mass / drag, 2 * mass / drag
+    stop = mass / c
+    return stop, 2.0 * stop

@@ -1,27 +1,35 @@
-"""Ada's sniper range."""
+"""A sniper range (project 4.2): targets of one size, and a wind that changes between the shots.
+
+The rules need no screen. Z points down the range, Y up and X to the left of one who looks along Z.
+A shot is aimed by two angles in radians: azimuth from Z towards X, elevation above the level.
+"""
+
+from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 from random import Random
 
-from ch02_vectors.arguments import not_negative, positive
+from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry, drag_force
 from ch05_forces.particle import Particle
 
-MUZZLE = (0.0, 1.5, 0.0)
-MUZZLE_SPEED = 120.0
-SWING = 0.2
-BULLET_MASS = 1.0
-GRAVITY = (0.0, -2.0, 0.0)
-K1, K2 = 0.02, 0.0003
-END_OF_RANGE = 210.0
-STRONGEST_WIND = 10.0
+MUZZLE = (0.0, 1.5, 0.0)  # m
+MUZZLE_SPEED = 120.0  # m/s: slow enough to be seen, as in chapter 4
+SWING = 0.2  # rad, how far the rifle turns to each side, up and down
+BULLET_MASS = 1.0  # kg
+GRAVITY = (0.0, -2.0, 0.0)  # m/s^2, as slow as the bullet
+K1, K2 = 0.02, 0.0003  # N s/m and N s^2/m^2, the drag of the bullet
+END_OF_RANGE = 210.0  # m along Z
+STRONGEST_WIND = 10.0  # m/s along X and along Z, to either side
 SHOTS = 10
 
 
 @dataclass(frozen=True)
 class Target:
+    """A disc that faces the rifle: its middle in m, and a factor for the points of its rings."""
+
     x: float
     y: float
     distance: float
@@ -34,11 +42,13 @@ TARGETS = (
     Target(2.0, 1.5, 150.0, 3),
     Target(5.0, 1.5, 200.0, 4),
 )
-RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))
+RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # radius in m and points, from the innermost
 
 
 @dataclass(frozen=True)
 class Hole:
+    """Where a target was hit, in m from its middle, and the points that it brought."""
+
     target: Target
     x: float
     y: float
@@ -46,47 +56,66 @@ class Hole:
 
 
 class Wind:
-    def __init__(self, k1, k2):
+    """A force generator: the drag of Eq. 5.1 in air that moves with ``velocity``, in m/s."""
+
+    def __init__(self, k1: float, k2: float) -> None:
         self.k1 = not_negative("k1", k1)
         self.k2 = not_negative("k2", k2)
         self.velocity = Vector3()
 
-    def update_force(self, particle, duration):
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Project 4.2: add the drag at the particle's velocity relative to the air.
+
+        What moves with the air feels nothing; in still air this is Drag.
+        """
         through_the_air = particle.velocity - self.velocity
         particle.add_force(drag_force(through_the_air, self.k1, self.k2))
 
 
 class SniperRange:
-    def __init__(self, seed):
+    """A round of SHOTS shots: what is in flight, the wind, the holes and the score."""
+
+    def __init__(self, seed: int) -> None:
         self.random = Random(seed)
         self.wind = Wind(K1, K2)
         self.forces = ForceRegistry()
-        self.bullet = None
+        self.bullet: Particle | None = None
         self.shots_left = SHOTS
         self.score = 0
-        self.holes = []
+        self.holes: list[Hole] = []
         self.change_wind()
 
-    def is_over(self):
+    def is_over(self) -> bool:
+        """Say whether the last shot has been fired and has landed."""
         return self.shots_left == 0 and self.bullet is None
 
-    def change_wind(self):
-        x, z = ((self.random.random() * 2 - 1) * STRONGEST_WIND for _ in range(2))
-        self.wind.velocity = Vector3(x, 0, z)
+    def change_wind(self) -> None:
+        """Project 4.2: let the wind blow anew, level, as self.random draws it.
 
-    def shoot(self, azimuth, elevation):
-        if not (-SWING <= azimuth <= SWING and -SWING <= elevation <= SWING):
-            raise ValueError(f"the rifle does not turn to {azimuth}, {elevation}")
-        if self.bullet or not self.shots_left:
+        Its parts along X and along Z are drawn each from -STRONGEST_WIND to STRONGEST_WIND.
+        """
+        along_x = self.random.uniform(-STRONGEST_WIND, STRONGEST_WIND)
+        along_z = self.random.uniform(-STRONGEST_WIND, STRONGEST_WIND)
+        self.wind.velocity = Vector3(along_x, 0.0, along_z)
+
+    def shoot(self, azimuth: float, elevation: float) -> bool:
+        """Project 4.2: fire a bullet, and say whether one was fired.
+
+        None is while one is in flight, or when no shots are left. The bullet starts at MUZZLE with
+        MUZZLE_SPEED; gravity is its acceleration, and the wind acts on it by self.forces. A shot is
+        taken off shots_left.
+
+        Raises ValueError where an angle is beyond SWING to either side, or not finite; nothing is
+        fired then.
+        """
+        for name, angle in (("azimuth", azimuth), ("elevation", elevation)):
+            if abs(finite(name, angle)) > SWING:
+                raise ValueError(f"{name} must be from {-SWING} to {SWING}, got {angle!r}")
+        if self.bullet is not None or self.shots_left < 1:
             return False
         self.bullet = Particle(
             Vector3(*MUZZLE),
-            Vector3(
-                math.sin(azimuth) * math.cos(elevation),
-                math.sin(elevation),
-                math.cos(azimuth) * math.cos(elevation),
-            )
-            * MUZZLE_SPEED,
+            _direction(azimuth, elevation) * MUZZLE_SPEED,
             Vector3(*GRAVITY),
             mass=BULLET_MASS,
         )
@@ -94,35 +123,66 @@ class SniperRange:
         self.shots_left -= 1
         return True
 
-    def update(self, duration):
+    def update(self, duration: float) -> None:
+        """Project 4.2: let a frame in s pass for the bullet in flight, if there is one.
+
+        The forces are added up, the bullet moves, and a target that it has passed through on its
+        way is hit: hit_on_the_way tells. That adds the hole to holes and its points to the score.
+        The shot has landed when it has hit, when the bullet is below the ground (y < 0) or past
+        END_OF_RANGE in z. Then nothing acts on the bullet any more, there is none, and the wind
+        changes.
+
+        Raises ValueError where the duration is not positive and finite; nothing has moved then.
+        """
         positive("duration", duration)
-        if self.bullet is None:
+        bullet = self.bullet
+        if bullet is None:
             return
-        before = self.bullet.position.copy()
+        start = bullet.position.copy()
         self.forces.update_forces(duration)
-        self.bullet.integrate(duration)
-        now = self.bullet.position
-        hole = hit_on_the_way(before, now)
-        if hole:
+        bullet.integrate(duration)
+        hole = hit_on_the_way(start, bullet.position)
+        if hole is not None:
             self.holes.append(hole)
             self.score += hole.points
-        if hole or now.y < 0 or now.z > END_OF_RANGE:
+        if hole is not None or _is_out(bullet.position):
             self.forces.clear()
             self.bullet = None
             self.change_wind()
 
 
-def hit_on_the_way(start, end):
-    for target in TARGETS:
+def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
+    """Project 4.2: return the first hole that the straight way from start to end makes, or None.
+
+    The way passes a target's plane where start.z < distance <= end.z. There it makes a hole in the
+    target if that brings any points.
+    """
+    for target in sorted(TARGETS, key=lambda target: target.distance):
         if not start.z < target.distance <= end.z:
             continue
-        place = start + (end - start) * ((target.distance - start.z) / (end.z - start.z))
+        share = (target.distance - start.z) / (end.z - start.z)
+        place = start * (1.0 - share) + end * share
         x, y = place.x - target.x, place.y - target.y
-        if ring_points(x, y):
-            return Hole(target, x, y, ring_points(x, y) * target.factor)
+        points = ring_points(x, y) * target.factor
+        if points > 0:
+            return Hole(target, x, y, points)
     return None
 
 
-def ring_points(x, y):
-    away = math.hypot(x, y)
-    return max((points for radius, points in RINGS if away <= radius), default=0)
+def ring_points(x: float, y: float) -> int:
+    """Project 4.2: return the points of the smallest of the RINGS in which a point lies, or 0.
+
+    The point is in m from the middle of a target. One on the edge of a ring lies in it.
+    """
+    off = math.hypot(x, y)
+    around = [(radius, points) for radius, points in RINGS if off <= radius]
+    return min(around)[1] if around else 0
+
+
+def _direction(azimuth: float, elevation: float) -> Vector3:
+    level = Vector3(math.sin(azimuth), 0.0, math.cos(azimuth))
+    return level * math.cos(elevation) + Vector3(0.0, math.sin(elevation), 0.0)
+
+
+def _is_out(position: Vector3) -> bool:
+    return position.y < 0.0 or position.z > END_OF_RANGE

@@ -1,33 +1,51 @@
-"""Ada's damped spring, without steps."""
+"""Where a damped spring takes its end, at any time and without steps: by its two complex rates."""
 
+from __future__ import annotations
+
+import cmath
 import math
 
 from ch02_vectors.arguments import finite, not_negative, positive
 
 
-def damped_spring_state(x0, v0, stiffness, damping, mass, time):
-    x0, v0 = finite("x0", x0), finite("v0", v0)
-    k = not_negative("stiffness", stiffness)
-    c = not_negative("damping", damping)
-    m = positive("mass", mass)
-    t = not_negative("time", time)
+def damped_spring_state(
+    x0: float, v0: float, stiffness: float, damping: float, mass: float, time: float
+) -> tuple[float, float]:
+    """Return position in m and velocity in m/s after a time in s, for m x'' = -k x - c x'.
 
-    half = c / m / 2
-    chi = math.sqrt(k / m)
-    gamma = math.sqrt(abs(half - chi)) * math.sqrt(half + chi)
-
-    if half < chi:  # it swings
-        angle = finite("the angle of the swing", gamma * t)
-        fade = math.exp(-half * t)
-        s = fade * math.sin(angle) / gamma
-        p = fade * math.cos(angle)
-        return x0 * (p + half * s) + v0 * s, v0 * (p - half * s) - chi * s * chi * x0
-
-    # it creeps: e^(-slow t) and e^(-fast t), and slow is fast at the critical damping
+    The two rates of decay, fast and slow, are half +- gamma with gamma^2 = half^2 - chi^2: complex
+    below the critical damping, real beyond it. One formula does for both of them.
+    """
+    x0, v0, time = finite("x0", x0), finite("v0", v0), not_negative("time", time)
+    chi = math.sqrt(not_negative("stiffness", stiffness)) / math.sqrt(positive("mass", mass))
+    half = not_negative("damping", damping) / mass / 2.0
+    if math.isinf(half):  # no float is that fast: the velocity is gone at once, and the end creeps
+        rate = stiffness / damping
+        left = x0 * math.exp(-rate * time)
+        return (left, -rate * left) if time else (x0, v0)
+    gamma = cmath.sqrt(half - chi) * math.sqrt(half + chi)  # two roots: a square could overflow
+    if abs(gamma) * time < 1.0:
+        return _by_the_middle(x0, v0, chi, half, gamma, time)
+    # fast * slow = chi^2, and this quotient keeps the digits that half - gamma would lose.
     fast = half + gamma
-    slow = chi * (chi / fast) if fast else 0.0
-    s = math.exp(-slow * t)
-    s *= -math.expm1(-2 * gamma * t) / (2 * gamma) if gamma else t
-    x = x0 * (math.exp(-slow * t) + slow * s) + v0 * s
-    v = v0 * (math.exp(-fast * t) - slow * s) - chi * s * chi * x0
+    slow = chi * (chi / fast)
+    late, soon = cmath.exp(-slow * time), cmath.exp(-fast * time)
+    width = 2.0 * gamma
+    x = x0 * (fast / width * late - slow / width * soon) + v0 * ((late - soon) / width)
+    v = v0 * (fast / width * soon - slow / width * late) + x0 * (slow * fast / width) * (
+        soon - late
+    )
+    return x.real, v.real
+
+
+def _by_the_middle(
+    x0: float, v0: float, chi: float, half: float, gamma: complex, time: float
+) -> tuple[float, float]:
+    """Return the state where the two rates are (nearly) one: critical damping, or a short time."""
+    turn = gamma * time
+    decay = math.exp(-half * time)
+    even = decay * cmath.cosh(turn).real
+    odd = decay * time * (cmath.sinh(turn) / turn if turn else 1.0 + 0j).real
+    x = x0 * (even + half * odd) + v0 * odd
+    v = v0 * (even - half * odd) - x0 * chi * (chi * odd)
     return x, v

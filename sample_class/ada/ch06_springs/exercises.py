@@ -1,4 +1,6 @@
-"""Ada measures how stiff a spring may be."""
+"""Exercise 6.5: how stiff may a spring be? Measured by the area that two states span."""
+
+from __future__ import annotations
 
 import math
 
@@ -6,56 +8,66 @@ from ch02_vectors.arguments import not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
+from ch06_springs.integrators import Integrator
 from ch06_springs.springs import AnchoredSpring
 
-START = 10.0
+START = 10.0  # m, how far from its anchor the particle is released
 FRAMES = 2000
-STIFFEST = 16.0
+STIFFEST = 16.0  # times m / h^2: twice what the last of this chapter's steps can bear
 SOFTEST = 1e-7
 
+_FAR = 1e6 * START  # m: no swing that stays gets there
+_ROUNDING = 1e-6  # what grows by less than this share in FRAMES frames has not grown
+_CLOSE = 1.001  # the ratio of two stiffnesses between which nobody looks
 
-def swings_wider(integrator, stiffness, damping, duration):
+
+def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
+    """Exercise 6.5: say whether a spring of a stiffness in N/m makes a particle swing ever wider.
+
+    The state of the particle is a point (x, v). The area between the states of two frames that
+    follow one another does not care where in its swing the particle is, as its distance does: a
+    linear step multiplies it by the same factor in every frame.
+    """
+    not_negative("stiffness", stiffness)
+    positive("duration", duration)
+    particle = Particle(Vector3(START), damping=not_negative("damping", damping))
+    registry = ForceRegistry()
+    registry.add(particle, AnchoredSpring(Vector3(), stiffness, 0.0))
+    states = [(START, 0.0)]
+    for _ in range(FRAMES):
+        try:
+            integrator([particle], registry.update_forces, duration)
+        except ValueError:  # a force too large for a float: all else has been looked at
+            return True
+        states.append((particle.position.x, particle.velocity.x))
+        if not abs(particle.position.x) < _FAR:
+            return True
+    first, last = _area(*states[:2]), _area(*states[-2:])
+    if first == 0.0:  # it moves along one line of the plane: without any velocity, say
+        first, last = START, abs(particle.position.x)
+    return last > first * (1.0 + _ROUNDING)
+
+
+def _area(one: tuple[float, float], other: tuple[float, float]) -> float:
+    return abs(one[0] * other[1] - one[1] * other[0])
+
+
+def largest_stable_stiffness(integrator: Integrator, damping: float, duration: float) -> float:
+    """Exercise 6.5: measure the stiffness in N/m above which the particle swings ever wider."""
     not_negative("damping", damping)
     positive("duration", duration)
-    particle = Particle(Vector3(START, 0, 0), mass=1, damping=damping)
-    registry = ForceRegistry()
-    registry.add(particle, AnchoredSpring(Vector3(), stiffness, 0))
 
-    # Two things tell: how far it gets, and the area between one state (x, v) and the next.
-    # Every step multiplies the area by the same number. Distances alone can deceive, if a swing
-    # takes nearly 4 frames: then the frames only find the turning point from time to time.
-    far, areas = [], []
-    x, v = START, 0.0
-    for _ in range(FRAMES):
-        integrator([particle], registry.update_forces, duration)
-        old_x, old_v = x, v
-        x, v = particle.position.x, particle.velocity.x
-        if not abs(x) < 1e6 * START:
-            return True
-        if abs(x) < 1e-9 and abs(v) < 1e-9:
-            return False  # it has come to rest
-        far.append(abs(x))
-        areas.append(abs(old_x * v - x * old_v))
+    def wide(kappa: float) -> bool:
+        return swings_wider(integrator, kappa / duration / duration, damping, duration)
 
-    second = slice(FRAMES // 4, FRAMES // 2)
-    last = slice(FRAMES * 3 // 4, FRAMES)
-    if max(far[last]) > 2 * max(far[second]):
-        return True
-    return max(areas[last]) > 1.000001 * max(areas[second])
+    def between(safe: float, unsafe: float) -> float:
+        middle = math.sqrt(safe * unsafe)
+        if unsafe < safe * _CLOSE:
+            return middle
+        return between(safe, middle) if wide(middle) else between(middle, unsafe)
 
-
-def largest_stable_stiffness(integrator, damping, duration):
-    not_negative("damping", damping)
-    h = positive("duration", duration)
-    low, high = SOFTEST / h**2, STIFFEST / h**2
-    if swings_wider(integrator, low, damping, h):
+    if wide(SOFTEST):
         return 0.0
-    if not swings_wider(integrator, high, damping, h):
-        return high
-    while high > 1.01 * low:  # so the middle is 0.5 % off at most
-        middle = math.sqrt(low * high)
-        if swings_wider(integrator, middle, damping, h):
-            high = middle
-        else:
-            low = middle
-    return math.sqrt(low * high)
+    if not wide(STIFFEST):
+        return STIFFEST / duration / duration
+    return between(SOFTEST, STIFFEST) / duration / duration

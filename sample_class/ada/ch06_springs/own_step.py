@@ -1,4 +1,4 @@
-"""A step of my own: Runge and Kutta, in more parts where the orbit is fast."""
+"""A step of one's own: Runge and Kutta's, in more parts where the orbit is fast."""
 
 from __future__ import annotations
 

@@ -1,217 +1,207 @@
-"""Ada's springs."""
+"""Springs and their kin: force generators that push and pull by how far away something is."""
+
+from __future__ import annotations
 
 import math
+from fractions import Fraction
+from typing import NamedTuple
 
-from ch02_vectors.arguments import finite, finite_vector, not_negative, positive
+from ch02_vectors.arguments import finite_vector, instance_of, not_negative, positive
 from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.other_forces import Buoyancy as Buoyancy
+from ch06_springs.other_forces import HomingBullet as HomingBullet
+from ch06_springs.other_forces import LighterThanAir as LighterThanAir
+from ch06_springs.other_forces import Overcrowding as Overcrowding
 
 
-def spring_force(offset, velocity, stiffness, rest_length, damping=0.0):
-    along = offset.normalized()
-    extension = offset.magnitude() - rest_length  # negative when compressed, no abs
-    return along * -(stiffness * extension + damping * (velocity @ along))
+class _Line(NamedTuple):
+    """The line from the far end of a spring to the near one, of length 0 where they coincide."""
+
+    direction: Vector3
+    length: float
+    growth: float  # m/s
+
+    def tension(self, stiffness: float, rest_length: float, damping: float) -> float:
+        """Return in N how hard the ends are pulled together; below 0 they are pushed apart."""
+        if not self.length:
+            return 0.0
+        return stiffness * (self.length - rest_length) + damping * self.growth
 
 
-def need_particle(name, value):
-    if not hasattr(value, "position") or not hasattr(value, "add_force"):
-        raise TypeError(f"{name} is no particle: {value!r}")
-    return value
+def _line(offset: Vector3, velocity: Vector3) -> _Line:
+    direction = offset.normalized()
+    return _Line(direction, offset.magnitude(), direction @ velocity)
+
+
+def _line_between(far: Particle, near: Particle) -> _Line:
+    return _line(near.position - far.position, near.velocity - far.velocity)
+
+
+def spring_force(
+    offset: Vector3, velocity: Vector3, stiffness: float, rest_length: float, damping: float = 0.0
+) -> Vector3:
+    """Return the force in N of a spring on the end that has this offset from the other one."""
+    line = _line(offset, velocity)
+    return line.direction * -line.tension(stiffness, rest_length, damping)
 
 
 class Spring:
-    def __init__(self, other, stiffness, rest_length, damping=0.0):
-        self.other = need_particle("other", other)
+    """A spring from the particle it acts on to another one, which it leaves alone."""
+
+    def __init__(
+        self, other: Particle, stiffness: float, rest_length: float, damping: float = 0.0
+    ) -> None:
+        self.other = instance_of("other", other, Particle)
         self.stiffness = not_negative("stiffness", stiffness)
         self.rest_length = not_negative("rest_length", rest_length)
         self.damping = not_negative("damping", damping)
 
-    def offset(self, particle):
-        return particle.position - self.other.position
-
-    def force(self, particle):
-        v = particle.velocity - self.other.velocity
-        return spring_force(
-            self.offset(particle), v, self.stiffness, self.rest_length, self.damping
-        )
-
-    def update_force(self, particle, duration):
-        particle.add_force(self.force(particle))
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Add the spring_force on the particle, seen from the other one."""
+        _act(self, _line_between(self.other, particle), particle)
 
 
 class AnchoredSpring:
-    def __init__(self, anchor, stiffness, rest_length, damping=0.0):
+    """A spring from a particle to an anchor."""
+
+    def __init__(
+        self, anchor: Vector3, stiffness: float, rest_length: float, damping: float = 0.0
+    ) -> None:
         self.anchor = finite_vector("anchor", anchor)
         self.stiffness = not_negative("stiffness", stiffness)
         self.rest_length = not_negative("rest_length", rest_length)
         self.damping = not_negative("damping", damping)
 
-    def offset(self, particle):
-        return particle.position - self.anchor
-
-    def force(self, particle):
-        v = particle.velocity
-        return spring_force(
-            self.offset(particle), v, self.stiffness, self.rest_length, self.damping
-        )
-
-    def update_force(self, particle, duration):
-        particle.add_force(self.force(particle))
-
-
-def pull(rope, particle):
-    # slack ropes do nothing, and damping must not make a rope push
-    offset = rope.offset(particle)
-    if offset.magnitude() <= rope.rest_length:
-        return
-    force = rope.force(particle)
-    if force @ offset < 0:
-        particle.add_force(force)
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Add the spring_force on the particle, seen from the anchor."""
+        _act(self, _line(particle.position - self.anchor, particle.velocity), particle)
 
 
 class Bungee(Spring):
-    def update_force(self, particle, duration):
-        pull(self, particle)
+    """An elastic rope to another particle: a spring that only pulls."""
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Add the force of the spring where that pulls, and nothing where the rope is slack."""
+        _act_as_rope(self, _line_between(self.other, particle), particle)
 
 
 class AnchoredBungee(AnchoredSpring):
-    def update_force(self, particle, duration):
-        pull(self, particle)
+    """An elastic rope to an anchor, which only pulls."""
+
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Add the force of the spring where that pulls, as a Bungee does."""
+        _act_as_rope(self, _line(particle.position - self.anchor, particle.velocity), particle)
+
+
+def _act(spring: Spring | AnchoredSpring, line: _Line, particle: Particle) -> None:
+    tension = line.tension(spring.stiffness, spring.rest_length, spring.damping)
+    particle.add_force(line.direction * -tension)
+
+
+def _act_as_rope(rope: Bungee | AnchoredBungee, line: _Line, particle: Particle) -> None:
+    tension = line.tension(rope.stiffness, rope.rest_length, rope.damping)
+    if line.length > rope.rest_length and tension > 0.0:
+        particle.add_force(line.direction * -tension)
 
 
 class Connection:
-    def __init__(self, a, b, stiffness, rest_length, damping=0.0):
-        self.a = need_particle("a", a)
-        self.b = need_particle("b", b)
+    """A spring between two particles, a and b, that serves both ends at once."""
+
+    def __init__(
+        self, a: Particle, b: Particle, stiffness: float, rest_length: float, damping: float = 0.0
+    ) -> None:
+        self.a = instance_of("a", a, Particle)
+        self.b = instance_of("b", b, Particle)
         self.stiffness = not_negative("stiffness", stiffness)
         self.rest_length = not_negative("rest_length", rest_length)
         self.damping = not_negative("damping", damping)
 
-    def update_force(self, particle, duration):
-        a, b = self.a, self.b
-        force = spring_force(
-            a.position - b.position,
-            a.velocity - b.velocity,
-            self.stiffness,
-            self.rest_length,
-            self.damping,
-        )
-        a.add_force(force)
-        b.add_force(-force)
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Add the spring_force on a to a, and exactly its opposite to b."""
+        line = _line_between(self.b, self.a)
+        tension = line.tension(self.stiffness, self.rest_length, self.damping)
+        self.a.add_force(line.direction * -tension)
+        self.b.add_force(line.direction * tension)
 
 
-def connect(registry, a, b, stiffness, rest_length, damping=0.0):
-    spring = Connection(a, b, stiffness, rest_length, damping)
-    # only once, under an end that the registry asks for
-    registry.add(a if a.has_finite_mass else b, spring)
-    return spring
-
-
-class Buoyancy:
-    def __init__(self, max_depth, volume, water_height, liquid_density=1000.0, gravity=9.81):
-        self.max_depth = positive("max_depth", max_depth)
-        self.volume = positive("volume", volume)
-        self.water_height = finite("water_height", water_height)
-        self.liquid_density = positive("liquid_density", liquid_density)
-        self.gravity = not_negative("gravity", gravity)
-
-    def update_force(self, particle, duration):
-        s = self.max_depth
-        share = (self.water_height + s - particle.position.y) / (2 * s)
-        share = min(max(share, 0), 1)
-        lift = self.liquid_density * self.volume * self.gravity * share
-        particle.add_force(Vector3(0, lift, 0))
+def connect(
+    registry: ForceRegistry,
+    a: Particle,
+    b: Particle,
+    stiffness: float,
+    rest_length: float,
+    damping: float = 0.0,
+) -> Connection:
+    """Join two particles by one spring that acts on both, and return it."""
+    connection = Connection(a, b, stiffness, rest_length, damping)
+    keeper = next((end for end in (a, b) if end.has_finite_mass), b)
+    registry.add(keeper, connection)
+    return connection
 
 
 class FakeStiffSpring:
-    """Only for semi-implicit Euler. Lands where the formula says, one frame later."""
+    """A spring too stiff for the steps, by the force that brings its end where it would be."""
 
-    def __init__(self, anchor, stiffness, damping):
+    def __init__(self, anchor: Vector3, stiffness: float, damping: float) -> None:
         self.anchor = finite_vector("anchor", anchor)
         self.stiffness = not_negative("stiffness", stiffness)
         self.damping = not_negative("damping", damping)
 
-    def update_force(self, particle, duration):
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Add m ((T - x) / h^2 - v / h) on each axis, T being where the spring has it after h.
+
+        A spring is linear: T is a share of the place, and a time's worth of the velocity.
+        """
         h = positive("duration", duration)
         if not particle.has_finite_mass:
             return
-        m = particle.mass
-
-        def on_one_axis(x, v):
-            goal, _ = damped_spring_state(x, v, self.stiffness, self.damping, m, h)
-            return ((goal - x) / h - v) / h * m
-
-        offset = particle.position - self.anchor
-        particle.add_force(Vector3(*map(on_one_axis, offset, particle.velocity)))
+        mass = particle.mass
+        share, _ = damped_spring_state(1.0, 0.0, self.stiffness, self.damping, mass, h)
+        worth, _ = damped_spring_state(0.0, 1.0, self.stiffness, self.damping, mass, h)
+        x, v = particle.position - self.anchor, particle.velocity
+        way = x * share + v * worth - x
+        particle.add_force((way / h - v) / h * mass)
 
 
 class ElasticLimitSpring:
-    def __init__(self, other, stiffness, rest_length, limit, share):
-        self.other = need_particle("other", other)
+    """Exercise 6.1: a spring that is weaker once it is stretched beyond its limit."""
+
+    def __init__(
+        self, other: Particle, stiffness: float, rest_length: float, limit: float, share: float
+    ) -> None:
+        self.other = instance_of("other", other, Particle)
         self.stiffness = not_negative("stiffness", stiffness)
         self.rest_length = not_negative("rest_length", rest_length)
         self.limit = not_negative("limit", limit)
         if self.limit < self.rest_length:
-            raise ValueError(f"the limit {limit} is below the rest length {rest_length}")
+            raise ValueError(f"limit must be rest_length, {rest_length!r}, or more, got {limit!r}")
         self.share = not_negative("share", share)
 
-    def update_force(self, particle, duration):
-        offset = particle.position - self.other.position
-        length = offset.magnitude()
-        extension = min(length, self.limit) - self.rest_length
-        extension += self.share * max(length - self.limit, 0)
-        particle.add_force(offset.normalized() * (-self.stiffness * extension))
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Exercise 6.1: add the force; at the limit itself there is no jump in it."""
+        line = _line_between(self.other, particle)
+        tension = line.tension(self.stiffness, self.rest_length, 0.0)
+        if line.length > self.limit:  # two springs in a row of tensions: up to the limit, beyond it
+            tension = self.stiffness * (self.limit - self.rest_length)
+            tension += line.tension(self.share * self.stiffness, self.limit, 0.0)
+        particle.add_force(line.direction * -tension)
 
 
-class LighterThanAir:
-    def __init__(self, max_lift, scale_height):
-        self.max_lift = not_negative("max_lift", max_lift)
-        self.scale_height = positive("scale_height", scale_height)
-
-    def update_force(self, particle, duration):
-        height = max(particle.position.y, 0)
-        lift = self.max_lift * math.exp(-height / self.scale_height)
-        particle.add_force(Vector3(0, lift, 0))
-
-
-class Overcrowding:
-    def __init__(self, particles, distance, stiffness):
-        for i, one in enumerate(particles):
-            need_particle(f"particles[{i}]", one)
-        self.particles = particles
-        self.distance = not_negative("distance", distance)
-        self.stiffness = not_negative("stiffness", stiffness)
-
-    def update_force(self, particle, duration):
-        for other in self.particles:
-            away = particle.position - other.position
-            too_near = self.distance - away.magnitude()
-            if too_near > 0:
-                # zero for the particle itself
-                particle.add_force(away.normalized() * (self.stiffness * too_near))
-
-
-class HomingBullet:
-    def __init__(self, target, stiffness, look_ahead):
-        self.target = need_particle("target", target)
-        self.stiffness = not_negative("stiffness", stiffness)
-        self.look_ahead = not_negative("look_ahead", look_ahead)
-
-    def update_force(self, particle, duration):
-        there = self.target.position + self.target.velocity * self.look_ahead
-        here = particle.position + particle.velocity * self.look_ahead
-        particle.add_force((there - here) * self.stiffness)
-
-
-def max_stable_stiffness(damping, duration, mass=1.0):
+def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
+    """Exercise 6.6b: return the stiffness in N/m above which a spring explodes."""
     d = not_negative("damping", damping)
-    h = positive("duration", duration)
-    m = positive("mass", mass)
-    if d >= 1:
+    h, m = positive("duration", duration), positive("mass", mass)
+    if d >= 1.0:
         return 0.0
-    if d == 0:
+    if d == 0.0:
         return math.inf
+    exponent = -h * math.log(d)
     try:
-        return m * math.expm1(-h * math.log(d)) / h / h
+        if exponent > 700.0:  # d^-h alone may be too large where the stiffness is not
+            return math.exp(exponent + math.log(m) - 2.0 * math.log(h))
+        return float(Fraction(m) * Fraction(math.expm1(exponent)) / Fraction(h) ** 2)
     except OverflowError:
         return math.inf

@@ -1,4 +1,9 @@
-"""Ada's contacts, and what resolves them."""
+"""Contacts between particles, or of a particle with the world, and the resolver that ends them.
+
+Each of the two takes a share of what has to change, by how easily it is moved.
+"""
+
+from __future__ import annotations
 
 from collections.abc import Iterable
 from typing import Protocol
@@ -7,154 +12,179 @@ from ch02_vectors.arguments import finite, finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 
-UNIT_TOLERANCE = 1e-6
-VELOCITY_TOLERANCE = 1e-12
-DEPTH_TOLERANCE = 1e-9
+UNIT_TOLERANCE = 1e-6  # how far from 1 the length of a normal may be
+VELOCITY_TOLERANCE = 1e-12  # m/s: what closes more slowly is rounding
+DEPTH_TOLERANCE = 1e-9  # m: what is less deep counts as touching
 
 
 class Contact:
-    """Particle a leaves b, or the world, along the normal."""
+    """Two particles that touch, or a particle that touches what nothing moves (``other`` None)."""
 
     __slots__ = ("normal", "other", "particle", "penetration", "restitution")
 
-    def __init__(self, particle, other, normal, restitution=0.0, penetration=0.0):
+    def __init__(
+        self,
+        particle: Particle,
+        other: Particle | None,
+        normal: Vector3,
+        restitution: float = 0.0,
+        penetration: float = 0.0,
+    ) -> None:
         self.particle = a_particle("particle", particle)
         self.other = None if other is None else a_particle("other", other)
         if other is particle:
-            raise ValueError(f"a particle does not touch itself: {other!r}")
+            raise ValueError(f"other must be another particle than particle, got {other!r} twice")
         self.normal = finite_vector("normal", normal)
-        if abs(normal.magnitude() - 1) > UNIT_TOLERANCE:
-            raise ValueError(f"normal is not of length 1: {normal!r}")
+        if abs(normal.magnitude() - 1.0) > UNIT_TOLERANCE:
+            raise ValueError(f"normal must have length 1, to {UNIT_TOLERANCE:g}, got {normal!r}")
         self.restitution = a_restitution("restitution", restitution)
         self.penetration = finite("penetration", penetration)
 
-    def separating_velocity(self):
-        away = self.particle.velocity
+    def separating_velocity(self) -> float:
+        """Return how fast the two part along the normal, in m/s: negative while they close."""
+        seen = self.particle.velocity.copy()
         if self.other is not None:
-            away = away - self.other.velocity
-        return self.normal @ away
+            seen -= self.other.velocity
+        return seen @ self.normal
 
-    def velocity_after(self, duration=0.0):
-        h = not_negative("duration", duration)
-        now = self.separating_velocity()
-        if now >= 0:
-            return now
-        # what it would have had without this frame's pull; no bounce for the rest
-        pull = pull_along(self.particle, self.normal) - pull_along(self.other, self.normal)
-        without = now if pull > 0 else now - pull * h
-        return -self.restitution * without if without < 0 else 0.0
+    def velocity_after(self, duration: float = 0.0) -> float:
+        """Return the separating velocity in m/s that the contact should have once it is resolved.
 
-    def resolve_velocity(self, duration=0.0):
-        gain = self.velocity_after(duration) - self.separating_velocity()
-        if gain > 0 and self._total_inverse_mass():
-            self._share(gain, "velocity")
+        Of what closes, a frame of ``duration`` s may have built up a part; only the rest bounces.
+        """
+        duration = not_negative("duration", duration)
+        closing = -self.separating_velocity()
+        if closing <= 0.0:
+            return -closing
+        pulled = sum(
+            sign * (body.last_acceleration @ self.normal) for body, sign in self._movable()
+        )
+        return self.restitution * max(0.0, closing + min(0.0, pulled * duration))
 
-    def resolve_penetration(self):
-        if self.penetration <= 0 or not self._total_inverse_mass():
+    def resolve_velocity(self, duration: float = 0.0) -> None:
+        """Give what closes the impulse that makes it part as velocity_after says."""
+        after = self.velocity_after(duration)
+        before = self.separating_velocity()
+        if before < 0.0:
+            for body, share in self._shares():
+                body.velocity.add_scaled(self.normal, share * (after - before))
+
+    def resolve_penetration(self) -> tuple[Vector3, Vector3]:
+        """Move the two apart along the normal until they touch; return how each was moved."""
+        shares = self._shares()
+        if not shares or self.penetration <= 0.0:
             return Vector3(), Vector3()
-        moves = self._share(self.penetration, "position")
+        moves = {id(body): self.normal * (share * self.penetration) for body, share in shares}
+        for body, _ in shares:
+            body.position.add_scaled(moves[id(body)], 1.0)
         self.penetration = 0.0
-        return moves
+        return moves.get(id(self.particle), Vector3()), moves.get(id(self.other), Vector3())
 
-    def resolve(self, duration):
+    def resolve(self, duration: float) -> None:
+        """Resolve the velocity, for a frame of a duration in s, and then the penetration."""
         positive("duration", duration)
         self.resolve_velocity(duration)
         self.resolve_penetration()
 
-    def _share(self, amount, name):
-        # velocities and positions are shared in the same way, by inverse mass
-        unit = amount / self._total_inverse_mass()
-        changes = []
-        for body, way in (self.particle, unit), (self.other, -unit):
-            change = Vector3()
-            if body is not None and body.has_finite_mass:
-                change.add_scaled(self.normal, way * body.inverse_mass)
-                getattr(body, name).add_scaled(change, 1)
-            changes.append(change)
-        return tuple(changes)
+    def _movable(self) -> list[tuple[Particle, float]]:
+        """Return which of the two can be moved, with the sign of its way along the normal."""
+        both = ((self.particle, 1.0), (self.other, -1.0))
+        return [(body, sign) for body, sign in both if body is not None and body.inverse_mass]
 
-    def _total_inverse_mass(self):
-        total = self.particle.inverse_mass
-        return total if self.other is None else total + self.other.inverse_mass
+    def _shares(self) -> list[tuple[Particle, float]]:
+        """Return the share of each that can be moved in a change along the normal, with its sign.
 
+        By ratios of inverse masses: no sum and no impulse that could be too large for a float.
+        """
+        movable = self._movable()
+        if len(movable) < 2:
+            return movable
+        (a, _), (b, _) = movable
+        return [
+            (a, 1.0 / (1.0 + b.inverse_mass / a.inverse_mass)),
+            (b, -1.0 / (1.0 + a.inverse_mass / b.inverse_mass)),
+        ]
 
-def pull_along(body, normal):
-    if body is None or not body.has_finite_mass:
-        return 0.0
-    return body.last_acceleration @ normal
+    def _total_inverse_mass(self) -> float:
+        """Return 1 / ma + 1 / mb: 0 where nothing can be moved."""
+        return sum(body.inverse_mass for body, _ in self._movable())
 
 
 class ContactGenerator(Protocol):
-    def contacts(self) -> Iterable[Contact]: ...
+    """Whatever has this method generates contacts: no class needs to derive from this one."""
+
+    def contacts(self) -> Iterable[Contact]:
+        """Return the contacts of now."""
 
 
 class ContactResolver:
-    def __init__(self, iterations=None):
+    """Resolves the contacts of a frame in two phases, velocities and then depths, worst first."""
+
+    def __init__(self, iterations: int | None = None) -> None:
         if iterations is not None:
-            if type(iterations) is not int:
-                raise TypeError(f"iterations is no whole number: {iterations!r}")
+            if not isinstance(iterations, int) or isinstance(iterations, bool):
+                raise TypeError(f"iterations must be a whole number or None, got {iterations!r}")
             if iterations < 1:
-                raise ValueError(f"iterations is below 1: {iterations}")
+                raise ValueError(f"iterations must be 1 or more, got {iterations!r}")
         self.iterations = iterations
         self.iterations_used = 0
 
-    def resolve_contacts(self, contacts, duration):
+    def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
+        """Resolve the contacts of a frame of a duration in s: all velocities, then all depths."""
         positive("duration", duration)
-        movable = [c for c in contacts if c._total_inverse_mass()]
-        limit = self.iterations or len(movable) * 2
-        first = self.resolve_velocities(movable, limit, duration)
-        self.iterations_used = first + self.resolve_penetrations(movable, limit)
+        movable = [contact for contact in contacts if contact._total_inverse_mass()]
+        limit = self.iterations or 2 * len(movable)
+        used = self.resolve_velocities(movable, limit, duration)
+        self.iterations_used = used + self.resolve_penetrations(movable, limit)
 
-    def resolve_velocities(self, contacts, limit, duration):
-        def closing(contact):
-            return -contact.separating_velocity()
-
+    def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:
+        """Resolve the velocity of the contact that closes fastest, again and again."""
         used = 0
-        for worst in worst_again_and_again(contacts, closing, VELOCITY_TOLERANCE, limit):
-            worst.resolve_velocity(duration)
+        while contacts and used < limit:
+            # Of equals min takes the first; the place in the list is only how it is found again.
+            velocity, place = min((c.separating_velocity(), i) for i, c in enumerate(contacts))
+            if velocity >= -VELOCITY_TOLERANCE:
+                break
+            contacts[place].resolve_velocity(duration)
             used += 1
         return used
 
-    def resolve_penetrations(self, contacts, limit):
-        def depth(contact):
-            return contact.penetration
-
+    def resolve_penetrations(self, contacts: list[Contact], limit: int) -> int:
+        """Resolve the penetration of the deepest contact, again and again."""
         used = 0
-        for worst in worst_again_and_again(contacts, depth, DEPTH_TOLERANCE, limit):
-            bodies = worst.particle, worst.other
-            for body, move in zip(bodies, worst.resolve_penetration()):
-                if body is None:
+        while contacts and used < limit:
+            worst = max(contacts, key=lambda contact: contact.penetration)  # of equals, the first
+            if worst.penetration <= DEPTH_TOLERANCE:
+                break
+            moves = dict(
+                zip((id(worst.particle), id(worst.other)), worst.resolve_penetration(), strict=True)
+            )
+            used += 1
+            for contact in contacts:
+                if contact is worst:
                     continue
-                for c in contacts:
-                    # the worst one has its 0 already
-                    if c is not worst and body is c.particle:
-                        c.penetration -= c.normal @ move
-                    elif c is not worst and body is c.other:
-                        c.penetration += c.normal @ move
-            used += 1
+                into = moves.get(id(contact.other)) if contact.other is not None else None
+                out = moves.get(id(contact.particle))
+                contact.penetration += into @ contact.normal if into is not None else 0.0
+                contact.penetration -= out @ contact.normal if out is not None else 0.0
         return used
 
 
-def worst_again_and_again(contacts, how_bad, tolerance, limit):
-    for _ in range(limit if contacts else 0):
-        worst = max(contacts, key=how_bad)  # the first, if several are
-        if how_bad(worst) <= tolerance:
-            return
-        yield worst
-
-
-def a_particle(name, value):
+def a_particle(name: str, value: Particle) -> Particle:
+    """Return a particle; TypeError names what is none."""
     if not isinstance(value, Particle):
-        raise TypeError(f"{name} is no particle: {value!r}")
+        raise TypeError(f"{name} must be a Particle, got {value!r}")
     return value
 
 
-def a_restitution(name, value):
-    if not_negative(name, value) > 1:
-        raise ValueError(f"{name} is above 1: {value!r}")
+def a_restitution(name: str, value: float) -> float:
+    """Return a restitution; ValueError for a number that is not from 0 to 1."""
+    if not_negative(name, value) > 1.0:
+        raise ValueError(f"{name} must be from 0 to 1, got {value!r}")
     return float(value)
 
 
-def direction_of(offset):
+def direction_of(offset: Vector3) -> Vector3:
+    """Return the direction of an offset, as new, and +Y where it has none."""
     direction = offset.normalized()
-    return direction if direction.magnitude() else Vector3(0, 1, 0)
+    return direction if direction.squared_magnitude() else Vector3(0.0, 1.0, 0.0)

@@ -1,66 +1,82 @@
-"""Ada's bounces."""
+"""Exercises 7.1, 7.3 and 7.4: measured bounces, two balls dropped at once, a short push."""
+
+from __future__ import annotations
 
 import math
-from statistics import fmean, variance
+from collections.abc import Sequence
 
 from ch02_vectors.arguments import finite_vector, not_negative, positive
 from ch02_vectors.vector import Vector3
-from ch05_forces.particle import Particle
-from ch07_constraints.contacts import Contact, a_restitution
 
 Drop = tuple[str, float, float]
 
 
-def restitution_of_drop(initial_height, bounce_height):
-    h = positive("initial_height", initial_height)
-    b = not_negative("bounce_height", bounce_height)
-    if b > h:
-        raise ValueError(f"it bounced to {b} m from only {h} m")
-    return math.sqrt(b / h)
+def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
+    """Exercise 7.1: return the restitution of a ball that is dropped, and bounces so high.
+
+    >>> restitution_of_drop(1.0, 0.64)
+    0.8
+    """
+    start = positive("initial_height", initial_height)
+    end = not_negative("bounce_height", bounce_height)
+    if end > start:
+        raise ValueError(f"bounce_height must be initial_height, {start!r}, or less, got {end!r}")
+    return math.sqrt(end) / math.sqrt(start)
 
 
-def table_of_drops(drops):
-    by_material = {}
-    for material, *heights in drops:
-        by_material.setdefault(material, []).append(restitution_of_drop(*heights))
-    return [
-        (material, len(c), fmean(c), math.sqrt(variance(c) / len(c)) if len(c) > 1 else None)
-        for material, c in by_material.items()
-    ]
+def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
+    """Exercise 7.1: return a row for each material: its name, how many drops, mean, standard error.
+
+    The square of the standard error is the sum of (x - mean)^2 over n (n - 1).
+    """
+    measured = [(material, restitution_of_drop(*heights)) for material, *heights in drops]
+    rows: list[tuple[str, int, float, float | None]] = []
+    for name in dict.fromkeys(material for material, _ in measured):
+        values = [value for material, value in measured if material == name]
+        n = len(values)
+        mean = math.fsum(values) / n
+        spread = math.hypot(*(value - mean for value in values))
+        rows.append((name, n, mean, spread / math.sqrt(n * (n - 1)) if n > 1 else None))
+    return rows
 
 
 def top_ball_speed(
-    height,
-    lower_mass,
-    upper_mass,
-    ground_restitution,
-    pair_restitution,
-    gravity=10.0,
-):
-    not_negative("height", height)
-    not_negative("gravity", gravity)
-    positive("lower_mass", lower_mass)
-    positive("upper_mass", upper_mass)
-    speed = math.sqrt(2 * gravity * height)
+    height: float,
+    lower_mass: float,
+    upper_mass: float,
+    ground_restitution: float,
+    pair_restitution: float,
+    gravity: float = 10.0,
+) -> float:
+    """Exercise 7.3: return how fast the upper one of two balls goes upwards, in m/s.
 
-    # let them do it
-    lower = Particle(velocity=Vector3(0, -speed, 0), mass=lower_mass)
-    upper = Particle(velocity=Vector3(0, -speed, 0), mass=upper_mass)
-    up = Vector3(0, 1, 0)
-    impacts = (
-        Contact(lower, None, up, a_restitution("ground_restitution", ground_restitution)),
-        Contact(upper, lower, up, a_restitution("pair_restitution", pair_restitution)),
+    Seen from the middle of their masses both turn round, with the pair's restitution.
+    """
+    fall = (
+        math.sqrt(2.0)
+        * math.sqrt(not_negative("gravity", gravity))
+        * math.sqrt(not_negative("height", height))
     )
-    for impact in impacts:
-        impact.resolve_velocity()
-    return upper.velocity.y
+    ratio = positive("upper_mass", upper_mass) / positive("lower_mass", lower_mass)
+    lower_share = 1.0 / (1.0 + ratio)
+    up = fall * _share("ground_restitution", ground_restitution)
+    closing = fall + up
+    middle = closing * lower_share - fall
+    return middle + _share("pair_restitution", pair_restitution) * closing * lower_share
 
 
-def force_for_frame(force, contact_time, frame):
-    weak = finite_vector("force", force)
-    h = positive("frame", frame)
-    t = not_negative("contact_time", contact_time)
-    if t > h:
-        raise ValueError(f"{t} s of contact are longer than the frame of {h} s")
-    weak *= t / h
-    return weak
+def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
+    """Exercise 7.4: return the force in N that does in a frame what another does in a part."""
+    result = finite_vector("force", force)
+    frame = positive("frame", frame)
+    if not_negative("contact_time", contact_time) > frame:
+        raise ValueError(f"contact_time must be frame, {frame!r}, or less, got {contact_time!r}")
+    result *= contact_time / frame
+    return result
+
+
+def _share(name: str, value: float) -> float:
+    """Return a number from 0 to 1; ValueError names another one."""
+    if not_negative(name, value) > 1.0:
+        raise ValueError(f"{name} must be from 0 to 1, got {value!r}")
+    return float(value)

@@ -1,55 +1,96 @@
-"""Ada's frames from impact to impact."""
+"""Time division: a frame that stops at each impact, so that every one happens when it is due."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
 
 from ch02_vectors.arguments import positive
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import Contact
+from ch07_constraints.detectors import Detector
 
 
-class TooManyImpacts(ArithmeticError):
-    """Something has come to rest, and impacts for ever."""
+class TooManyImpacts(ArithmeticError):  # noqa: N818
+    """A frame had more impacts than it may: something has come to rest, where they never end.
 
-    def __init__(self, impacts, time, contact):
+    ``impacts`` is how many were resolved, ``time`` when in the frame that was, in s, ``contact``
+    the next one.
+    """
+
+    def __init__(self, impacts: int, time: float, contact: Contact) -> None:
         super().__init__(
             f"more than {impacts} impacts by {time:.6g} s in the frame, and another one at "
-            f"{contact.particle.position!r}: does something lie there? Then it needs a resolver"
+            f"{contact.particle.position!r}: what rests impacts without an end, so give it a "
+            "resolver, more restitution, or a larger max_impacts"
         )
         self.impacts, self.time, self.contact = impacts, time, contact
 
 
-def time_division_step(particles, detector, duration, max_impacts=1000):
-    h = positive("duration", duration)
-    if type(max_impacts) is not int:
-        raise TypeError(f"max_impacts is no whole number: {max_impacts!r}")
+def time_division_step(
+    particles: Sequence[Particle], detector: Detector, duration: float, max_impacts: int = 1000
+) -> None:
+    """Move particles on by a frame of a duration in s, from impact to impact (7.3)."""
+    positive("duration", duration)
+    if isinstance(max_impacts, bool) or not isinstance(max_impacts, int):
+        raise TypeError(f"max_impacts must be a whole number, got {max_impacts!r}")
     if max_impacts < 1:
-        raise ValueError(f"max_impacts is below 1: {max_impacts}")
+        raise ValueError(f"max_impacts must be 1 or more, got {max_impacts!r}")
+    flights = [_Flight(one, duration) for one in particles]
+    for flight in flights:
+        flight.use_forces(duration)
+    left = _impacts(flights, detector, duration, max_impacts)
+    for flight in flights:
+        flight.on(left)
+        flight.end()
 
-    for p in particles:
-        use_forces(p, h)
 
-    now, impacts = 0.0, 0
-    while impact := detector.next_impact(max(h - now, 0)):
+class _Flight:
+    """A particle in a frame: its acceleration, and the share of its velocity that it keeps."""
+
+    def __init__(self, particle: Particle, duration: float) -> None:
+        self.particle = particle
+        self.moves = particle.inverse_mass > 0.0
+        self.kept = particle.damping**duration
+        self.acceleration = Vector3()
+
+    def use_forces(self, duration: float) -> None:
+        """Let the particle's own step use the forces up, and take back where it led."""
+        vectors = (self.particle.position, self.particle.velocity)
+        before = [(*vector,) for vector in vectors]
+        self.particle.integrate(duration)
+        for vector, numbers in zip(vectors, before, strict=True):
+            vector.x, vector.y, vector.z = numbers
+        self.acceleration = self.particle.last_acceleration
+
+    def on(self, time: float) -> None:
+        """Fly for a time in s: the mean of the velocities before and after says how far."""
+        if self.moves and time > 0.0:
+            half = 0.5 * time
+            velocity = self.particle.velocity
+            velocity.add_scaled(self.acceleration, half)
+            self.particle.position.add_scaled(velocity, time)
+            velocity.add_scaled(self.acceleration, half)
+
+    def end(self) -> None:
+        """Damp the velocity, in place."""
+        if self.moves:
+            velocity = self.particle.velocity
+            velocity *= self.kept
+
+
+def _impacts(
+    flights: list[_Flight], detector: Detector, duration: float, max_impacts: int
+) -> float:
+    """Fly from impact to impact, resolve each, and return how much of the frame is left in s."""
+    impacts, left = 0, float(duration)
+    while (impact := detector.next_impact(left)) is not None:
         time, contact = impact
-        fly(particles, time)
-        now += time
+        for flight in flights:
+            flight.on(time)
+        left = max(0.0, left - time)
         if impacts == max_impacts:
-            raise TooManyImpacts(impacts, now, contact)
-        contact.resolve_velocity()
+            raise TooManyImpacts(impacts, duration - left, contact)
+        contact.resolve_velocity(0.0)
         impacts += 1
-    fly(particles, max(h - now, 0))
-
-    for p in particles:
-        if p.has_finite_mass:
-            p.velocity *= p.damping**h
-
-
-def use_forces(particle, duration):
-    # integrate knows how; where it went is forgotten
-    place, velocity = particle.position.copy(), particle.velocity.copy()
-    particle.integrate(duration)
-    particle.position, particle.velocity = place, velocity
-
-
-def fly(particles, time):
-    for p in particles:
-        if p.has_finite_mass:
-            a = p.last_acceleration
-            p.position += (p.velocity + a * (time / 2)) * time
-            p.velocity += a * time
+    return left

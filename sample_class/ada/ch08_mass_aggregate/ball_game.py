@@ -1,63 +1,100 @@
-"""Ada's ball game."""
+"""A game: bounce a ball from plank to plank over the rope bridge (project 8.1).
+
+The ball jumps by itself from every row that it lands on; the player steers it in the air. A row
+counts once. To land on all of them wins; to reach the ground costs a life.
+"""
+
+from __future__ import annotations
 
 from ch02_vectors.arguments import positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
+from ch07_constraints.contacts import Contact
 from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.bridge import RADIUS, Deck, links_of
 from ch08_mass_aggregate.bridge_plan import DAMPING, GRAVITY, HEIGHT, make_rows
 from ch08_mass_aggregate.world import ParticleWorld
 
 LIVES = 3
-POINTS = 10
-BONUS = 50
-JUMP = 6.0
-PUSH = 8.0
-DROP = 2.0
-BALL_MASS = 1.0
-TOUCH = 1e-6
+POINTS = 10  # for a row, the first time
+BONUS = 50  # for each life that is left when the game is won
+JUMP = 6.0  # m/s, upwards, from a row
+PUSH = 8.0  # m/s^2, to the side
+DROP = 2.0  # m above the first row, where the ball begins
+BALL_MASS = 1.0  # kg
+TOUCH = 1e-6  # m: what is no higher above the ground lies on it, however that was rounded
 
 
 class Rules:
-    def __init__(self, rows):
+    """What counts: ``score``, ``lives`` and ``visited``, the rows that were landed on.
+
+    It knows nothing of particles, and is told what happens. ``rows`` is how many there are.
+    """
+
+    def __init__(self, rows: int) -> None:
         self.rows = rows
         self.score = 0
         self.lives = LIVES
-        self.visited = set()
+        self.visited: set[int] = set()
 
     @property
-    def won(self):
-        return self.visited.issuperset(range(self.rows))
+    def won(self) -> bool:
+        """Whether every row has been landed on (P8.1a)."""
+        return all(row in self.visited for row in range(self.rows))
 
     @property
-    def over(self):
-        return not self.lives or self.won
+    def over(self) -> bool:
+        """Whether the game is won or lost: nothing counts any more."""
+        return self.lives <= 0 or self.won
 
-    def landed(self, row):
+    def landed(self, row: int) -> None:
+        """Count a landing on a row: POINTS the first time, and BONUS a life where it wins.
+
+        Raises ValueError for a row that there is not, from 0 up.
+        """
         if row not in range(self.rows):
-            raise ValueError(f"row {row!r} of {self.rows} rows")
+            raise ValueError(f"row must be from 0 to {self.rows - 1}, got {row!r}")
         if not self.over and row not in self.visited:
             self.visited.add(row)
-            self.score += POINTS + self.won * self.lives * BONUS
+            self.score += POINTS
+            if self.won:
+                self.score += BONUS * self.lives
 
-    def fell(self):
-        self.lives -= not self.over
+    def fell(self) -> None:
+        """Take a life: the ball has reached the ground."""
+        if not self.over:
+            self.lives -= 1
 
 
 class Landings:
-    def __init__(self, deck):
-        self.deck = deck
-        self.row = None
+    """A contact generator that passes on a deck's contacts, and notes on which row the ball lands.
 
-    def contacts(self):
+    ``row`` is the nearest row where, in the last frame, the ball touched the deck on its way down,
+    and None where it did not. The world asks once a frame.
+    """
+
+    def __init__(self, deck: Deck) -> None:
+        self.deck = deck
+        self.row: int | None = None
+
+    def contacts(self) -> list[Contact]:
+        """Return the deck's contacts, and note the row."""
         found = self.deck.contacts()
-        falls = self.deck.ball.velocity.y < 0
-        self.row = self.deck.nearest()[0] if found and falls else None
+        self.row = None
+        if found and self.deck.ball.velocity.y < 0.0:
+            below = self.deck.nearest()
+            if below is not None:
+                self.row = below[0]
         return found
 
 
 class BallGame:
-    def __init__(self):
+    """The game: ``rules``, ``rows`` of planks, the ``ball``, and the ``world`` they are in.
+
+    ``direction`` is where the player steers to: -1 for left, 1 for right, 0 for neither.
+    """
+
+    def __init__(self) -> None:
         self.rows = make_rows()
         self.rules = Rules(len(self.rows))
         self.ball = Particle(acceleration=GRAVITY, mass=BALL_MASS, damping=DAMPING)
@@ -70,21 +107,29 @@ class BallGame:
         )
         self.start_ball()
 
-    def start_ball(self):
+    def start_ball(self) -> None:
+        """Put the ball over where the first row is, as high as at first, and at rest."""
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()
 
-    def step(self, duration):
-        h = positive("duration", duration)
+    def step(self, duration: float) -> None:
+        """Let a frame of a duration in s pass; nothing happens any more when the game is over.
+
+        The ball is pushed by PUSH towards where the player steers. Where it lands on a row, that
+        counts, and it leaves upwards at JUMP. Otherwise, where its lowest point is no more than
+        TOUCH above the ground, that takes a life, and the ball starts anew, unless it was the last
+        one.
+        """
         if self.rules.over:
             return
+        positive("duration", duration)
         self.world.start_frame()
-        self.ball.add_force(Vector3(self.direction * PUSH * self.ball.mass, 0, 0))
-        self.world.run_physics(h)
+        self.ball.add_force(Vector3(self.direction * PUSH * self.ball.mass))
+        self.world.run_physics(duration)
         if self.landings.row is not None:
             self.rules.landed(self.landings.row)
             self.ball.velocity.y = JUMP
-        elif self.ball.position.y - RADIUS <= TOUCH:
+        elif self.ball.position.y <= RADIUS + TOUCH:
             self.rules.fell()
             if not self.rules.over:
                 self.start_ball()

@@ -1,6 +1,9 @@
-"""Ada's blob."""
+"""A blob: particles that bonds pull together, which give way, break and heal (book 8.2)."""
+
+from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import combinations
 
 from ch02_vectors.arguments import positive
@@ -11,18 +14,38 @@ from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import Cable, two_particles
 from ch08_mass_aggregate.world import ParticleWorld
 
-COUNT = 10
-RADIUS = 0.5
-MASS = 0.1
-STIFFNESS = 30.0
-LIMIT, BREAK = 1.2, 2.0
-SHARE = 0.25
+COUNT = 10  # particles, one of them in the middle
+RADIUS = 0.5  # m, from the middle to the others
+MASS = 0.1  # kg, of each particle
+STIFFNESS = 30.0  # N/m, of a bond
+LIMIT, BREAK = 1.2, 2.0  # of the length of a bond at rest
+SHARE = 0.25  # of the stiffness that is left beyond LIMIT
 DAMPING = 0.3
 GRAVITY = Vector3(0.0, -9.81, 0.0)
 
 
 class Bond:
-    def __init__(self, a, b, stiffness, rest_length, limit, share, break_length):
+    """A soft spring between two particles with a limit of elasticity, which breaks and heals.
+
+    Up to a length of ``limit`` it is a spring of ``stiffness`` in N/m; beyond that the extra
+    extension counts with ``share`` of it (exercise 6.1). Longer than ``break_length`` it breaks: it
+    does nothing until its ends are ``rest_length`` or less apart, and then holds again. ``holds``
+    says whether it does. Lengths are in m. Register it for both particles.
+
+    Raises ValueError where rest_length <= limit <= break_length does not hold, and what
+    ElasticLimitSpring raises.
+    """
+
+    def __init__(
+        self,
+        a: Particle,
+        b: Particle,
+        stiffness: float,
+        rest_length: float,
+        limit: float,
+        share: float,
+        break_length: float,
+    ) -> None:
         self.a, self.b = two_particles(a, b)
         self._to_b = ElasticLimitSpring(b, stiffness, rest_length, limit, share)
         self._to_a = ElasticLimitSpring(a, stiffness, rest_length, limit, share)
@@ -33,30 +56,46 @@ class Bond:
             raise ValueError(f"{wanted}{break_length!r}, got {limit!r}")
         self.holds = True
 
-    def update_force(self, particle, duration):
-        reach = self.break_length if self.holds else self.rest_length
-        self.holds = (self.a.position - self.b.position).magnitude() <= reach
-        if self.holds:
-            spring = self._to_b if particle is self.a else self._to_a
-            spring.update_force(particle, duration)
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Break or catch, as the length asks for, and pull at one of the two where it holds."""
+        length = (self.a.position - self.b.position).magnitude()
+        if length > self.break_length:
+            self.holds = False
+        elif length <= self.rest_length:
+            self.holds = True
+        if not self.holds:
+            return
+        if particle is self.a:
+            self._to_b.update_force(particle, duration)
+        elif particle is self.b:
+            self._to_a.update_force(particle, duration)
 
 
-def spread(particles):
+def spread(particles: Sequence[Particle]) -> float:
+    """Return how far particles are from their common centre of mass: the root of the mean square.
+
+    In m, and each counts by its mass. Raises ValueError where there are none, or one is immovable.
+    """
     if not particles:
-        raise ValueError("no particles, so no centre of mass")
-    if not all(p.has_finite_mass for p in particles):
-        raise ValueError("an immovable particle would outweigh the others")
-    total, moment = 0.0, Vector3()
-    for p in particles:
-        total += p.mass
-        moment.add_scaled(p.position, p.mass)
-    center = moment / total
-    away = [(p.position - center).magnitude() * math.sqrt(p.mass / total) for p in particles]
-    return math.hypot(*away)
+        raise ValueError("particles must be one or more, got none")
+    middle, total = Vector3(), 0.0
+    for i, one in enumerate(particles):
+        if not one.has_finite_mass:
+            raise ValueError(f"particles[{i}] must not be immovable, got {one!r}")
+        total += one.mass
+        middle += (one.position - middle) * (one.mass / total)  # the middle of all up to this one
+    squares = sum(one.mass * (one.position - middle).squared_magnitude() for one in particles)
+    return math.sqrt(squares / total)
 
 
 class Blob:
-    def __init__(self, height=2.0, cables=False):
+    """A blob that falls on the ground: ``particles``, ``bonds`` between all of them, and ``world``.
+
+    It is flat: all is at z = 0. With ``cables`` no bond gets longer than its break_length: a cable
+    holds it. Without them it breaks. ``push`` is the force in N on each particle, a vector.
+    """
+
+    def __init__(self, height: float = 2.0, cables: bool = False) -> None:
         middle = Vector3(0.0, positive("height", height))
         places = [middle]
         for i in range(COUNT - 1):
@@ -77,7 +116,8 @@ class Blob:
             if cables:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
-    def step(self, duration):
+    def step(self, duration: float) -> None:
+        """Let a frame of a duration in s pass, with the push on every particle."""
         self.world.start_frame()
         for particle in self.particles:
             particle.add_force(self.push)

@@ -1,11 +1,17 @@
-"""Ada's rope bridge."""
+"""A rope bridge: planks on cables, and a heavy ball that walks over them (book 8.2).
 
+bridge_plan.py has the numbers and places of what it is made of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
 from itertools import pairwise
 
 from ch02_vectors.arguments import finite, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch07_constraints.contacts import Contact
+from ch07_constraints.contacts import Contact, ContactGenerator
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import AnchoredCable, Cable, Rod
 from ch08_mass_aggregate.bridge_plan import (
@@ -15,70 +21,104 @@ from ch08_mass_aggregate.bridge_plan import (
     HEIGHT,
     SPACING,
     WIDTH,
+    Row,
     anchor_of,
     make_rows,
     support_length,
 )
 from ch08_mass_aggregate.world import ParticleWorld
 
-RADIUS = 0.5
-ITERATIONS = 200
+RADIUS = 0.5  # m, of the ball
+ITERATIONS = 200  # a phase; with twice the contacts a bridge at 30 frames a second never lies still
 
 
-def links_of(rows):
-    planks = [Rod(*row, WIDTH) for row in rows]
-    sides = [*zip(*rows)]  # the ends at z < 0, and those at z > 0
-    ropes = [Cable(*ends, CABLE_LENGTH) for side in sides for ends in pairwise(side)]
-    hangers = [
-        AnchoredCable(end, anchor_of(end), support_length(i))
-        for side in sides
-        for i, end in enumerate(side)
-    ]
-    return planks + ropes + hangers
+def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
+    """Return what holds the rows, which are at their places at the start.
+
+    A rod of WIDTH joins both ends of each row; a cable of CABLE_LENGTH each end to that of the next
+    row on its side; and each end hangs on a cable of support_length(row) from anchor_of(it). No
+    cable bounces.
+    """
+    links: list[ContactGenerator] = []
+    before: Row | None = None
+    for number, row in enumerate(rows):
+        for side, end in enumerate(row):
+            links.append(AnchoredCable(end, anchor_of(end), support_length(number)))
+            if before is not None:
+                links.append(Cable(before[side], end, CABLE_LENGTH))
+        links.append(Rod(*row, WIDTH))
+        before = row
+    return links
 
 
 class Deck:
-    def __init__(self, ball, radius, rows, restitution=0.0):
+    """Generates the contacts of a ball with the rows of planks, which are in order along X."""
+
+    def __init__(
+        self, ball: Particle, radius: float, rows: Sequence[Row], restitution: float = 0.0
+    ) -> None:
         self.ball = ball
         self.radius = positive("radius", radius)
         self.rows = rows
         self.restitution = restitution
 
-    def nearest(self):
-        x = self.ball.position.x
-        middles = [(a.position + b.position) / 2 for a, b in self.rows]
-        away = [abs(m.x - x) for m in middles]
-        beyond = max(middles[0].x - x, x - middles[-1].x)
-        if beyond > SPACING / 2:
-            return None
-        return away.index(min(away)), height_at(x, middles)
+    def nearest(self) -> tuple[int, float] | None:
+        """Return the number of the row that is nearest to the ball along X, and the deck's height.
 
-    def contacts(self):
-        found = self.nearest()
-        if found is None:
+        A row is where the middle of its ends is. The height in m is that below the ball, on the
+        straight line from row to row; before the first row and after the last it is that row's. Of
+        two rows that are equally near it is the first. None where the ball is further than half a
+        SPACING beyond the rows.
+        """
+        middles = [(front.position + back.position) * 0.5 for front, back in self.rows]
+        if not middles:
+            return None
+        x = self.ball.position.x
+        first, last = middles[0], middles[-1]
+        if x < first.x - 0.5 * SPACING or x > last.x + 0.5 * SPACING:
+            return None
+        number, best = 0, abs(first.x - x)
+        for i, middle in enumerate(middles):
+            if abs(middle.x - x) < best:
+                number, best = i, abs(middle.x - x)
+        if x <= first.x:
+            return number, first.y
+        for left, right in pairwise(middles):
+            if left.x < x <= right.x:
+                share = (x - left.x) / (right.x - left.x)
+                return number, left.y * (1.0 - share) + right.y * share
+        return number, last.y
+
+    def contacts(self) -> list[Contact]:
+        """Return a contact of the ball with each end of the nearest row, where it touches the deck.
+
+        The ball is the particle, the normal is +Y, and the penetration is how far the ball's lowest
+        point is below the deck. There is none where it is above, beyond the bridge, or deeper than
+        it is high: then it is below.
+        """
+        below = self.nearest()
+        if below is None:
             return []
-        row, height = found
+        number, height = below
         depth = height - (self.ball.position.y - self.radius)
-        if not 0 <= depth <= 2 * self.radius:
+        if depth < 0.0 or depth > 2.0 * self.radius:
             return []
+        up = Vector3(0.0, 1.0, 0.0)
+        near, far = self.rows[number]
         return [
-            Contact(self.ball, end, Vector3(0, 1, 0), self.restitution, depth)
-            for end in self.rows[row]
+            Contact(self.ball, near, up, self.restitution, depth),
+            Contact(self.ball, far, up, self.restitution, depth),
         ]
 
 
-def height_at(x, middles):
-    if x <= middles[0].x:
-        return middles[0].y
-    for a, b in pairwise(middles):
-        if x <= b.x:
-            s = (x - a.x) / (b.x - a.x)
-            return a.y * (1 - s) + b.y * s
-    return middles[-1].y
-
-
 class Bridge:
-    def __init__(self, ball_mass=5.0, x=0.0):
+    """The bridge with its ball over the ground: ``rows`` of planks, ``ball`` and ``world``.
+
+    ``pace`` is how fast in m/s the ball walks along X. Raises ValueError where the ball's mass is
+    not positive and finite, or its place is not finite.
+    """
+
+    def __init__(self, ball_mass: float = 5.0, x: float = 0.0) -> None:
         place = Vector3(finite("x", x), HEIGHT + RADIUS)
         mass = positive("ball_mass", ball_mass)
         self.ball = Particle(place, acceleration=GRAVITY, mass=mass, damping=DAMPING)
@@ -93,6 +133,7 @@ class Bridge:
             iterations=ITERATIONS,
         )
 
-    def step(self, duration):
+    def step(self, duration: float) -> None:
+        """Let a frame of a duration in s pass, with the ball at its pace."""
         self.ball.velocity.x = self.pace
         self.world.step(duration)

@@ -1,6 +1,6 @@
-"""Ada's cube."""
+"""A cube of rods: how many does it take to be rigid, and which? (mini-project 8.2)."""
 
-from itertools import combinations, product
+from __future__ import annotations
 
 from ch02_vectors.arguments import finite, positive
 from ch02_vectors.vector import Vector3
@@ -9,30 +9,58 @@ from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld
 
+# Corner 0 is at the origin; bit 0 of a corner's number says whether it is 1 m along X from there,
+# bit 1 along Y, bit 2 along Z: corner 6 is at (0, 1, 1).
 CORNERS = [(float(i & 1), float(i >> 1 & 1), float(i >> 2 & 1)) for i in range(8)]
 DAMPING = 0.9
 GRAVITY = Vector3(0.0, -9.81, 0.0)
-ITERATIONS = 200
+ITERATIONS = 200  # a phase
 
 
-def fewest_rods(count):
-    if type(count) is not int:
-        raise TypeError(f"count is no whole number: {count!r}")
+def fewest_rods(count: int) -> int:
+    """Return how many rods ``count`` particles in space need at least to be rigid (8.2).
+
+    Each particle can move in three ways. What is rigid still moves in six: along three axes, and
+    about them. Two particles move in five, for a turn about their rod is none, and one in three.
+
+    Raises ValueError where count is below 1, and TypeError where it is no whole number.
+    """
+    if not isinstance(count, int) or isinstance(count, bool):
+        raise TypeError(f"count must be a whole number, got {count!r}")
     if count < 1:
-        raise ValueError(f"count is below 1: {count}")
-    as_one_body = {1: 3, 2: 5}.get(count, 6)
-    return 3 * count - as_one_body
+        raise ValueError(f"count must be 1 or more, got {count!r}")
+    return sum(min(i, 3) for i in range(count))  # each that joins needs three, but the first three
 
 
-def cube_rods():
-    # A corner with its three neighbours is a tetrahedron, which is rigid. The four corners that are
-    # left hold on to the same three neighbours, and none of them is in the plane of those.
-    origin, neighbours, others = 0, (1, 2, 4), (3, 5, 6, 7)
-    return [*combinations((origin, *neighbours), 2), *product(neighbours, others)]
+def cube_rods() -> list[tuple[int, int]]:
+    """Return the rods that make a cube rigid, as pairs of numbers of CORNERS (8.2).
+
+    Any set will do that leaves it no motion but those of a rigid body. As many as fewest_rods are
+    necessary, but not sufficient: it depends on where they are.
+    """
+    rods = []
+    for i in range(8):
+        for bit in (1, 2, 4):
+            if not i & bit:
+                rods.append((i, i | bit))  # an edge
+    # Each face has a diagonal: three of them from corner 0, three from the opposite one.
+    for i in (1, 2, 4):
+        rods.append((0, 7 - i))
+        rods.append((i, 7))
+    return rods
 
 
 class Cube:
-    def __init__(self, height=1.0, rods=None):
+    """A cube that falls on one of its corners: ``particles``, ``rods`` and ``world``.
+
+    It is at rest at first, turned a little, with its lowest corner at the height in m. Rods are
+    given as pairs of numbers of its corners, or are those of cube_rods.
+
+    Raises ValueError where the height is not positive and finite, or a rod joins a corner to
+    itself, and IndexError where there is no such corner.
+    """
+
+    def __init__(self, height: float = 1.0, rods: list[tuple[int, int]] | None = None) -> None:
         places = [_turned(*corner) for corner in CORNERS]
         lift = Vector3(0.0, positive("height", height) - min(place.y for place in places), 0.0)
         self.particles = [
@@ -45,11 +73,16 @@ class Cube:
         ground = GroundPlane(self.particles, restitution=0.3)
         self.world = ParticleWorld(self.particles, [*self.rods, ground], iterations=ITERATIONS)
 
-    def step(self, duration):
+    def step(self, duration: float) -> None:
+        """Let a frame of a duration in s pass."""
         self.world.step(duration)
 
 
-def _turned(x, y, z):
-    c, s = 0.9238795325112867, 0.3826834323650898
+def _turned(x: float, y: float, z: float) -> Vector3:
+    """Return a place turned by a quarter of a right angle about Z, and as much about X.
+
+    Without a turn two opposite corners of each face would fall at once, and nothing would tumble.
+    """
+    c, s = 0.9238795325112867, 0.3826834323650898  # of pi / 8
     x, y = c * finite("x", x) - s * y, s * x + c * y
     return Vector3(x, c * y - s * z, s * y + c * z)

@@ -1,39 +1,58 @@
-"""Ada lets things sleep."""
+"""Going further: what lies still falls asleep, and costs next to nothing until something wakes it.
 
-from collections import defaultdict
+A particle that sleeps is immovable: that is what the whole engine leaves alone already. The world
+keeps its inverse mass, and gives it back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ch02_vectors.arguments import not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch06_springs.integrators import semi_implicit_euler
-from ch08_mass_aggregate.joints import joined, touching
+from ch06_springs.integrators import Integrator, semi_implicit_euler
+from ch07_constraints.contacts import Contact, ContactGenerator
+from ch08_mass_aggregate.joints import Pair, joined, touching
 from ch08_mass_aggregate.world import ParticleWorld
 
-LOOK_EVERY = 10
-SLEEP_ENERGY = 0.015
-SAME = 0.01
+LOOK_EVERY = 10  # frames: how often the generators of what sleeps are asked
+SAME = 0.01  # of what accelerates it: a change by less wakes nothing
 
 
 @dataclass(frozen=True)
 class Sleep:
-    inverse_mass: float
-    place: tuple[float, float, float]
-    acceleration: Vector3
-    neighbours: tuple[Particle, ...]
+    """What a particle is given back when it wakes, and what must stay the same until then."""
+
+    inverse_mass: float  # 1/kg
+    place: tuple[float, float, float]  # m
+    acceleration: Vector3  # m/s^2, with that of its forces
+    neighbours: tuple[Particle, ...]  # what it touched, or was joined to
 
 
 class SleepingWorld(ParticleWorld):
+    """A ParticleWorld whose particles fall asleep when they, and all that they touch, are slow.
+
+    Slow is what had a kinetic energy of ``sleep_energy`` in J or less at the end of each of
+    ``sleep_frames`` frames in a row. What sleeps has no velocity, and a mass of math.inf;
+    ``asleep`` is a dict from it to its Sleep. Who moves the ground or an anchor, or joins something
+    new to what sleeps, has to wake it.
+
+    Raises ValueError where sleep_energy is negative or not finite, or sleep_frames is below 1,
+    TypeError where it is no whole number, and what ParticleWorld raises.
+    """
+
     def __init__(
         self,
-        particles=(),
-        contact_generators=(),
+        particles: Iterable[Particle] = (),
+        contact_generators: Iterable[ContactGenerator] = (),
         *,
-        iterations=None,
-        integrator=semi_implicit_euler,
-        sleep_energy=SLEEP_ENERGY,
-        sleep_frames=30,
-    ):
+        iterations: int | None = None,
+        integrator: Integrator = semi_implicit_euler,
+        sleep_energy: float = 1e-2,
+        sleep_frames: int = 30,
+    ) -> None:
         super().__init__(
             particles, contact_generators, iterations=iterations, integrator=integrator
         )
@@ -43,121 +62,165 @@ class SleepingWorld(ParticleWorld):
         if sleep_frames < 1:
             raise ValueError(f"sleep_frames must be 1 or more, got {sleep_frames!r}")
         self.sleep_frames = sleep_frames
-        self.asleep = {}
-        self._slow = {}
-        self._touched = {}
+        self.asleep: dict[Particle, Sleep] = {}
+        self._slow: dict[Particle, int] = {}  # for how many frames each has been slow
+        self._touched: dict[Pair, int] = {}  # in which frame two were last in contact
         self._frame = 0
 
-    def wake(self, particle):
-        self._slow.pop(particle, None)
-        calls = [particle]
-        while calls:
-            p = calls.pop()
-            sleep = self.asleep.pop(p, None)
-            if sleep is None:
+    def wake(self, particle: Particle) -> None:
+        """Wake a particle, its neighbours, theirs, and so on: what fell asleep as one wakes as one.
+
+        The mass of each is what it was, unless it has been given another by hand. It has to be slow
+        again for all of sleep_frames. A particle that is awake stays awake, and begins to count
+        anew.
+        """
+        known = {one: list(sleep.neighbours) for one, sleep in self.asleep.items()}
+        for one in _reach(particle, known):
+            self._slow.pop(one, None)
+            sleep = self.asleep.pop(one, None)
+            if sleep is not None and not one.inverse_mass:
+                one.inverse_mass = sleep.inverse_mass
+
+    def wake_moved(self) -> None:
+        """Wake what was moved by hand since it fell asleep.
+
+        That is what has a velocity, another place, a mass, or a force in its accumulator.
+        """
+        for particle in [one for one, sleep in self.asleep.items() if _moved(one, sleep)]:
+            self.wake(particle)  # which may have been woken with another one by now
+
+    def wake_pushed(self, duration: float) -> None:
+        """Wake what the generators of the registry push otherwise than when it fell asleep.
+
+        The acceleration of now, a + f / m with their forces, is compared with the one of then. A
+        change of more than SAME of what acts wakes: of |a| + |f / m|, or of what it was then. Only
+        generators that are registered for what sleeps are asked, and each has its own mass for that
+        time. The accumulators of what sleeps are empty before and afterwards.
+        """
+        pushes: dict[Particle, Vector3] = {}
+        for one, sleep in self.asleep.items():
+            one.inverse_mass = sleep.inverse_mass
+        for particle, generator in self.registry.pairs():
+            if particle in self.asleep:
+                generator.update_force(particle, duration)
+        for one in self.asleep:
+            pushes[one] = one.force_accumulator * one.inverse_mass
+            one.clear_forces()
+            one.inverse_mass = 0.0
+        for one, push in pushes.items():
+            if one not in self.asleep:  # another one of its group has woken it
                 continue
-            if not p.has_finite_mass:
-                p.inverse_mass = sleep.inverse_mass
-            calls += sleep.neighbours
+            then = self.asleep[one].acceleration
+            scale = max(abs(one.acceleration.magnitude()) + push.magnitude(), then.magnitude())
+            if (one.acceleration + push - then).magnitude() > SAME * scale:
+                self.wake(one)
 
-    def wake_moved(self):
-        for p, sleep in [*self.asleep.items()]:
-            still = not any(p.velocity) and not any(p.force_accumulator)
-            if not still or p.has_finite_mass or tuple(p.position) != sleep.place:
-                self.wake(p)
+    def wake_touched(self, contacts: Iterable[Contact]) -> bool:
+        """Wake what sleeps and is in contact with a particle that can move.
 
-    def wake_pushed(self, duration):
-        pushes = [pair for pair in self.registry.pairs() if pair[0] in self.asleep]
-        # some springs pull at both ends; who is awake must not notice
-        others = [(p, p.force_accumulator) for p in self.particles if p not in self.asleep]
-        for p, sleep in self.asleep.items():
-            p.inverse_mass = sleep.inverse_mass
-        try:
-            for p, generator in pushes:
-                generator.update_force(p, duration)
-            pushed = [p for p, sleep in self.asleep.items() if is_pushed(p, sleep)]
-        finally:
-            for p in self.asleep:
-                p.inverse_mass = 0.0
-                p.clear_forces()
-            for p, force in others:
-                p.clear_forces()
-                p.add_force(force)
-        for p in pushed:
-            self.wake(p)
+        Return whether there was any.
+        """
+        pairs = _pairs(contacts)
+        woken = False
+        again = True
+        while again:
+            again = False
+            for a, b in pairs:
+                for sleeper, other in ((a, b), (b, a)):
+                    if sleeper in self.asleep and other.inverse_mass:
+                        self.wake(sleeper)
+                        woken = again = True
+        return woken
 
-    def wake_touched(self, contacts):
-        touched = []
-        for c in contacts:
-            if c.other is None:
-                continue
-            for one, other in (c.particle, c.other), (c.other, c.particle):
-                if one in self.asleep and other.has_finite_mass:
-                    touched.append(one)
-        for p in touched:
-            self.wake(p)
-        return bool(touched)
+    def fall_asleep(self, contacts: Iterable[Contact]) -> None:
+        """Count a frame, and put to sleep what has been slow for long enough, if its group has.
 
-    def fall_asleep(self, contacts):
-        self._frame += 1
+        A group is what is in contact, or joined by a generator of the registry, directly or through
+        others: all of it sleeps, or none. What is immovable joins nothing, and neither slows down
+        nor sleeps. What falls asleep has no velocity and an inverse_mass of 0, and is in asleep.
+        """
+        neighbours: dict[Particle, list[Particle]] = {}
         for pair in touching(contacts):
             self._touched[pair] = self._frame
-        oldest = self._frame - self.sleep_frames
-        self._touched = {pair: n for pair, n in self._touched.items() if n > oldest}
-
-        friends = defaultdict(list)
+        for pair in [pair for pair, last in self._touched.items()]:
+            if self._frame - self._touched[pair] >= self.sleep_frames:
+                del self._touched[pair]
         for a, b in [*self._touched, *joined(self.registry)]:
-            if a.has_finite_mass and b.has_finite_mass:
-                friends[a].append(b)
-                friends[b].append(a)
+            neighbours.setdefault(a, []).append(b)
+            neighbours.setdefault(b, []).append(a)
+        for one in self.particles:
+            if one.inverse_mass and one.kinetic_energy() * one.inverse_mass <= self.sleep_energy:
+                self._slow[one] = self._slow.get(one, 0) + 1
+            else:
+                self._slow.pop(one, None)
+        seen: set[Particle] = set()
+        for one in self.particles:
+            if one in seen or one not in self._slow:
+                continue
+            group = _reach(one, neighbours)
+            seen |= group
+            if all(self._slow.get(member, 0) >= self.sleep_frames for member in group):
+                for member in group:
+                    del self._slow[member]
+                    touched = tuple(neighbours.get(member, ()))
+                    last = member.last_acceleration
+                    self.asleep[member] = Sleep(member.inverse_mass, _place(member), last, touched)
+                    member.velocity.clear()
+                    member.inverse_mass = 0.0
 
-        movable = [p for p in self.particles if p.has_finite_mass]
-        self._slow = {
-            p: self._slow.get(p, 0) + 1
-            for p in movable
-            if p.velocity.squared_magnitude() / 2 <= self.sleep_energy
-        }
-        tired = {p for p, n in self._slow.items() if n >= self.sleep_frames}
+    def run_physics(self, duration: float) -> None:
+        """Move all on that is awake by a frame of a duration in s.
 
-        # whoever is restless keeps the friends awake, and they theirs
-        restless = [p for p in [*movable, *friends] if p not in tired]
-        while restless:
-            for friend in friends.get(restless.pop(), ()):
-                if friend in tired:
-                    tired.remove(friend)
-                    restless.append(friend)
+        First what was moved by hand wakes, and in every LOOK_EVERY-th frame what its generators
+        push otherwise. The integrator gets the particles that are awake, and no others. Then
+        contacts wake what sleeps, and are looked for again, until they wake nothing more. When they
+        are resolved, what has been slow for long enough falls asleep.
 
-        for p in movable:
-            if p in tired:
-                self.asleep[p] = Sleep(
-                    p.inverse_mass,
-                    tuple(p.position),
-                    p.last_acceleration,
-                    tuple(friends.get(p, ())),
-                )
-        for p in tired:
-            del self._slow[p]
-            p.velocity.clear()
-            p.inverse_mass = 0.0
-
-    def run_physics(self, duration):
-        h = positive("duration", duration)
+        Raises ValueError where the duration is not positive and finite; all is then as it was.
+        """
+        positive("duration", duration)
+        self._frame += 1
         self.wake_moved()
         if self._frame % LOOK_EVERY == 0:
-            self.wake_pushed(h)
-        awake = [p for p in self.particles if p not in self.asleep]
-        self.integrator(awake, self.registry.update_forces, h)
-        found = self.contacts()
-        while self.wake_touched(found):
-            found = self.contacts()
-        if found:
-            self.resolver.resolve_contacts(found, h)
-        self.fall_asleep(found)
+            self.wake_pushed(duration)
+        awake = [one for one in self.particles if one not in self.asleep]
+        self.integrator(awake, self.registry.update_forces, duration)
+        touching = self.contacts()
+        while self.wake_touched(touching):
+            touching = self.contacts()
+        if touching:
+            self.resolver.resolve_contacts(touching, duration)
+        self.fall_asleep(touching)
 
 
-def is_pushed(particle, sleep):
-    by_forces = particle.force_accumulator * particle.inverse_mass
-    constant = particle.acceleration
-    change = constant + by_forces - sleep.acceleration
-    what_acts = constant.magnitude() + by_forces.magnitude()
-    return change.magnitude() > SAME * max(what_acts, sleep.acceleration.magnitude())
+def _place(particle: Particle) -> tuple[float, float, float]:
+    """Return where a particle is."""
+    place = particle.position
+    return place.x, place.y, place.z
+
+
+def _moved(particle: Particle, sleep: Sleep) -> bool:
+    """Say whether something has been done to a sleeping particle by hand."""
+    still = Vector3()
+    return (
+        particle.inverse_mass != 0.0
+        or particle.velocity != still
+        or particle.force_accumulator != still
+        or _place(particle) != sleep.place
+    )
+
+
+def _pairs(contacts: Iterable[Contact]) -> list[tuple[Particle, Particle]]:
+    """Return the particles of those contacts that have two."""
+    return [(one.particle, one.other) for one in contacts if one.other is not None]
+
+
+def _reach(start: Particle, neighbours: dict[Particle, list[Particle]]) -> set[Particle]:
+    """Return a particle with all that it touches, directly or through others."""
+    group, waiting = {start}, [start]
+    while waiting:
+        for other in neighbours.get(waiting.pop(), ()):
+            if other not in group:
+                group.add(other)
+                waiting.append(other)
+    return group

@@ -1,7 +1,13 @@
-"""Ada's seesaw."""
+"""A platform that tilts on a pivot, and a weight that tips it (book 8.2.2; mini-project 8.1).
+
+Seen from the side it is a V of rods: a pivot at the ground, and two ends above it, of which the
+right one is further away. All of it is there twice, at z = -1 and z = 1, joined by rods.
+"""
+
+from __future__ import annotations
 
 import math
-from itertools import product
+from collections.abc import Sequence
 
 from ch02_vectors.arguments import finite, not_negative
 from ch02_vectors.vector import Vector3
@@ -11,52 +17,64 @@ from ch07_constraints.links import Rod
 from ch08_mass_aggregate.world import ParticleWorld
 
 PLACES = (
-    (0.0, 0.0, -1.0),
+    (0.0, 0.0, -1.0),  # the pivot
     (0.0, 0.0, 1.0),
-    (-3.0, 2.0, -1.0),
+    (-3.0, 2.0, -1.0),  # the left end
     (-3.0, 2.0, 1.0),
-    (4.0, 2.0, -1.0),
+    (4.0, 2.0, -1.0),  # the right end
     (4.0, 2.0, 1.0),
 )
-LEFT, RIGHT = -3.0, 4.0
-MASS = 1.0
+LEFT, RIGHT = -3.0, 4.0  # m
+MASS = 1.0  # kg, of each particle without the weight
 DAMPING = 0.9
 GRAVITY = Vector3(0.0, -9.81, 0.0)
-ITERATIONS = 100
-
-# Whoever is not of one's own kind is held: 12 rods, one more than are needed.
-PIVOT_NUMBERS, LEFT_NUMBERS, RIGHT_NUMBERS = (0, 1), (2, 3), (4, 5)
-HELD = [
-    *product(PIVOT_NUMBERS, LEFT_NUMBERS),
-    *product(PIVOT_NUMBERS, RIGHT_NUMBERS),
-    *product(LEFT_NUMBERS, RIGHT_NUMBERS),
-]
+ITERATIONS = 100  # a phase
 
 
-def rod_between(a, b):
-    return Rod(a, b, (a.position - b.position).magnitude())
+def rods_of(particles: Sequence[Particle]) -> list[Rod]:
+    """Return rods between particles at PLACES that leave the platform no motion but the tilt.
+
+    Each is as long as its ends are apart now. The pivot's two particles, the first ones, are
+    immovable. Which rods there are is yours to choose, and there may be more than are needed.
+    """
+    rods = []
+    pairs = [(end, pivot) for end in (2, 3, 4, 5) for pivot in (0, 1)]
+    for i, j in [*pairs, (2, 4), (3, 5), (2, 5), (3, 4), (2, 3), (4, 5)]:
+        a, b = particles[i], particles[j]
+        rods.append(Rod(a, b, (a.position - b.position).magnitude()))
+    return rods
 
 
-def rods_of(particles):
-    return [rod_between(particles[i], particles[j]) for i, j in HELD]
+def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
+    """Return the mass in kg which, put at x, balances others on a pivot at 0.
 
+    ``masses`` are in kg, ``places`` where they are in m along the platform. What is left of 0 turns
+    it one way, what is right of 0 the other, each by mass times distance.
 
-def balancing_mass(masses, places, x):
+    Raises ValueError where one of the numbers is not finite, a mass is negative, there are not as
+    many places as masses, or no mass that is 0 or more would do.
+    """
     if len(masses) != len(places):
-        raise ValueError(f"{len(masses)} masses, but {len(places)} places")
+        wanted = f"places must be as many as masses, {len(masses)}"
+        raise ValueError(f"{wanted}, got {len(places)}")
     finite("x", x)
     turn = 0.0
-    for i, (m, place) in enumerate(zip(masses, places)):
-        turn += not_negative(f"masses[{i}]", m) * finite(f"places[{i}]", place)
-    if turn == 0:
-        return 0.0  # nothing to do
-    if x == 0:
-        raise ValueError("on the pivot no mass turns anything")
-    return not_negative("the mass that would balance them", -turn / x)
+    for i, (mass, place) in enumerate(zip(masses, places, strict=True)):
+        turn += not_negative(f"masses[{i}]", mass) * finite(f"places[{i}]", place)
+    if turn == 0.0:
+        return 0.0
+    if x == 0.0 or (x > 0.0) == (turn > 0.0):
+        raise ValueError(f"x must be where a mass can balance the others, got {x!r}")
+    return finite("the balancing mass", abs(turn / x))
 
 
 class TiltingPlatform:
-    def __init__(self):
+    """The platform over the ground, with an immovable pivot: ``particles``, ``rods``, ``world``.
+
+    The particles stand in the order of PLACES, where they are at first.
+    """
+
+    def __init__(self) -> None:
         self.particles = [
             Particle(Vector3(*place), acceleration=GRAVITY, mass=MASS, damping=DAMPING)
             for place in PLACES
@@ -68,27 +86,42 @@ class TiltingPlatform:
             self.particles, [*self.rods, GroundPlane(self.particles)], iterations=ITERATIONS
         )
 
-    def free_pivot(self):
-        one, other = self.particles[:2]
-        if one.has_finite_mass:
-            return  # it is free already
-        one.mass = other.mass = MASS
-        axle = rod_between(one, other)
+    def free_pivot(self) -> None:
+        """Free the pivot: its particles have MASS from now on, and only stand on the ground (8.1).
+
+        The platform stays rigid: what held the two apart was that they could not move. There is no
+        friction.
+        """
+        one, two = self.particles[:2]
+        one.mass = two.mass = MASS
+        if any({id(rod.a), id(rod.b)} == {id(one), id(two)} for rod in self.rods):
+            return  # it was free already
+        axle = Rod(one, two, (two.position - one.position).magnitude())
         self.rods.append(axle)
         self.world.contact_generators.append(axle)
 
-    def put_weight(self, mass, x):
+    def put_weight(self, mass: float, x: float) -> None:
+        """Put a weight of a mass in kg on the platform, at x from LEFT to RIGHT, and no other.
+
+        It is carried by the ends, shared so that it turns the platform as much as it would at x;
+        both particles of an end carry half of its share, beside their own MASS.
+
+        Raises ValueError where the mass is negative or not finite, or x is not between the ends;
+        the weight that was there stays then.
+        """
         not_negative("mass", mass)
         if not LEFT <= finite("x", x) <= RIGHT:
-            raise ValueError(f"x is not between the ends: {x!r}")
-        s = (x - LEFT) / (RIGHT - LEFT)
-        for numbers, share in (LEFT_NUMBERS, 1 - s), (RIGHT_NUMBERS, s):
-            for i in numbers:
-                self.particles[i].mass = MASS + mass * share / 2
+            raise ValueError(f"x must be from {LEFT!r} to {RIGHT!r}, got {x!r}")
+        share = (x - LEFT) / (RIGHT - LEFT)  # of the right end
+        for end, part in ((2, 1.0 - share), (4, share)):
+            for particle in self.particles[end : end + 2]:
+                particle.mass = MASS + 0.5 * part * mass
 
-    def tilt(self):
+    def tilt(self) -> float:
+        """Return how far it is turned, in radians: 0 at first, positive with the right end up."""
         across = self.particles[4].position - self.particles[2].position
         return math.atan2(across.y, across.x)
 
-    def step(self, duration):
+    def step(self, duration: float) -> None:
+        """Let a frame of a duration in s pass."""
         self.world.step(duration)

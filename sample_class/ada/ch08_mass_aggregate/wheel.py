@@ -1,7 +1,12 @@
-"""Ada's wheel."""
+"""A wheel of rods about an immovable hub, driven at its rim (mini-project 8.3).
+
+It turns in the X-Y plane, counter-clockwise where its spin is positive.
+"""
+
+from __future__ import annotations
 
 import math
-from itertools import chain, repeat
+from collections.abc import Sequence
 
 from ch02_vectors.arguments import finite
 from ch02_vectors.vector import Vector3
@@ -9,49 +14,83 @@ from ch05_forces.particle import Particle
 from ch07_constraints.links import Rod
 from ch08_mass_aggregate.world import ParticleWorld
 
-COUNT = 8
-RADIUS = 1.0
-MASS = 1.0
-ITERATIONS = 200
+COUNT = 8  # particles of the rim
+RADIUS = 1.0  # m
+MASS = 1.0  # kg, of each of them
+ITERATIONS = 200  # a phase
 
 
-def rods_of(hub, rim):
-    spokes = zip(repeat(hub), rim)
-    tyre = zip(rim, [*rim[1:], rim[0]])
-    return [Rod(a, b, (a.position - b.position).magnitude()) for a, b in chain(spokes, tyre)]
+def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
+    """Return the rods of a wheel: a spoke to each particle of the rim, and from each to the next.
+
+    The rim, of three or more, is given in order, and its last particle is joined to the first. Each
+    rod is as long as its ends are apart now (8.3a).
+    """
+    rods: list[Rod] = []
+    before = rim[-1]
+    for particle in rim:
+        for other in (hub, before):
+            length = (particle.position - other.position).magnitude()
+            rods.append(Rod(other, particle, length))
+        before = particle
+    return rods
 
 
 class RimDrive:
-    def __init__(self, hub, force):
+    """A force generator that drives a rim: a force of one size in N, round the hub (8.3b)."""
+
+    def __init__(self, hub: Particle, force: float) -> None:
         self.hub = hub
         self.force = finite("force", force)
 
-    def update_force(self, particle, duration):
+    def update_force(self, particle: Particle, duration: float) -> None:
+        """Add the force in N, at a right angle to the spoke, in the X-Y plane.
+
+        A positive force is one that turns the wheel counter-clockwise. At the hub there is none.
+        """
         spoke = particle.position - self.hub.position
-        spoke.z = 0.0
-        forwards = Vector3(0, 0, 1).cross(spoke.normalized())  # zero at the hub
-        particle.add_force(forwards * self.force)
+        length = math.hypot(spoke.x, spoke.y)  # without z: the force is always of one size
+        if length > 0.0:
+            size = self.force / length
+            particle.add_force(Vector3(-spoke.y * size, spoke.x * size))
 
 
-def spin(hub, rim):
-    momentum, inertia = Vector3(), 0.0
-    for p in rim:
-        spoke = p.position - hub.position
-        spoke.z = 0.0
-        momentum.add_scaled(spoke.cross(p.velocity - hub.velocity), p.mass)
-        inertia += p.mass * spoke.squared_magnitude()
-    return momentum.z / inertia if inertia else 0.0
+def spin(hub: Particle, rim: Sequence[Particle]) -> float:
+    """Return how fast a wheel turns about its hub, in rad/s: angular momentum by moment of inertia.
+
+    That is the sum of m (x v_y - y v_x), divided by that of m (x^2 + y^2), seen from the hub. 0
+    where the rim has no moment of inertia.
+    """
+    turning = inertia = 0.0
+    for particle in filter(lambda one: one.has_finite_mass, rim):
+        p = particle.position - hub.position
+        v = particle.velocity - hub.velocity
+        turning += particle.mass * p.cross(v).z
+        inertia += particle.mass * (p.x * p.x + p.y * p.y)
+    if inertia == 0.0:
+        return 0.0
+    return turning / inertia
 
 
-def deformation(rods):
-    def strain(rod):
-        return (rod.a.position - rod.b.position).magnitude() / rod.length - 1
+def deformation(rods: Sequence[Rod]) -> float:
+    """Return by which share of its length the worst of some rods is too long or too short (8.3c).
 
-    return max((abs(strain(rod)) for rod in rods), default=0.0)
+    0 where there are none.
+    """
+    worst = 0.0
+    for rod in rods:
+        length = (rod.a.position - rod.b.position).magnitude()
+        worst = max(worst, abs(length - rod.length) / rod.length)
+    return worst
 
 
 class Wheel:
-    def __init__(self, force=1.0, driven=COUNT):
+    """A wheel: its ``hub``, ``rim``, ``rods`` and ``world``.
+
+    The first ``driven`` particles of the rim are driven by a ``drive`` of a ``force`` in N each.
+    """
+
+    def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:
         self.hub = Particle(mass=math.inf)
         angles = [math.tau * i / COUNT for i in range(COUNT)]
         self.rim = [
@@ -64,5 +103,6 @@ class Wheel:
         for particle in self.rim[:driven]:
             self.world.registry.add(particle, self.drive)
 
-    def step(self, duration):
+    def step(self, duration: float) -> None:
+        """Let a frame of a duration in s pass."""
         self.world.step(duration)

@@ -1,23 +1,40 @@
-"""Ada's world."""
+"""The world: particles, forces and contacts, put together frame by frame (book 8.1).
 
-from itertools import chain
+Lengths are in m, masses in kg, times in s, energies in J.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
 
 from ch02_vectors.arguments import positive
 from ch05_forces.forces import ForceRegistry
-from ch06_springs.integrators import semi_implicit_euler
-from ch07_constraints.contacts import ContactResolver
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import Integrator, semi_implicit_euler
+from ch07_constraints.contacts import Contact, ContactGenerator, ContactResolver
 from ch07_constraints.detectors import some_particles
 
 
 class ParticleWorld:
+    """Particles that a frame moves on: by forces, an integrator, and the contacts that follow.
+
+    ``particles``, each of which stands there once, and ``contact_generators`` are lists of its own,
+    which may be appended to. ``registry`` is an empty ForceRegistry, ``resolver`` a ContactResolver
+    of so many ``iterations``, and ``integrator`` any step of chapter 6. There may be any number of
+    contacts in a frame: the book's world has a maximum, and drops what is above it in silence.
+
+    TypeError names what is no Particle, has no contacts(), or cannot be called; ValueError a
+    particle that is there twice. The resolver raises what is wrong with ``iterations``.
+    """
+
     def __init__(
         self,
-        particles=(),
-        contact_generators=(),
+        particles: Iterable[Particle] = (),
+        contact_generators: Iterable[ContactGenerator] = (),
         *,
-        iterations=None,
-        integrator=semi_implicit_euler,
-    ):
+        iterations: int | None = None,
+        integrator: Integrator = semi_implicit_euler,
+    ) -> None:
         self.particles = [*some_particles([*particles])]
         if len(set(map(id, self.particles))) < len(self.particles):
             raise ValueError("particles must be different ones, got one of them twice")
@@ -32,28 +49,51 @@ class ParticleWorld:
         self.resolver = ContactResolver(iterations)
         self.integrator = integrator
 
-    def start_frame(self):
-        for p in self.particles:
-            p.clear_forces()
+    def start_frame(self) -> None:
+        """Clear the force accumulators of all particles: what is added from now on counts (8.1)."""
+        for one in self.particles:
+            one.clear_forces()
 
-    def contacts(self):
-        return list(chain.from_iterable(g.contacts() for g in self.contact_generators))
+    def contacts(self) -> list[Contact]:
+        """Return the contacts of now, of one generator after the other; none is left out."""
+        found: list[Contact] = []
+        for generator in self.contact_generators:
+            found.extend(generator.contacts())
+        return found
 
-    def run_physics(self, duration):
-        h = positive("duration", duration)
-        self.integrator(self.particles, self.registry.update_forces, h)
-        if found := self.contacts():
-            self.resolver.resolve_contacts(found, h)
+    def run_physics(self, duration: float) -> None:
+        """Move all on by a frame of a duration in s (8.1).
 
-    def step(self, duration):
-        h = positive("duration", duration)  # before the forces are gone
+        The integrator moves the particles, by the forces of the registry and those that were added
+        by hand since start_frame. Then the contacts of their new places are resolved, all at once.
+        Where there are none, the resolver is not asked.
+
+        Raises ValueError where the duration is not positive and finite; all is then as it was.
+        """
+        positive("duration", duration)
+        self.integrator(self.particles, self.registry.update_forces, duration)
+        touching = self.contacts()
+        if touching:
+            self.resolver.resolve_contacts(touching, duration)
+
+    def step(self, duration: float) -> None:
+        """Start a frame and run its physics: forces that were added before it do not count.
+
+        Raises ValueError where the duration is not positive and finite; all is then as it was.
+        """
+        positive("duration", duration)  # before the forces are cleared
         self.start_frame()
-        self.run_physics(h)
+        self.run_physics(duration)
 
 
-def mechanical_energy(particles):
-    movable = (p for p in particles if p.has_finite_mass)
-    return sum(
-        (p.mass * (p.velocity @ p.velocity / 2 - p.acceleration @ p.position) for p in movable),
-        start=0.0,
-    )
+def mechanical_energy(particles: Iterable[Particle]) -> float:
+    """Return the energy of particles in J: m v^2 / 2 - m a . p, where a is their own acceleration.
+
+    For a = (0, -g, 0) that is m v^2 / 2 + m g y. Forces have no part in it; immovable particles
+    have none.
+    """
+    total = 0.0
+    for one in particles:
+        if one.has_finite_mass:
+            total += one.kinetic_energy() - one.mass * one.acceleration.dot(one.position)
+    return total

@@ -1,35 +1,59 @@
-"""Ada's angular motion."""
+"""What turns: angular velocity and acceleration, and the step of an orientation (9.4.10, 9.5)."""
 
+from __future__ import annotations
+
+import cmath
 import math
 
 from ch02_vectors.arguments import finite, finite_vector, positive, whole
-from ch09_rotations.matrix import need
+from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 
 
-def velocity_of_point(point, position, velocity, angular_velocity):
-    finite_vector("point", point)
-    finite_vector("position", position)
-    finite_vector("velocity", velocity)
-    finite_vector("angular_velocity", angular_velocity)
-    return angular_velocity.cross(point - position) + velocity
+def velocity_of_point(
+    point: Vector3, position: Vector3, velocity: Vector3, angular_velocity: Vector3
+) -> Vector3:
+    """Return the velocity of a point of an object that moves and turns, as new (Eq. 9.6)."""
+    arm = finite_vector("point", point) - finite_vector("position", position)
+    spin = finite_vector("angular_velocity", angular_velocity)
+    return finite_vector("velocity", velocity) - arm.cross(spin)
 
 
-def integrate_rotation(orientation, angular_velocity, angular_acceleration, duration):
-    need("orientation", orientation, Quaternion)
-    # look at everything first: a refused step changes nothing
-    h = positive("duration", duration)
-    finite_vector("angular_velocity", angular_velocity)
-    finite_vector("angular_acceleration", angular_acceleration)
-    angular_velocity.add_scaled(angular_acceleration, h)
-    orientation.rotate_by(angular_velocity * h)
+def integrate_rotation(
+    orientation: Quaternion,
+    angular_velocity: Vector3,
+    angular_acceleration: Vector3,
+    duration: float,
+) -> None:
+    """Move an orientation and an angular velocity on by one step, in place."""
+    if not isinstance(orientation, Quaternion):
+        raise TypeError(f"orientation must be a Quaternion, got {orientation!r}")
+    duration = positive("duration", duration)
+    spin = finite_vector("angular_velocity", angular_velocity)
+    spin.add_scaled(finite_vector("angular_acceleration", angular_acceleration), duration)
+    orientation.rotate_by(spin * duration)  # refuses what has become too large
     orientation.normalize()
+    angular_velocity.x, angular_velocity.y, angular_velocity.z = spin
 
 
-def first_order_drift(angular_speed, duration, steps):
-    finite("angular_speed", angular_speed)
-    positive("duration", duration)
-    whole("steps", steps)
-    x = angular_speed * duration / steps / 2
-    length = (1 + x**2) ** (steps / 2)
-    return length, 2 * steps * (x - math.atan(x))
+def first_order_drift(angular_speed: float, duration: float, steps: int) -> tuple[float, float]:
+    """Return what Eq. 9.5 does to a steady turn: its length, and the angle that it lacks.
+
+    About one axis a quaternion is a complex number, and a step multiplies it by 1 + x i, where x is
+    half of the angle of a step.
+    """
+    angular_speed, duration = finite("angular_speed", angular_speed), positive("duration", duration)
+    x = angular_speed * (duration / whole("steps", steps)) / 2.0
+    step = cmath.log(complex(1.0, x))
+    try:
+        length = math.exp(steps * step.real)
+    except OverflowError:
+        length = math.inf
+    return length, 2.0 * steps * _lag(x, step.imag)
+
+
+def _lag(x: float, arc_tangent: float) -> float:
+    """Return x less its arc tangent: by the series where the two are nearly the same."""
+    if abs(x) > 0.1:
+        return x - arc_tangent
+    return -sum(x * (-x * x) ** n / (2 * n + 1) for n in range(9, 0, -1))

@@ -1,30 +1,49 @@
-"""Ada's Euler angles."""
+"""Three angles for an orientation, for input only (book 9.2.1), and where they fail."""
 
-import math
+from __future__ import annotations
 
 from ch02_vectors.arguments import finite, finite_vector
 from ch02_vectors.vector import Vector3
-from ch09_rotations.matrix import SINGULAR, Matrix3
+from ch09_rotations.matrix import Matrix3
+from ch09_rotations.plane import angle_to_vector, rotate_point
 from ch09_rotations.quaternion import Quaternion
 
-X, Y, Z = Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)
+
+def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
+    """Return the orientation of three angles, of length 1."""
+    orientation = Quaternion()
+    for scaled_axis in (
+        Vector3(finite("x", x), 0.0, 0.0),
+        Vector3(0.0, finite("y", y), 0.0),
+        Vector3(0.0, 0.0, finite("z", z)),
+    ):
+        orientation.rotate_by(scaled_axis)
+    orientation.normalize()
+    return orientation
 
 
-def euler_to_quaternion(x, y, z):
-    turn = Quaternion.from_axis_angle
-    return turn(Z, z) * turn(Y, y) * turn(X, x)
+def rate_map(x: float, y: float, z: float) -> Matrix3:
+    """Return the matrix that takes the rates of the three angles to the angular velocity."""
+    return _axes(x, y, z).transpose()
 
 
-def rate_map(x, y, z):
-    finite("x", x)  # the first turn moves no axis of a later one
-    about_y = Quaternion.from_axis_angle(Y, y)
-    about_z = Quaternion.from_axis_angle(Z, z)
-    return Matrix3.of_rows(about_z.rotate(about_y.rotate(X)), about_z.rotate(Y), Z).transpose()
+def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vector3:
+    """Return how fast the three angles change, in rad/s, where an object turns so.
+
+    The inverse is that of the axes as rows, for these are of length 1 in the lock too, where a row
+    of the rate map may be no more than rounding, and pass for a short one.
+    """
+    spin = finite_vector("angular_velocity", angular_velocity)
+    try:
+        return _axes(x, y, z).inverse().transpose().transform(spin)
+    except ValueError as error:
+        raise ValueError(f"no rates at the angles {x!r}, {y!r} and {z!r}: {error}") from None
 
 
-def euler_rates(x, y, z, angular_velocity):
-    if abs(math.cos(y)) <= SINGULAR:
-        raise ValueError(f"gimbal lock: y is {y}")
-    return (
-        rate_map(x, y, z).inverse().transform(finite_vector("angular_velocity", angular_velocity))
-    )
+def _axes(x: float, y: float, z: float) -> Matrix3:
+    """Return, as rows, what the three angles turn about: X, turned by y and z; Y, by z; Z."""
+    finite("x", x)  # no axis depends on it
+    along, up = angle_to_vector(finite("y", y))  # from X towards -Z, about Y
+    x_axis = (*rotate_point((along, 0.0), z, (0.0, 0.0)), -up)
+    y_axis = (*rotate_point((0.0, 1.0), z, (0.0, 0.0)), 0.0)
+    return Matrix3(*x_axis, *y_axis, 0.0, 0.0, 1.0)

@@ -1,4 +1,11 @@
-"""Ada's matrices: three rows, each of them a vector."""
+"""Matrices that turn, scale and move vectors (book 9.2.3, 9.4.1 to 9.4.4)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import permutations
+from typing import TypeVar, overload
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
@@ -6,178 +13,249 @@ from ch09_rotations.quaternion import Quaternion
 SINGULAR = 1e-13
 ROTATION_TOLERANCE = 1e-5
 
+M = TypeVar("M", "Matrix3", "Matrix4")
 
-def need(name, value, kind):
-    if not isinstance(value, kind):
-        raise TypeError(f"{name} must be a {kind.__name__}, got {value!r}")
-    return value
+_AXES = (Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0), Vector3(0.0, 0.0, 1.0))
 
 
 class Matrix3:
-    def __init__(self, *entries):
+    """Nine numbers, row by row: what turns and scales, and leaves the origin where it is."""
+
+    __slots__ = ("entries",)
+
+    entries: tuple[float, ...]
+
+    def __init__(self, *entries: float) -> None:
         if len(entries) != 9:
             raise TypeError(f"Matrix3 takes nine numbers, row by row, got {len(entries)}")
-        self.entries = tuple(float(entry) for entry in entries)
+        self.entries = tuple(map(float, entries))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Matrix3({', '.join(map(repr, self.entries))})"
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[float]:
         return iter(self.entries)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
+        """Exact, number by number."""
         return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
 
-    def __getitem__(self, place):
+    def __getitem__(self, place: tuple[int, int]) -> float:
+        """Return the number in a row and column. Raises IndexError where there is none."""
         row, column = place
         if row not in range(3) or column not in range(3):
             raise IndexError(f"row and column must be from 0 to 2, got {place!r}")
         return self.entries[3 * row + column]
 
-    def __matmul__(self, other):
+    @overload
+    def __matmul__(self, other: Vector3) -> Vector3: ...
+    @overload
+    def __matmul__(self, other: Matrix3) -> Matrix3: ...
+    def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
+        """Return m.transform(v) or m.product(n), by what is on the right."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
 
-    @staticmethod
-    def of_rows(a, b, c):
-        return Matrix3(*a, *b, *c)
+    def transform(self, v: Vector3) -> Vector3:
+        """Return m v, as new; also written m @ v (9.4.1)."""
+        _must_be(Vector3, v)
+        column = [*v]
+        return Vector3(*(sum(self[row, n] * column[n] for n in range(3)) for row in range(3)))
 
-    @property
-    def rows(self):
-        m = self.entries
-        return Vector3(*m[0:3]), Vector3(*m[3:6]), Vector3(*m[6:9])
-
-    @property
-    def columns(self):
-        m = self.entries
-        return Vector3(*m[0::3]), Vector3(*m[1::3]), Vector3(*m[2::3])
-
-    def transform(self, v):
-        x, y, z = self.rows
-        return Vector3(x.dot(v), y.dot(v), z.dot(v))
-
-    def product(self, m):
-        need("m", m, Matrix3)
-        columns = m.columns
-        return Matrix3(*(row.dot(column) for row in self.rows for column in columns))
-
-    def transpose(self):
-        return Matrix3.of_rows(*self.columns)
-
-    def determinant(self):
-        a, b, c = self.rows
-        return a.dot(b.cross(c))
-
-    def inverse(self):
-        a, b, c = self.rows
-        volume = self.determinant()
-        limit = SINGULAR * a.magnitude() * b.magnitude() * c.magnitude()
-        if not abs(volume) > limit:
-            raise ValueError(f"no inverse: the determinant {volume} is not above {limit}")
-        m = Matrix3.of_rows(b.cross(c) / volume, c.cross(a) / volume, a.cross(b) / volume)
-        return m.transpose()
-
-    def is_rotation(self):
-        square = self.product(self.transpose())
-        one = (1, 0, 0, 0, 1, 0, 0, 0, 1)
-        near = all(abs(m - n) <= ROTATION_TOLERANCE for m, n in zip(square, one))
-        return near and self.determinant() > 0
-
-    @staticmethod
-    def from_quaternion(q):
-        need("q", q, Quaternion)
-        # the columns are the turned axes
-        x, y, z = (q.rotate(Vector3(*e)) for e in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
-        return Matrix3.of_rows(x, y, z).transpose()
-
-    def to_quaternion(self):
-        if not self.is_rotation():
-            raise ValueError(f"no rotation: {self!r}")
-        a, b, c, d, e, f, g, h, i = self.entries
-        # each row: one component, times 4, times all four
-        rows = (
-            (1 + a + e + i, h - f, c - g, d - b),
-            (h - f, 1 + a - e - i, b + d, c + g),
-            (c - g, b + d, 1 - a + e - i, f + h),
-            (d - b, c + g, f + h, 1 - a - e + i),
+    def product(self, m: Matrix3) -> Matrix3:
+        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
+        _must_be(Matrix3, m)
+        return Matrix3(
+            *(
+                sum(self[row, n] * m[n, column] for n in range(3))
+                for row in range(3)
+                for column in range(3)
+            )
         )
-        largest = max(range(4), key=lambda n: rows[n][n])
-        q = Quaternion(*rows[largest])
+
+    def transpose(self) -> Matrix3:
+        """Return the matrix whose rows are the columns of this one: a rotation turned back."""
+        return Matrix3(*(self[row, column] for column in range(3) for row in range(3)))
+
+    def determinant(self) -> float:
+        """Return the volume that a unit cube comes to have, negative where mirrored (9.4.2)."""
+        total = 0.0
+        for a, b, c in permutations(range(3)):
+            sign = (b - a) * (c - a) * (c - b) // 2
+            total += sign * self[0, a] * self[1, b] * self[2, c]
+        return total
+
+    def inverse(self) -> Matrix3:
+        """Return the matrix that undoes this one, by Gauss and Jordan (9.4.2).
+
+        Raises ValueError where no matrix does, or nearly so.
+        """
+        rows = _rows(self)
+        lengths = [math.hypot(*row) for row in rows]
+        largest = math.prod(lengths)
+        # Divided by its length, each row is of length 1, or zero.
+        rows = [[part / (lengths[n] or 1.0) for part in row] for n, row in enumerate(rows)]
+        share = Matrix3(*rows[0], *rows[1], *rows[2]).determinant()
+        if not abs(share * largest) > SINGULAR * largest:
+            determinant, limit = self.determinant(), SINGULAR * largest
+            raise ValueError(
+                f"no inverse: the determinant {determinant!r} is not above {limit!r} in size"
+            )
+        for n, row in enumerate(rows):
+            row += [float(n == column) / lengths[n] for column in range(3)]
+        for n in range(3):
+            sizes = [abs(row[n]) for row in rows[n:]]
+            pivot = n + sizes.index(max(sizes))
+            rows[n], rows[pivot] = rows[pivot], rows[n]
+            rows[n] = [part / rows[n][n] for part in rows[n]]
+            for other in {0, 1, 2} - {n}:
+                factor = rows[other][n]
+                rows[other] = [a - factor * b for a, b in zip(rows[other], rows[n], strict=True)]
+        return Matrix3(*(part for row in rows for part in row[3:]))
+
+    def is_rotation(self) -> bool:
+        """Say whether this turns and does nothing else: no scaling, no skewing, no mirroring."""
+        rows = _rows(self)
+        for n, first in enumerate(rows):
+            for m, second in enumerate(rows):
+                product = sum(a * b for a, b in zip(first, second, strict=True))
+                if not abs(product - (n == m)) <= ROTATION_TOLERANCE:
+                    return False
+        return self.determinant() > 0.0
+
+    @staticmethod
+    def from_quaternion(q: Quaternion) -> Matrix3:
+        """Return the rotation of a quaternion: its columns are the turned axes."""
+        _must_be(Quaternion, q)
+        turned = [part for axis in _AXES for part in q.rotate(axis)]
+        return Matrix3(*turned).transpose()
+
+    def to_quaternion(self) -> Quaternion:
+        """Return the quaternion of this rotation, of length 1; q and -q are equally right."""
+        if not self.is_rotation():
+            raise ValueError(f"only a rotation has a quaternion, got {self!r}")
+        (a, b, c), (d, e, f), (g, h, i) = _rows(self)
+        if a + e + i > 0.0:
+            q = Quaternion(1.0 + a + e + i, h - f, c - g, d - b)
+        elif a >= e and a >= i:
+            q = Quaternion(h - f, 1.0 + a - e - i, b + d, c + g)
+        elif e >= i:
+            q = Quaternion(c - g, b + d, 1.0 - a + e - i, f + h)
+        else:
+            q = Quaternion(d - b, c + g, f + h, 1.0 - a - e + i)
         q.normalize()
         return q
 
 
 class Matrix4:
-    def __init__(self, *entries):
+    """Twelve numbers, row by row: a Matrix3, and after each of its rows one of a translation."""
+
+    __slots__ = ("entries",)
+
+    entries: tuple[float, ...]
+
+    def __init__(self, *entries: float) -> None:
         if len(entries) != 12:
             raise TypeError(f"Matrix4 takes twelve numbers, row by row, got {len(entries)}")
-        self.entries = tuple(float(entry) for entry in entries)
+        self.entries = tuple(map(float, entries))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"Matrix4({', '.join(map(repr, self.entries))})"
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[float]:
         return iter(self.entries)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
+        """Exact, number by number."""
         return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
 
-    def __getitem__(self, place):
+    def __getitem__(self, place: tuple[int, int]) -> float:
+        """Return the number in a row and column. Raises IndexError where there is none."""
         row, column = place
         if row not in range(3) or column not in range(4):
             raise IndexError(f"row must be from 0 to 2 and column from 0 to 3, got {place!r}")
         return self.entries[4 * row + column]
 
-    def __matmul__(self, other):
+    @overload
+    def __matmul__(self, other: Vector3) -> Vector3: ...
+    @overload
+    def __matmul__(self, other: Matrix4) -> Matrix4: ...
+    def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
+        """Return m.transform(v) or m.product(n), by what is on the right."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
 
+    def transform(self, v: Vector3) -> Vector3:
+        """Return where a point is taken, as new: turned, then moved; also written m @ v (9.4.1)."""
+        return self.transform_direction(v) + self._moved()
+
+    def product(self, m: Matrix4) -> Matrix4:
+        """Return this matrix times m: m first, then this one; also written @ (9.4.1)."""
+        _must_be(Matrix4, m)
+        return Matrix4(
+            *(
+                sum(self[row, n] * m[n, column] for n in range(3))
+                + (self[row, 3] if column == 3 else 0.0)  # m's fourth row is 0, 0, 0, 1
+                for row in range(3)
+                for column in range(4)
+            )
+        )
+
+    def determinant(self) -> float:
+        """Return the determinant, in which the translation has no part."""
+        return self._turning().determinant()
+
+    def inverse(self) -> Matrix4:
+        """Return the matrix that undoes this one: moves back, then turns back."""
+        back = self._turning().inverse()
+        return _beside(back, -back.transform(self._moved()))
+
     @staticmethod
-    def of(turn, move):
-        a, b, c = turn.rows
-        return Matrix4(*a, move.x, *b, move.y, *c, move.z)
+    def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
+        """Return what takes an object's own coordinates to the world's: turned by q, moved by p."""
+        _must_be(Vector3, p)
+        return _beside(Matrix3.from_quaternion(q), p)
 
-    @property
-    def turn(self):
-        m = self.entries
-        return Matrix3(*m[0:3], *m[4:7], *m[8:11])
+    def transform_inverse(self, v: Vector3) -> Vector3:
+        """Return what transform() takes to v, without the inverse: moved back, then turned back."""
+        _must_be(Vector3, v)
+        return self.transform_inverse_direction(v - self._moved())
 
-    @property
-    def move(self):
+    def transform_direction(self, v: Vector3) -> Vector3:
+        """Return a direction turned, as new: the translation has no part in it (9.4.6)."""
+        return self._turning().transform(v)
+
+    def transform_inverse_direction(self, v: Vector3) -> Vector3:
+        """Return a direction turned back, as new: by the transpose, as transform_inverse does."""
+        return self._turning().transpose().transform(v)
+
+    def _turning(self) -> Matrix3:
+        return Matrix3(*(self[row, column] for row in range(3) for column in range(3)))
+
+    def _moved(self) -> Vector3:
         return Vector3(*self.entries[3::4])
 
-    def transform(self, v):
-        return self.turn.transform(v) + self.move
 
-    def product(self, m):
-        need("m", m, Matrix4)
-        return Matrix4.of(self.turn.product(m.turn), self.transform(m.move))
-
-    def determinant(self):
-        return self.turn.determinant()
-
-    def inverse(self):
-        back = self.turn.inverse()
-        return Matrix4.of(back, -back.transform(self.move))
-
-    @staticmethod
-    def from_orientation_and_position(q, p):
-        return Matrix4.of(Matrix3.from_quaternion(q), need("p", p, Vector3))
-
-    def transform_inverse(self, v):
-        return self.transform_inverse_direction(v - self.move)
-
-    def transform_direction(self, v):
-        return self.turn.transform(v)
-
-    def transform_inverse_direction(self, v):
-        return self.turn.transpose().transform(v)
+def change_basis(m: M, basis: M) -> M:
+    """Return what m does, as it is told in other axes: basis m basis^-1 (9.4.6)."""
+    if not any(isinstance(m, size) and isinstance(basis, size) for size in (Matrix3, Matrix4)):
+        raise TypeError(f"m and basis must be matrices of one size, got {m!r} and {basis!r}")
+    back = basis.inverse()
+    return basis.product(m.product(back))
 
 
-def change_basis(m, basis):
-    if not isinstance(m, (Matrix3, Matrix4)):
-        raise TypeError(f"m must be a matrix, got {m!r}")
-    need("basis", basis, type(m))
-    return basis @ m @ basis.inverse()
+def _rows(m: Matrix3) -> list[list[float]]:
+    return [[m[row, column] for column in range(3)] for row in range(3)]
+
+
+def _beside(turning: Matrix3, moved: Vector3) -> Matrix4:
+    """Return a Matrix4 of its two parts."""
+    rows = zip(_rows(turning), moved, strict=True)
+    return Matrix4(*(entry for row, last in rows for entry in (*row, last)))
+
+
+def _must_be(kind: type, thing: object) -> None:
+    if not isinstance(thing, kind):
+        raise TypeError(f"a {kind.__name__} is wanted, got {thing!r}")

@@ -1,40 +1,54 @@
-"""Ada's plane: angles, directions, points, and the centre of mass."""
+"""Angles, directions and points in the plane, by complex numbers, and the centre of mass (9.1)."""
 
+from __future__ import annotations
+
+import cmath
 import math
+from collections.abc import Sequence
 
 from ch02_vectors.arguments import finite, positive
 
 Point = tuple[float, float]
 
 
-def wrap_angle(angle):
-    # remainder takes off whole turns without a loop
-    rest = math.remainder(finite("angle", angle), math.tau)
-    return math.pi if rest == -math.pi else rest
+def wrap_angle(angle: float) -> float:
+    """Return the same direction's angle above -pi and up to pi (9.1.1)."""
+    wrapped = cmath.phase(_direction(angle))
+    return math.pi if wrapped == -math.pi else wrapped
 
 
-def angle_to_vector(angle):
-    finite("angle", angle)
-    return math.cos(angle), math.sin(angle)
+def angle_to_vector(angle: float) -> Point:
+    """Return the direction of an angle, a vector of length 1 (Eq. 9.1)."""
+    return _pair(_direction(angle))
 
 
-def finite_point(name, point):
+def rotate_point(point: Point, angle: float, origin: Point) -> Point:
+    """Return where a point of an object is in the world (Eq. 9.2)."""
+    return _pair(_number("point", point) * _direction(angle) + _number("origin", origin))
+
+
+def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point:
+    """Return the mean of the positions, each counted by its mass (9.1.3)."""
+    if len(masses) == 0 or len(masses) != len(positions):
+        raise ValueError(f"got {len(masses)} masses and {len(positions)} positions")
+    weights = [positive("masses", mass) for mass in masses]
+    places = [_number("positions", position) for position in positions]
+    largest = max(weights)  # a sum of masses might fit in no float
+    shares = [weight / largest for weight in weights]
+    whole = sum(shares)
+    return _pair(
+        sum((place * (share / whole) for place, share in zip(places, shares, strict=True)), 0j)
+    )
+
+
+def _direction(angle: float) -> complex:
+    return cmath.rect(1.0, finite("angle", angle))
+
+
+def _number(name: str, point: Point) -> complex:
     x, y = point
-    return finite(name, x), finite(name, y)
+    return complex(finite(name, x), finite(name, y))
 
 
-def rotate_point(point, angle, origin):
-    c, s = angle_to_vector(angle)
-    (x, y), (across, up) = finite_point("point", point), finite_point("origin", origin)
-    return c * x - s * y + across, s * x + c * y + up
-
-
-def center_of_mass(masses, positions):
-    if len(masses) != len(positions) or len(masses) == 0:
-        raise ValueError(f"{len(masses)} masses and {len(positions)} positions")
-    masses = [positive("mass", mass) for mass in masses]
-    positions = [finite_point("position", position) for position in positions]
-    total = sum(masses)
-    x = sum(m * p[0] for m, p in zip(masses, positions)) / total
-    y = sum(m * p[1] for m, p in zip(masses, positions)) / total
-    return x, y
+def _pair(number: complex) -> Point:
+    return number.real, number.imag

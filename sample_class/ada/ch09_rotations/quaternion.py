@@ -1,6 +1,9 @@
-"""Ada's quaternions: a number r and a vector (i, j, k), and the vectors do the work."""
+"""Orientations in space as quaternions (book 9.2.4 and 9.4.5 to 9.4.10)."""
+
+from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 from ch02_vectors.arguments import finite, finite_vector
 from ch02_vectors.vector import Vector3
@@ -8,98 +11,131 @@ from ch02_vectors.vector import Vector3
 UNIT_TOLERANCE = 1e-6
 
 
-def need_unit(name, q):
-    if not q.is_unit():
-        raise ValueError(f"{name} must be of length 1, got {q!r}")
-
-
 class Quaternion:
-    def __init__(self, r=1.0, i=0.0, j=0.0, k=0.0):
-        self.r = float(r)
-        self.i, self.j, self.k = float(i), float(j), float(k)
+    """Four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4)."""
 
-    def __repr__(self):
+    __slots__ = ("i", "j", "k", "r")
+
+    r: float
+    i: float
+    j: float
+    k: float
+
+    def __init__(self, r: float = 1.0, i: float = 0.0, j: float = 0.0, k: float = 0.0) -> None:
+        self.r = float(r)
+        self.i = float(i)
+        self.j = float(j)
+        self.k = float(k)
+
+    def __repr__(self) -> str:
         return f"Quaternion({self.r!r}, {self.i!r}, {self.j!r}, {self.k!r})"
 
-    def __iter__(self):
-        return iter((self.r, self.i, self.j, self.k))
+    def __iter__(self) -> Iterator[float]:
+        yield self.r
+        yield self.i
+        yield self.j
+        yield self.k
 
-    def __eq__(self, other):
-        return tuple(self) == tuple(other) if isinstance(other, Quaternion) else NotImplemented
+    def __eq__(self, other: object) -> bool:
+        """Exact, component by component: q and -q differ, though they are one orientation."""
+        if not isinstance(other, Quaternion):
+            return NotImplemented
+        return [*self] == [*other]
 
-    @property
-    def vector(self):
-        """What stands beside r."""
-        return Vector3(self.i, self.j, self.k)
+    def copy(self) -> Quaternion:
+        """Return a new quaternion with the same components."""
+        return Quaternion(self.r, self.i, self.j, self.k)
 
-    @staticmethod
-    def of(r, v):
-        """From the two parts."""
-        return Quaternion(r, v.x, v.y, v.z)
+    def magnitude(self) -> float:
+        """Return the length, the root of the sum of the four squares: 1 for an orientation."""
+        return math.hypot(math.hypot(self.r, self.i), math.hypot(self.j, self.k))
 
-    def copy(self):
-        return Quaternion(*self)
+    def is_unit(self) -> bool:
+        """Say whether the length is 1 to within UNIT_TOLERANCE; NaN is not."""
+        return abs(self.magnitude() - 1.0) <= UNIT_TOLERANCE
 
-    def magnitude(self):
-        return math.hypot(*self)
-
-    def is_unit(self):
-        return abs(self.magnitude() - 1) <= UNIT_TOLERANCE
-
-    def normalize(self):
-        length = self.magnitude()
-        if length == 0:
-            self.r = 1.0
+    def normalize(self) -> None:
+        """Make the length 1 and keep the proportions, in place; zero becomes (1, 0, 0, 0)."""
+        if not any(self):
+            self._set(1.0, 0.0, 0.0, 0.0)
             return
-        self.r /= length
-        self.i /= length
-        self.j /= length
-        self.k /= length
+        # Powers of two come off first: that is exact, and leaves a length of about 1.
+        power = max(math.frexp(part)[1] for part in self if part)
+        near = Quaternion(*(math.ldexp(part, -power) for part in self))
+        length = near.magnitude()
+        self._set(*(part / length for part in near))
 
-    def conjugate(self):
-        return Quaternion.of(self.r, -self.vector)
+    def conjugate(self) -> Quaternion:
+        """Return (r, -i, -j, -k) as new: the opposite turn, where the length is 1."""
+        return Quaternion(self.r, -self.i, -self.j, -self.k)
 
-    def __mul__(self, q):
+    def __mul__(self, q: Quaternion) -> Quaternion:
+        """Return the product, as new: the turn of q and then this one (9.4.8).
+
+        A quaternion is a + b j with two complex numbers, and j c is c* j: so (a + b j)(c + d j) is
+        (a c - b d*) + (a d + b c*) j.
+        """
         if not isinstance(q, Quaternion):
             return NotImplemented
-        v, w = self.vector, q.vector
-        return Quaternion.of(self.r * q.r - v.dot(w), self.r * w + q.r * v + v.cross(w))
+        a, b = complex(self.r, self.i), complex(self.j, self.k)
+        c, d = complex(q.r, q.i), complex(q.j, q.k)
+        first = a * c - b * d.conjugate()
+        second = a * d + b * c.conjugate()
+        return Quaternion(first.real, first.imag, second.real, second.imag)
 
     @staticmethod
-    def from_axis_angle(axis, angle):
-        half = finite("angle", angle) / 2
-        axis = finite_vector("axis", axis).normalized()
-        if axis == Vector3():
-            raise ValueError("axis must not be zero")
-        return Quaternion.of(math.cos(half), axis * math.sin(half))
+    def from_axis_angle(axis: Vector3, angle: float) -> Quaternion:
+        """Return the turn by an angle in radians about an axis of any length but zero (Eq. 9.4)."""
+        axis, angle = finite_vector("axis", axis), finite("angle", angle)
+        if not any(axis):
+            raise ValueError(f"axis must not be zero, got {axis!r}")
+        return _half_turned(axis, angle / 2.0)
 
-    def to_axis_angle(self):
-        need_unit("this quaternion", self)
-        v = self.vector
-        sine = v.magnitude()
-        if sine == 0:
-            return Vector3(1, 0, 0), 0.0
-        if self.r < 0:
-            v = -v
-        return v / sine, 2 * math.atan2(sine, abs(self.r))
+    def to_axis_angle(self) -> tuple[Vector3, float]:
+        """Return the axis, a new unit vector, and the angle in radians, from 0 to pi."""
+        self._must_be_unit()
+        if not (self.i or self.j or self.k):
+            return Vector3(1.0, 0.0, 0.0), 0.0
+        sine = math.hypot(self.i, self.j, self.k)
+        sign = math.copysign(1.0, self.r)
+        axis = _unit(Vector3(sign * self.i, sign * self.j, sign * self.k))
+        return axis, 2.0 * math.atan2(sine, sign * self.r)
 
-    def rotate(self, v):
-        need_unit("this quaternion", self)
+    def rotate(self, v: Vector3) -> Vector3:
+        """Return the vector turned, as new: q (0, v) q*, which keeps its length."""
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
-        return (self * Quaternion.of(0, v) * self.conjugate()).vector
+        self._must_be_unit()
+        _, *turned = self * Quaternion(0.0, *v) * self.conjugate()
+        return Vector3(*turned)
 
-    def rotate_by(self, vector):
-        angle = finite_vector("vector", vector).magnitude()
-        if angle == 0:
-            return
-        turn = Quaternion.from_axis_angle(vector, angle)
-        self.r, self.i, self.j, self.k = turn * self
+    def rotate_by(self, vector: Vector3) -> None:
+        """Turn on by a scaled axis of the world, in place: exp((0, vector)/2) times q."""
+        half = finite_vector("vector", vector) * 0.5
+        if any(half):
+            self._set(*(_half_turned(half, half.magnitude()) * self))
 
-    def add_scaled(self, vector, scale):
-        more = Quaternion.of(0, finite_vector("vector", vector)) * self
-        h = finite("scale", scale) / 2
-        self.r += more.r * h
-        self.i += more.i * h
-        self.j += more.j * h
-        self.k += more.k * h
+    def add_scaled(self, vector: Vector3, scale: float) -> None:
+        """Add scale/2 times (0, vector) times q, in place (Eq. 9.5)."""
+        rate = Quaternion(0.0, *finite_vector("vector", vector)) * self
+        half = finite("scale", scale) / 2.0
+        self._set(*(part + half * change for part, change in zip(self, rate, strict=True)))
+
+    def _set(self, r: float, i: float, j: float, k: float) -> None:
+        self.r, self.i, self.j, self.k = r, i, j, k
+
+    def _must_be_unit(self) -> None:
+        if not self.is_unit():
+            raise ValueError(f"the length must be 1, got {self.magnitude()!r} of {self!r}")
+
+
+def _unit(v: Vector3) -> Vector3:
+    """Return the direction of a vector that is not zero, whatever its size."""
+    q = Quaternion(0.0, *v)
+    q.normalize()
+    return Vector3(q.i, q.j, q.k)
+
+
+def _half_turned(axis: Vector3, half: float) -> Quaternion:
+    """Return the turn about an axis that is not zero, by twice the angle."""
+    return Quaternion(math.cos(half), *(_unit(axis) * math.sin(half)))

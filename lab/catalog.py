@@ -1,0 +1,74 @@
+"""Find the scenes: each module of lab/scenes/ has a tuple SCENES of the scenes of one chapter."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+from dataclasses import dataclass
+from pathlib import Path
+
+from lab.scene import Scene, name_of
+
+FOLDER = Path(__file__).parent / "scenes"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """Where a scene is. To know this, nothing of an engine has to be imported."""
+
+    name: str
+    title: str
+    chapter: int
+    module: str
+    kind: str  # the name of its class
+
+
+def entries() -> list[Entry]:
+    """Return all scenes, chapter by chapter, in the order of their modules."""
+    found = []
+    for file in sorted(FOLDER.glob("ch??_*.py")):
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        titles = {node.name: _title(node) for node in tree.body if isinstance(node, ast.ClassDef)}
+        for kind in _listed(tree):
+            found.append(
+                Entry(
+                    name_of(type(kind, (), {})),
+                    titles[kind],
+                    int(file.name[2:4]),
+                    f"lab.scenes.{file.stem}",
+                    kind,
+                )
+            )
+    return found
+
+
+def find(name: str) -> Entry:
+    """Return where a scene is. Raises ValueError with the names that there are."""
+    for entry in entries():
+        if entry.name == name:
+            return entry
+    names = ", ".join(entry.name for entry in entries())
+    raise ValueError(f"there is no scene {name!r}; there are {names}")
+
+
+def load(name: str) -> type[Scene]:
+    """Import a scene, and with it the chapters of the engine that it uses."""
+    entry = find(name)
+    scene: type[Scene] = getattr(importlib.import_module(entry.module), entry.kind)
+    return scene
+
+
+def _listed(tree: ast.Module) -> list[str]:
+    """Return the names in a module's SCENES."""
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "SCENES":
+            return [ast.unparse(name) for name in node.value.elts]  # type: ignore[attr-defined]
+    return []
+
+
+def _title(node: ast.ClassDef) -> str:
+    """Return the title that a class sets."""
+    for line in node.body:
+        if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "title":
+            return str(ast.literal_eval(line.value))
+    return node.name

@@ -1,0 +1,44 @@
+"""The process that runs the student's code: a host that reads and writes a line of JSON a message.
+
+``python -m lab.child ENGINE STACK``. A message that takes longer than TIME_LIMIT ends the process,
+which leaves the stack of what it was doing in the file STACK.
+"""
+
+from __future__ import annotations
+
+import argparse
+import faulthandler
+import json
+import os
+import sys
+from pathlib import Path
+
+from lab.host import Host
+from studies.engine import add_engine_options, use_engine
+from studies.plot import reason
+
+TIME_LIMIT = 2.5  # s, for a message that takes some milliseconds
+
+
+def main() -> None:
+    """Answer messages until the input ends."""
+    parser = argparse.ArgumentParser(prog="python -m lab.child", description=__doc__)
+    add_engine_options(parser)
+    parser.add_argument("--stack", type=Path, required=True)
+    options = parser.parse_args()
+    answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)  # what the student prints is no answer
+    use_engine(parser, options.engine, options.given)
+    host = Host(reason)
+    with options.stack.open("w", encoding="utf-8") as stack:
+        for line in sys.stdin:
+            faulthandler.dump_traceback_later(TIME_LIMIT, exit=True, file=stack)
+            for answer in host.receive(json.loads(line)):
+                answers.write(json.dumps(answer, separators=(",", ":"), allow_nan=False) + "\n")
+            answers.write("\n")  # the message is answered
+            answers.flush()
+            faulthandler.cancel_dump_traceback_later()
+
+
+if __name__ == "__main__":
+    main()

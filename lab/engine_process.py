@@ -1,0 +1,77 @@
+"""A child process with a host in it, as the server sees it: started, spoken to, and ended."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import sys
+import tempfile
+from collections.abc import AsyncIterator
+from pathlib import Path
+
+from autograder.explain import explain_hang
+from autograder.manifest import ROOT
+from lab.child import TIME_LIMIT
+
+LONGEST_LINE = 4_000_000  # bytes, of an answer
+GRACE = 1.0  # s beyond the limit of the child itself
+
+
+class EngineProcess:
+    """The process of one page and one engine. It is started by the first message."""
+
+    def __init__(self, engine: str, given: str = "") -> None:
+        self.engine = engine
+        self.given = given
+        self.process: asyncio.subprocess.Process | None = None
+        self.stack = Path(tempfile.mkdtemp(prefix="lab-")) / "stack.txt"
+
+    async def ask(self, message: str) -> AsyncIterator[str]:
+        """Send a message and yield its answers, each a line of JSON.
+
+        Where the process breaks off or takes too long, it is ended, and the answer says why.
+        """
+        process = self.process = self.process or await self._start()
+        assert process.stdin is not None
+        assert process.stdout is not None
+        try:
+            process.stdin.write(message.encode() + b"\n")
+            await process.stdin.drain()
+            async with asyncio.timeout(TIME_LIMIT + GRACE):
+                while (line := await process.stdout.readline()) != b"\n":
+                    if not line:
+                        raise EOFError
+                    yield line.decode().rstrip("\n")
+        except (TimeoutError, EOFError, ConnectionError):
+            code = await self.end()
+            yield json.dumps({"kind": "stopped", "why": self._why(code)})
+
+    async def end(self) -> int:
+        """End the process, if there is one, and return its exit code."""
+        process, self.process = self.process, None
+        if process is None:
+            return 0
+        with contextlib.suppress(ProcessLookupError):
+            process.kill()
+        return await process.wait()
+
+    async def _start(self) -> asyncio.subprocess.Process:
+        arguments = ["--engine", self.engine, "--given", self.given, "--stack", str(self.stack)]
+        return await asyncio.create_subprocess_exec(
+            sys.executable,
+            "-m",
+            "lab.child",
+            *arguments,
+            cwd=ROOT,
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            limit=LONGEST_LINE,
+        )
+
+    def _why(self, code: int) -> str:
+        """Return what the process was doing when it broke off."""
+        stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
+        if stack:
+            return str(explain_hang(stack, TIME_LIMIT, [ROOT / self.engine]))
+        return f"The engine's process ended by itself, with exit code {code}."

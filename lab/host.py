@@ -1,0 +1,167 @@
+"""The engine host: it owns a scene on an engine, takes messages and answers with messages.
+
+It knows nothing of pages, sockets or processes. A message is a dict with a ``kind``; numbers, texts
+and lists are all that is in it, so that it crosses as JSON.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from typing import Any
+
+from lab.catalog import load
+from lab.pen import Pen
+from lab.scene import FRAME, Scene, described, parameters_of
+
+Message = dict[str, Any]
+MOST_FRAMES = 30  # in one message: half a second
+FAR = 1e12  # m, J and so on: a number beyond it comes from a scene that has exploded
+
+
+class Host:
+    """Takes messages about one scene. ``explain`` says in words why the student's code failed."""
+
+    def __init__(self, explain: Callable[[BaseException], str]) -> None:
+        self.explain = explain
+        self.kind: type[Scene] | None = None
+        self.scene: Scene | None = None
+        self.values: dict[str, object] = {}
+        self.cost = 0.0  # microseconds of a frame, a running mean
+
+    def receive(self, message: Message) -> list[Message]:
+        """Return the answers to a message. A bad message is refused by an answer, too."""
+        try:
+            return self._answer(message)
+        except (Exception, SystemExit) as error:
+            self.scene = None
+            return [{"kind": "stopped", "why": self.explain(error)}]
+
+    def _answer(self, message: Message) -> list[Message]:
+        match message:
+            case {"kind": "load", "scene": str(name), "values": dict(values), "peer": str(peer)}:
+                return self._load(name, values, peer)
+            case {"kind": "restart"}:
+                return self._restart()
+            case {"kind": "set", "name": str(name), "value": value}:
+                return self._set(name, value)
+        if self.scene is None:
+            return []  # it has stopped, and the page has been told
+        match message:
+            case {"kind": "run", "frames": int(frames)}:
+                return self._run(min(frames, MOST_FRAMES))
+            case {"kind": "press", "key": str(key)}:
+                self.scene.press(key)
+            case {"kind": "click", "x": (int() | float()) as x, "y": (int() | float()) as y}:
+                self.scene.click(float(x), float(y))
+            case {
+                "kind": "drag",
+                "name": str(name),
+                "x": (int() | float()) as x,
+                "y": (int() | float()) as y,
+            }:
+                self.scene.drag(name, float(x), float(y))
+            case {"kind": "predict", "option": int(option)}:
+                return [self._judge(option)]
+            case _:
+                raise ValueError(f"a message of no known kind: {message!r:.200}")
+        return [self._frame()]
+
+    def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
+        """Build a scene. A value that it does not take is refused, and the default used."""
+        self.scene = None
+        kind = load(name)
+        if peer and peer not in kind.peers:
+            raise ValueError(f"{name} cannot be run by {peer}")
+        self.kind, self.values = kind.peers.get(peer, kind), {}
+        refused = [
+            answer for parameter, value in values.items() for answer in self._keep(parameter, value)
+        ]
+        return [{"kind": "scene", **described(self.kind)}, *refused, *self._restart()]
+
+    def _restart(self) -> list[Message]:
+        assert self.kind is not None, "a scene is loaded first"
+        self.scene = None
+        self.scene = self.kind(**self.values)
+        self.cost = 0.0
+        return [self._frame()]
+
+    def _set(self, name: str, value: object) -> list[Message]:
+        """Change a parameter: while the scene runs, or by building it again."""
+        assert self.kind is not None, "a scene is loaded first"
+        if refused := self._keep(name, value):
+            return refused
+        if self.scene is None or not parameters_of(self.kind)[name].live:
+            return self._restart()
+        self.scene.values[name] = self.values[name]
+        return [self._frame()]
+
+    def _keep(self, name: str, value: object) -> list[Message]:
+        """Keep the value of a parameter, or return why it is refused."""
+        assert self.kind is not None
+        parameter = parameters_of(self.kind).get(name)
+        if parameter is None:
+            return [{"kind": "refused", "why": f"This scene has no parameter {name}."}]
+        try:
+            self.values[name] = parameter.checked(value)
+        except ValueError as error:
+            return [{"kind": "refused", "why": str(error)}]
+        return []
+
+    def _run(self, frames: int) -> list[Message]:
+        assert self.scene is not None
+        for _ in range(frames):
+            started = time.perf_counter()
+            self.scene.advance(FRAME)
+            spent = 1e6 * (time.perf_counter() - started)
+            self.cost += (spent - self.cost) * (0.05 if self.cost else 1.0)
+        return [self._frame()]
+
+    def _frame(self) -> Message:
+        """Return what is seen now: items, values charted, cost, words."""
+        scene = self.scene
+        assert scene is not None
+        pen = Pen()
+        scene.draw(pen)
+        error = scene.error()
+        charted = scene.chart()
+        if not all(map(_is_near, _numbers(pen.items))) or not all(map(_is_near, charted.values())):
+            raise ArithmeticError(
+                "The scene exploded: a position or an energy has left every scale. "
+                "Restart it with a smaller stiffness or a shorter step."
+            )
+        return {
+            "kind": "frame",
+            "time": round(scene.time, 6),
+            "items": pen.items,
+            "chart": charted,
+            "error": error if error is None or math.isfinite(error) else None,
+            "cost": round(self.cost, 2),
+            "facts": scene.facts(),
+            "say": scene.say(),
+        }
+
+    def _judge(self, option: int) -> Message:
+        assert self.scene is not None
+        question = self.scene.predict
+        if question is None:
+            raise ValueError("this scene asks nothing")
+        right = question.answer(self.scene)
+        return {"kind": "judged", "right": option == right, "answer": right, "why": question.why}
+
+
+def _numbers(items: list[list[Any]]) -> list[float]:
+    """Return all coordinates of what is drawn."""
+    found: list[float] = []
+    for item in items:
+        for value in item:
+            if isinstance(value, list):
+                found += value
+            elif isinstance(value, float):
+                found.append(value)
+    return found
+
+
+def _is_near(value: float) -> bool:
+    return abs(value) < FAR  # false for a NaN as well

@@ -1,0 +1,131 @@
+// Charts over time, drawn by uPlot, and the chart of speed against accuracy.
+
+const MOST = 900; // points of a series
+
+export class Charts {
+  constructor(place) {
+    this.place = place;
+    this.charts = new Map();
+  }
+
+  clear() {
+    for (const {plot} of this.charts.values()) plot.destroy();
+    this.charts.clear();
+    this.place.replaceChildren();
+  }
+
+  // Add the values of a contender (its number, and how many there are) at a time.
+  add(title, time, number, colors, value) {
+    if (!this.charts.has(title)) this.charts.set(title, this.make(title, colors));
+    const chart = this.charts.get(title);
+    const [times, ...series] = chart.data;
+    let at = times.length - 1;
+    while (at >= 0 && times[at] > time + 1e-9) at--;
+    if (at < 0 || times[at] < time - 1e-9) {
+      at++;
+      times.splice(at, 0, time);
+      for (const values of series) values.splice(at, 0, null);
+    }
+    series[number][at] = chart.log ? Math.max(value, 1e-16) : value;
+    if (times.length > MOST) for (const values of chart.data) values.shift();
+    chart.stale = true;
+  }
+
+  make(title, colors) {
+    const log = title.startsWith("error");
+    const ink = getComputedStyle(document.documentElement).getPropertyValue("--ink");
+    const axis = {stroke: ink, grid: {stroke: "#8884", width: 1}, ticks: {show: false}, size: 30, font: "12px system-ui"};
+    const plot = new uPlot(
+      {
+        width: this.place.clientWidth || 320,
+        height: 130,
+        title,
+        cursor: {show: false},
+        legend: {show: false},
+        scales: {x: {time: false}, y: log ? {distr: 3} : {}},
+        axes: [axis, {...axis, size: 56, values: (_, ticks) => ticks.map(short), splits: log ? decades : undefined}],
+        series: [{}, ...colors.map((stroke) => ({stroke, width: 1.5, spanGaps: true, points: {show: false}}))],
+      },
+      [[], ...colors.map(() => [])],
+      this.place,
+    );
+    return {plot, data: [[], ...colors.map(() => [])], log};
+  }
+
+  draw() {
+    for (const chart of this.charts.values()) {
+      if (chart.stale) chart.plot.setData(chart.data);
+      chart.stale = false;
+    }
+  }
+
+  fit() {
+    for (const {plot} of this.charts.values()) plot.setSize({width: this.place.clientWidth || 320, height: 130});
+  }
+
+  // All that is charted, as a table in CSV.
+  csv(names) {
+    const columns = [...this.charts].flatMap(([title, {data}]) =>
+      data.slice(1).map((values, i) => ({title: `${title} (${names[i]})`, times: data[0], values})),
+    );
+    const times = [...new Set(columns.flatMap((column) => column.times))].sort((a, b) => a - b);
+    const quoted = (text) => `"${text.replaceAll('"', '""')}"`;
+    const lines = [["time, s", ...columns.map((column) => column.title)].map(quoted).join(",")];
+    for (const time of times) {
+      lines.push([time, ...columns.map(({times: own, values}) => values[own.indexOf(time)] ?? "")].join(","));
+    }
+    return `${lines.join("\n")}\n`;
+  }
+}
+
+// At most five powers of ten between two values.
+function decades(_, __, low, high) {
+  const [first, last] = [Math.ceil(Math.log10(low)), Math.floor(Math.log10(high))];
+  const stride = Math.max(1, Math.ceil((last - first) / 4));
+  const found = [];
+  for (let power = first; power <= last; power += stride) found.push(10 ** power);
+  return found;
+}
+
+function short(value) {
+  if (value && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3)) return value.toExponential(0).replace("e+", "e");
+  return String(Number(value.toPrecision(4)));
+}
+
+// Draw the points of the contenders: time of a frame to the right, largest error upwards.
+export function drawTradeoff(canvas, points) {
+  const ratio = window.devicePixelRatio || 1;
+  const [width, height] = [canvas.clientWidth || 300, 180];
+  [canvas.width, canvas.height] = [width * ratio, height * ratio];
+  const context = canvas.getContext("2d");
+  context.scale(ratio, ratio);
+  const ink = getComputedStyle(document.documentElement).getPropertyValue("--ink");
+  const [left, bottom] = [52, 30];
+  const x = (cost) => left + ((Math.log10(cost) - 0) / 5) * (width - left - 10); // 1 us to 0.1 s
+  const y = (error) => 8 + ((2 - Math.log10(error)) / 18) * (height - bottom - 8); // 100 to 1e-16
+  context.font = "11px system-ui";
+  context.fillStyle = context.strokeStyle = ink;
+  context.textAlign = "center";
+  for (let power = 0; power <= 5; power++) {
+    context.globalAlpha = 0.2;
+    context.strokeRect(x(10 ** power), 8, 0, height - bottom - 8);
+    context.globalAlpha = 1;
+    context.fillText(["1 us", "10 us", "0.1 ms", "1 ms", "10 ms", "0.1 s"][power], x(10 ** power), height - 14);
+  }
+  context.textAlign = "right";
+  for (let power = -16; power <= 2; power += 4) {
+    context.globalAlpha = 0.2;
+    context.strokeRect(left, y(10 ** power), width - left - 10, 0);
+    context.globalAlpha = 1;
+    context.fillText(`1e${power}`, left - 6, y(10 ** power) + 4);
+  }
+  for (const {cost, error, color, number} of points) {
+    const at = [x(Math.min(1e5, Math.max(1, cost))), y(Math.min(100, Math.max(1e-16, error)))];
+    context.fillStyle = color;
+    context.beginPath();
+    context.arc(...at, 6, 0, 2 * Math.PI);
+    context.fill();
+    context.textAlign = "center";
+    context.fillText(number, at[0], at[1] - 10);
+  }
+}

@@ -1,0 +1,106 @@
+"""A pen that records what a scene draws as plain data. A page or matplotlib draws it later.
+
+Coordinates are in the scene's own units, +x to the right and +y up. A point is a Vector3 or a pair
+(x, y). Colors have names, so that each renderer can choose shades for a light or a dark page.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, Protocol
+
+COLORS = (
+    *("blue", "orange", "green", "red", "sky", "pink"),
+    *("violet", "brown", "gray", "black", "water", "wood"),
+)
+ARROWS = ("velocity", "force", "contact")  # kinds that a reader can switch on and off
+
+
+class HasXY(Protocol):
+    """Anything with an x and a y, such as a Vector3."""
+
+    x: float
+    y: float
+
+
+Point = HasXY | tuple[float, float]
+Item = list[Any]
+
+
+class Pen:
+    """Records items, each a list that begins with its kind."""
+
+    def __init__(self) -> None:
+        self.items: list[Item] = []
+
+    def circle(
+        self,
+        center: Point,
+        radius: float,
+        color: str = "blue",
+        *,
+        grab: str = "",
+        fill: bool = True,
+    ) -> None:
+        """Draw a circle. With ``grab`` a reader can drag it: ``Scene.drag`` gets that name."""
+        self._add("circle", color, *_xy(center), _short(radius), fill, grab)
+
+    def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
+        """Draw dots of a size in pixels, whatever the scale is."""
+        self._add("dots", color, _flat(centers), size)
+
+    def line(
+        self,
+        points: Iterable[Point],
+        color: str = "black",
+        width: float = 2.0,
+        *,
+        dashed: bool = False,
+    ) -> None:
+        """Draw a line through several points."""
+        self._add("line", color, _flat(points), width, dashed)
+
+    def segments(
+        self, pairs: Iterable[tuple[Point, Point]], color: str = "black", width: float = 1.0
+    ) -> None:
+        """Draw many separate lines, each from a point to another."""
+        self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
+
+    def area(self, corners: Iterable[Point], color: str = "gray") -> None:
+        """Fill an area, such as water."""
+        self._add("area", color, _flat(corners))
+
+    def spring(self, a: Point, b: Point, color: str = "gray") -> None:
+        """Draw a spring from one point to another."""
+        self._add("spring", color, *_xy(a), *_xy(b))
+
+    def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
+        """Draw an arrow. A reader can switch the kinds in ARROWS on and off."""
+        self._add("arrow", color, *_xy(start), *_xy(vector), kind)
+
+    def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:
+        """Write words, centered at a point, in a size in pixels."""
+        self._add("text", color, *_xy(at), words, size)
+
+    def ground(self, height: float = 0.0) -> None:
+        """Draw level ground from one edge of the view to the other."""
+        self._add("ground", "gray", _short(height))
+
+    def _add(self, kind: str, color: str, *values: Any) -> None:
+        if color not in COLORS:
+            raise ValueError(f"color must be one of {', '.join(COLORS)}, got {color!r}")
+        self.items.append([kind, color, *values])
+
+
+def _xy(point: Point) -> tuple[float, float]:
+    x, y = point if isinstance(point, tuple) else (point.x, point.y)
+    return _short(x), _short(y)
+
+
+def _flat(points: Iterable[Point]) -> list[float]:
+    return [coordinate for point in points for coordinate in _xy(point)]
+
+
+def _short(value: float) -> float:
+    """Return a number with the digits that a picture needs, so that a frame stays small."""
+    return float(f"{value:.5g}")

@@ -1,0 +1,103 @@
+"""The scenes of chapter 6: springs, and the steps that can follow them or not."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.springs import AnchoredSpring
+from lab.parameters import Slider
+from lab.pen import Pen
+from lab.scene import Question
+from lab.stepped import Stepped
+
+
+def explodes(scene: OneSpring) -> int:
+    """Return which option is right for these parameters, by the limits of chapter 6."""
+    number = scene.stiffness / scene.rate**2 / scene.mass
+    limits = {"explicit Euler": 0.0, "leapfrog": 4.0, "Runge-Kutta 4": 8.0}
+    return 1 if number > limits.get(scene.integrator, 4.0) else 0
+
+
+class OneSpring(Stepped):
+    """A ball on a spring along one line, whose exact motion is known."""
+
+    chapter = 6
+    title = "One spring, five integrators"
+    question = "Which integrator keeps the energy, and how stiff may the spring be?"
+    view = (-2.2, 2.2, -1.2, 1.2)
+    seconds = 6.0
+    exact_from = "closed form"
+    predict = Question(
+        "The ball starts 1 m from the middle. What will it do?",
+        ["It swings, and never goes farther than about 1 m.", "Each swing is wider than the last."],
+        explodes,
+        "The number k h^2 / m decides. Explicit Euler explodes at any stiffness, and "
+        "semi-implicit Euler above 4.",
+    )
+    keys = {"p": "push the ball to the right"}
+    stiffness = Slider(100.0, "stiffness k", "N/m", 1.0, 20_000.0, log=True)
+    mass = Slider(1.0, "mass m", "kg", 0.1, 10.0, log=True)
+    damping = Slider(0.0, "damping c", "N s/m", 0.0, 20.0, step=0.1)
+
+    START = 1.0  # m
+    WALL = -2.0  # m
+    PUSH = 1.0  # m/s
+
+    def build(self) -> None:
+        self.ball = Particle(Vector3(self.START), mass=self.mass)
+        self.particles = [self.ball]
+        self.registry = ForceRegistry()
+        spring = AnchoredSpring(Vector3(), self.stiffness, 0.0, self.damping)
+        self.registry.add(self.ball, spring)
+        self.since, self.x0, self.v0 = 0.0, self.START, 0.0
+
+    def draw(self, pen: Pen) -> None:
+        pen.line([(0.0, -0.3), (0.0, 0.3)], "gray", 1.0, dashed=True)
+        pen.segments([((self.WALL, -0.8), (self.WALL, 0.8))], "black", 4.0)
+        pen.spring((self.WALL, 0.0), self.ball.position)
+        pen.circle(self.ball.position, 0.15, "blue", grab="ball")
+        pen.arrow(self.ball.position, (0.1 * self.ball.velocity.x, 0.0), "green", "velocity")
+        force = -self.stiffness * self.ball.position.x / max(self.stiffness, 1e-9)
+        pen.arrow(self.ball.position, (force, 0.0), "orange", "force")
+
+    def chart(self) -> dict[str, float]:
+        x = self.ball.position.x
+        return {"energy, J": self.ball.kinetic_energy() + 0.5 * self.stiffness * x * x}
+
+    def state(self) -> list[float]:
+        return [self.ball.position.x]
+
+    def exact(self, time: float) -> list[float]:
+        passed = time - self.since
+        x, _ = damped_spring_state(
+            self.x0, self.v0, self.stiffness, self.damping, self.mass, passed
+        )
+        return [x]
+
+    def facts(self) -> str:
+        number = self.stiffness / self.rate**2 / self.mass
+        period = 2.0 * math.pi * math.sqrt(self.mass / self.stiffness)
+        return f"k h²/m = {number:.4g} (semi-implicit Euler: stable below 4); period {period:.3g} s"
+
+    def say(self) -> str:
+        x, v = self.ball.position.x, self.ball.velocity.x
+        return f"The ball is at x = {x:.3g} m, and moves at {v:.3g} m/s."
+
+    def press(self, key: str) -> None:
+        if key == "p":
+            self.let_go(self.ball.position.x, self.ball.velocity.x + self.PUSH)
+
+    def drag(self, name: str, x: float, y: float) -> None:
+        self.let_go(max(-2.0, min(2.0, x)), 0.0)
+
+    def let_go(self, x: float, v: float) -> None:
+        """Start the motion again, here and from now."""
+        self.ball.position.x, self.ball.velocity.x = x, v
+        self.since, self.x0, self.v0 = self.time, x, v
+
+
+SCENES = (OneSpring,)

@@ -1,0 +1,39 @@
+"""Scenes whose reader chooses the integrator and how many steps it makes in a second."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+from ch06_springs import integrators
+from lab.parameters import Choice
+from lab.scene import Scene
+
+STEPS = {
+    "semi-implicit Euler": integrators.semi_implicit_euler,
+    "explicit Euler": integrators.explicit_euler,
+    "leapfrog": integrators.leapfrog,
+    "velocity Verlet": integrators.velocity_verlet,
+    "Runge-Kutta 4": integrators.runge_kutta_4,
+}
+RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
+
+
+class Stepped(Scene):
+    """A scene of particles and a registry of forces. ``build`` sets both."""
+
+    integrator = Choice("semi-implicit Euler", "integrator", [*STEPS], live=True)
+    rate = Choice(60.0, "steps per second", RATES, "Hz", live=True)
+
+    particles: Sequence[Particle]
+    registry: ForceRegistry
+    owed = 0.0  # s that have passed and were not simulated yet
+
+    def step(self, duration: float) -> None:
+        """Make as many steps as the frame has time for; the rest is left for the next frame."""
+        length = 1.0 / self.rate
+        self.owed += duration
+        while self.owed > 0.5 * length:
+            self.owed -= length
+            STEPS[self.integrator](self.particles, self.registry.update_forces, length)

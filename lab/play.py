@@ -114,7 +114,7 @@ def show(scene: Scene) -> None:
 def _row(scene: Scene) -> dict[str, float | None]:
     """Return a line of the table: the time, what is charted, and the error where it is known."""
     error = scene.error()
-    found = {"time, s": round(scene.time, 6), **scene.chart()}
+    found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {"error, m": error}
 
 

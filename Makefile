@@ -21,12 +21,13 @@ TAKES_hint := EX N GIVEN
 TAKES_reset := EX WHOLE GIVEN ENGINE
 TAKES_plot := CH GIVEN ENGINE
 TAKES_demo := DEMO GIVEN ENGINE
+TAKES_lab := CH SCENE SET OPEN GIVEN ENGINE
 TAKES_setup :=
 TAKES_help :=
 TAKES_help-all :=
 
 .DEFAULT_GOAL := help
-.PHONY: help help-all watch check hint reset plot demo setup
+.PHONY: help help-all watch check hint reset lab plot demo setup
 
 LIST := -e 's/^\([a-z]*\): .*\#\# /  make \1|/p'
 ALIGN := awk -F'|' 'NF == 1 {print "\n" $$0} NF > 1 {printf "%-17s  %s\n", $$1, $$2}'
@@ -55,6 +56,9 @@ hint: $(READY) ## show a hint for an exercise (EX=2.5), or the first two (N=2)
 
 reset: $(READY) ## put a stub back (EX=2.5), or its file (WHOLE=1); keeps a copy
 	@$(RUN) -m autograder reset $(or $(EX),$(error name an exercise: make reset EX=2.5)) --engine "$(ENGINE)" $(if $(WHOLE),--whole) $(if $(GIVEN),--given "$(GIVEN)")
+
+lab: $(READY) ## play with your engine in the browser (CH=6, SCENE=one-spring)
+	@$(RUN) -m lab serve $(if $(SCENE),"$(SCENE)") --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(foreach set,$(SET),--set "$(set)") $(if $(filter 0,$(OPEN)),--no-browser)
 
 plot: $(READY) ## draw pictures with your own functions (CH=2)
 	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)

@@ -1,35 +1,58 @@
-"""``python -m lab``: serve the lab's page on this machine, with your engine behind it."""
+"""The lab's commands: serve the page, play a scene in a window, record a scene into files."""
 
 from __future__ import annotations
 
 import argparse
 import asyncio
 import contextlib
+import faulthandler
+import math
 import sys
 import webbrowser
+from pathlib import Path
 from urllib.parse import urlencode
 
 from autograder.commands import find_engine
-from lab.catalog import entries, find
-from lab.server import Lab, serve
+from autograder.manifest import ROOT
+from lab.catalog import entries, find, load
+from studies.engine import add_engine_options, use_engine
+from studies.plot import reason, shown
 
 
 def main() -> int:
-    """Start the server; return 1 where a name is wrong."""
+    """Do what the command line names; return 1 where it cannot be done."""
     parser = argparse.ArgumentParser(prog="python -m lab", description=__doc__)
-    parser.add_argument("--engine", default="chapters", help="the folder with your work")
-    parser.add_argument("--given", default="", help="chapters to take from the reference")
-    parser.add_argument("--scene", default="", help="the scene to begin with, such as one-spring")
-    parser.add_argument("--chapter", type=int, help="begin with the first scene of a chapter")
-    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE")
-    parser.add_argument("--port", type=int, default=0, help="a port (default: any that is free)")
-    parser.add_argument("--no-browser", action="store_true", help="print the address only")
+    commands = parser.add_subparsers(dest="command", required=True)
+    serve = commands.add_parser("serve", help="serve the page on this machine")
+    serve.add_argument("scene", nargs="?", default="", help="the scene to begin with")
+    serve.add_argument("--chapter", type=int, help="begin with the first scene of a chapter")
+    serve.add_argument("--port", type=int, default=0, help="a port (default: any that is free)")
+    serve.add_argument("--no-browser", action="store_true", help="print the address only")
+    play = commands.add_parser("play", help="play a scene in a window, or into files")
+    play.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
+    record = commands.add_parser("record", help="let the scripted player play into files")
+    record.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
+    for command in (play, record):
+        command.add_argument("--seconds", type=float, help="how long the scripted player plays")
+        command.add_argument("--out", type=Path, default=ROOT / "build" / "lab")
+    for command in (serve, play, record):
+        add_engine_options(command)
+        command.add_argument(
+            "--set", action="append", default=[], metavar="NAME=VALUE", help="set a parameter"
+        )
     options = parser.parse_args()
     try:
-        find_engine(options.engine)
-        query = first_query(options.scene, options.chapter, options.set)
+        return {"serve": _serve, "play": _play, "record": _play}[options.command](options)
     except ValueError as error:
         parser.error(str(error))
+
+
+def _serve(options: argparse.Namespace) -> int:
+    """Serve the page until Ctrl-C."""
+    from lab.server import Lab, serve  # the other commands can do without a server
+
+    find_engine(options.engine)
+    query = first_query(options.scene, options.chapter, settings_of(options))
 
     def ready(address: str) -> None:
         address = f"{address}?{query}" if query else address
@@ -42,7 +65,44 @@ def main() -> int:
     return 0
 
 
-def first_query(scene: str, chapter: int | None, settings: list[str]) -> str:
+def _play(options: argparse.Namespace) -> int:
+    """Play a scene in a window; without a display, or for a recording, into files."""
+    find(options.scene)
+    if options.seconds is not None and not 0.0 < options.seconds < math.inf:
+        raise ValueError(f"--seconds must be positive and finite, got {options.seconds!r}")
+    if options.command == "record":
+        import matplotlib
+
+        matplotlib.use("agg")
+    from matplotlib import pyplot
+
+    from lab.play import TIME_LIMIT, record, show
+
+    use_engine(argparse.ArgumentParser(prog="python -m lab"), options.engine, options.given)
+    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
+    try:
+        scene = load(options.scene)(**settings_of(options))
+        if pyplot.get_backend().lower() != "agg":
+            keys = [f"{key}: {words}" for key, words in scene.keys.items()]
+            print("; ".join([*keys, "q: end"]))
+            show(scene)
+            return 0
+        files = record(scene, options.out, options.seconds)
+        print(f"{options.scene}: {', '.join(str(shown(file)) for file in files)}")
+    except (Exception, SystemExit) as error:
+        print(f"{options.scene}: not played, {reason(error)}")
+        return 1
+    finally:
+        faulthandler.cancel_dump_traceback_later()
+    return 0
+
+
+def settings_of(options: argparse.Namespace) -> dict[str, str]:
+    """Return the parameters that the command line sets."""
+    return dict(setting.partition("=")[::2] for setting in options.set)
+
+
+def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
     """Return the query of the first address. Raises ValueError for a scene that there is not."""
     if scene:
         find(scene)
@@ -51,8 +111,7 @@ def first_query(scene: str, chapter: int | None, settings: list[str]) -> str:
         if not names:
             raise ValueError(f"chapter {chapter} has no scene")
         scene = names[0]
-    values = dict(setting.partition("=")[::2] for setting in settings)
-    return urlencode(({"scene": scene} if scene else {}) | values)
+    return urlencode(({"scene": scene} if scene else {}) | settings)
 
 
 if __name__ == "__main__":

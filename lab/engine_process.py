@@ -1,4 +1,4 @@
-"""A child process with a host in it, as the server sees it: started, spoken to, and ended."""
+"""The processes that run a student's code, as the server sees them: asked, followed, and ended."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from autograder.manifest import ROOT
 from lab.child import TIME_LIMIT
 
 LONGEST_LINE = 4_000_000  # bytes, of an answer
-GRACE = 1.0  # s beyond the limit of the child itself
+GRACE = 0.4  # s beyond the limit of the child itself
+LONGEST_RECORDING = 120.0  # s
 
 
 class EngineProcess:
@@ -75,3 +76,24 @@ class EngineProcess:
         if stack:
             return str(explain_hang(stack, TIME_LIMIT, [ROOT / self.engine]))
         return f"The engine's process ended by itself, with exit code {code}."
+
+
+async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:
+    """Return an animation of a scene as a GIF. Raises ValueError with what went wrong."""
+    settings = [f"--set={name}={value}" for name, value in values.items()]
+    with tempfile.TemporaryDirectory(prefix="lab-") as folder:
+        process = await asyncio.create_subprocess_exec(
+            *(sys.executable, "-m", "lab", "record", scene, "--out", folder),
+            *("--engine", engine, "--given", given, *settings),
+            cwd=ROOT,
+            stdout=asyncio.subprocess.PIPE,
+            stderr=asyncio.subprocess.STDOUT,
+        )
+        try:
+            words, _ = await asyncio.wait_for(process.communicate(), LONGEST_RECORDING)
+        except TimeoutError:
+            process.kill()
+            raise ValueError(f"the recording took longer than {LONGEST_RECORDING:g} s") from None
+        if process.returncode:
+            raise ValueError(words.decode(errors="replace").strip().splitlines()[-1])
+        return (Path(folder) / f"{scene}.gif").read_bytes()

@@ -23,8 +23,8 @@ from watchfiles import awatch
 
 from autograder.commands import find_engine
 from autograder.manifest import ROOT
-from lab.catalog import entries
-from lab.engine_process import EngineProcess
+from lab.catalog import entries, find
+from lab.engine_process import EngineProcess, recording
 
 PAGE = Path(__file__).parent / "page"
 REFERENCE = "solutions"
@@ -61,6 +61,7 @@ class Lab:
             [
                 (f"{below}/engine", EngineSocket, shared),
                 (f"{below}/scenes.json", Scenes, shared),
+                (f"{below}/record.gif", Recording, shared),
                 (
                     f"{below}/(.*)",
                     Files,
@@ -112,6 +113,30 @@ class Scenes(RequestHandler):
             self.set_header(name, value)
         scenes = [{"name": e.name, "title": e.title, "chapter": e.chapter} for e in entries()]
         self.write({"scenes": scenes, "engines": list(self.lab.engines)})
+
+
+class Recording(RequestHandler):
+    """An animation of a scene with the parameters in the query."""
+
+    def initialize(self, lab: Lab) -> None:
+        self.lab = lab
+
+    def prepare(self) -> None:
+        self.lab.check_host(self.request)
+
+    async def get(self) -> None:
+        query = {name: self.get_query_argument(name) for name in self.request.query_arguments}
+        engine = self.lab.engines["yours"]
+        try:
+            find(scene := query.pop("scene", ""))
+            gif = await recording(engine, self.lab.given, scene, query)
+        except ValueError as error:
+            self.set_status(400)
+            self.set_header("Content-Type", "text/plain; charset=utf-8")
+            self.write(str(error))
+            return
+        self.set_header("Content-Type", "image/gif")
+        self.write(gif)
 
 
 class EngineSocket(WebSocketHandler):

@@ -88,6 +88,7 @@ function decades(_, __, low, high) {
 }
 
 function short(value) {
+  if (value === null) return "";
   if (value && (Math.abs(value) >= 1e5 || Math.abs(value) < 1e-3)) return value.toExponential(0).replace("e+", "e");
   return String(Number(value.toPrecision(4)));
 }

@@ -325,9 +325,9 @@ function remember() {
   history.replaceState(null, "", `?${query}`);
 }
 
-function save(name, type, text) {
+function save(name, type, content) {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], {type}));
+  link.href = URL.createObjectURL(new Blob([content], {type}));
   link.download = name;
   link.click();
   URL.revokeObjectURL(link.href);
@@ -378,6 +378,12 @@ $("add").onchange = () => {
   $("add").value = "";
 };
 $("csv").onclick = () => save(`${page.name}.csv`, "text/csv", page.charts.csv(page.contenders.map((c) => c.label)));
+$("gif").onclick = async () => {
+  say("The animation is being drawn. This takes some seconds.");
+  const answer = await fetch(`record.gif?${new URLSearchParams({scene: page.name, ...page.values})}`);
+  if (answer.ok) save(`${page.name}.gif`, "image/gif", await answer.blob());
+  say(answer.ok ? "The animation is saved." : await answer.text());
+};
 $("link").onclick = async () => {
   await navigator.clipboard.writeText(location.href);
   say("The address is copied.");

@@ -1,0 +1,128 @@
+"""The server answers its own page alone, and survives what a student's code does."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest, HTTPResponse
+from tornado.websocket import websocket_connect
+
+from autograder.manifest import ROOT, load_chapters
+from copies import copy_tree
+from served import served
+from wrong import Wrong, write_wrong
+
+LOAD = {"kind": "load", "scene": "one-spring", "values": {}, "peer": ""}
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with served() as address:
+        yield address
+
+
+def get(address: str, **headers: str) -> HTTPResponse:
+    """Fetch a page; a refusal is a response as well."""
+
+    async def fetch() -> HTTPResponse:
+        request = HTTPRequest(address, headers=headers)
+        return await AsyncHTTPClient().fetch(request, raise_error=False)
+
+    return asyncio.run(fetch())
+
+
+def talk(address: str, *messages: dict[str, Any], engine: str = "yours") -> list[dict[str, Any]]:
+    """Send messages through a socket; return all answers. A frame or an end answers a message."""
+
+    async def ask() -> list[dict[str, Any]]:
+        url = f"{address.replace('http', 'ws', 1)}engine?engine={engine}"
+        socket = await websocket_connect(HTTPRequest(url, headers={"Origin": address[:-24]}))
+        answers = []
+        for message in messages:
+            await socket.write_message(json.dumps(message))
+            while True:
+                answers.append(json.loads(await socket.read_message()))
+                if answers[-1]["kind"] != "scene":
+                    break
+        socket.close()
+        return answers
+
+    return asyncio.run(ask())
+
+
+def test_the_page_and_its_files_are_served(address: str) -> None:
+    page = get(address)
+    assert page.code == 200
+    assert b"<title>The lab</title>" in page.body
+    assert "default-src 'self'" in page.headers["Content-Security-Policy"]
+    for file in ("main.js", "style.css", "vendor/uPlot.iife.min.js", "scenes.json"):
+        assert get(address + file).code == 200, file
+
+
+def test_without_the_token_there_is_nothing(address: str) -> None:
+    top = address.rsplit("/", 2)[0]
+    for path in ("/", "/index.html", "/main.js", "/engine", "/guess/"):
+        assert get(top + path).code == 404, path
+
+
+@pytest.mark.parametrize("path", ["../server.py", "%2e%2e/server.py", "vendor/../../server.py"])
+def test_no_file_beside_the_page_is_served(address: str, path: str) -> None:
+    assert get(address + path).code in (403, 404)
+
+
+def test_another_host_is_refused(address: str) -> None:
+    assert get(address, Host="evil.example").code == 403
+    assert get(address + "scenes.json", Host="evil.example:80").code == 403
+
+
+def test_a_socket_from_another_origin_is_refused(address: str) -> None:
+    async def connect(origin: str) -> None:
+        url = address.replace("http", "ws", 1) + "engine"
+        (await websocket_connect(HTTPRequest(url, headers={"Origin": origin}))).close()
+
+    for origin in ("http://evil.example", "http://127.0.0.1:1", "null"):
+        with pytest.raises(HTTPClientError, match="403"):
+            asyncio.run(connect(origin))
+    asyncio.run(connect(address.rsplit("/", 2)[0]))
+
+
+def test_an_engine_plays_a_scene(address: str) -> None:
+    scene, start, later = talk(address, LOAD, {"kind": "run", "frames": 30})
+    assert scene["title"]
+    assert (start["time"], later["time"]) == (0.0, pytest.approx(0.5))
+
+
+def test_stubs_name_their_exercise() -> None:
+    with served(engine="chapters") as address:
+        (stopped,) = talk(address, LOAD)
+    assert stopped["kind"] == "stopped"
+    assert "not written yet: Exercise B" in stopped["why"]
+
+
+ENDINGS = {
+    "while True: pass": "forces.py, line",  # where it did not end
+    "import os; os._exit(3)": "exit code 3",
+    "raise ValueError('no force today')": "no force today",
+}
+
+
+@pytest.mark.parametrize(("body", "words"), ENDINGS.items(), ids=ENDINGS.keys())
+def test_code_that_hangs_or_dies_ends_itself_alone(body: str, words: str, tmp_path: Path) -> None:
+    """Within three seconds the page knows, and the same socket serves the next scene."""
+    chapter = next(chapter for chapter in load_chapters() if chapter.name == "ch05_forces")
+    copy_tree(ROOT / "solutions", tmp_path)
+    wrong = Wrong("forces.ForceRegistry.update_forces", "", "", body=body)
+    write_wrong(chapter, [wrong], tmp_path)
+    with served(engine=str(tmp_path)) as address:
+        started = time.monotonic()
+        _, _, stopped = talk(address, LOAD, {"kind": "run", "frames": 1})
+        assert time.monotonic() - started < 6.0  # of which three to start the engine, at most
+        assert stopped["kind"] == "stopped"
+        assert words in stopped["why"]
+        assert talk(address, LOAD, engine="reference")[-1]["kind"] == "frame"

@@ -16,7 +16,7 @@ from autograder.commands import find_engine
 from autograder.manifest import ROOT
 from lab.catalog import entries, find, load
 from studies.engine import add_engine_options, use_engine
-from studies.plot import reason, shown
+from studies.reason import reason, shown
 
 
 def main() -> int:

@@ -7,6 +7,7 @@ which leaves the stack of what it was doing in the file STACK.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import faulthandler
 import json
 import os
@@ -15,7 +16,7 @@ from pathlib import Path
 
 from lab.host import Host
 from studies.engine import add_engine_options, use_engine
-from studies.plot import reason
+from studies.reason import reason
 
 TIME_LIMIT = 2.5  # s, for a message that takes some milliseconds
 
@@ -41,4 +42,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    with contextlib.suppress(BrokenPipeError, KeyboardInterrupt):  # the server has ended
+        main()

@@ -16,6 +16,7 @@ from lab.child import TIME_LIMIT
 
 LONGEST_LINE = 4_000_000  # bytes, of an answer
 GRACE = 0.4  # s beyond the limit of the child itself
+START = 15.0  # s, in which a new process has imported what it needs
 LONGEST_RECORDING = 120.0  # s
 
 
@@ -33,13 +34,17 @@ class EngineProcess:
 
         Where the process breaks off or takes too long, it is ended, and the answer says why.
         """
-        process = self.process = self.process or await self._start()
+        limit = TIME_LIMIT + GRACE
+        if self.process is None:
+            self.process = await self._start()
+            limit += START
+        process = self.process
         assert process.stdin is not None
         assert process.stdout is not None
         try:
             process.stdin.write(message.encode() + b"\n")
             await process.stdin.drain()
-            async with asyncio.timeout(TIME_LIMIT + GRACE):
+            async with asyncio.timeout(limit):
                 while (line := await process.stdout.readline()) != b"\n":
                     if not line:
                         raise EOFError

@@ -15,7 +15,7 @@ from rich.table import Table
 
 from autograder.manifest import ROOT
 from studies.benchmarks.kept import FILE, keep
-from studies.plot import shown
+from studies.reason import shown
 from studies.timing import Measurement, measure
 
 

@@ -20,7 +20,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
 from autograder.manifest import ROOT
-from studies.plot import shown
+from studies.reason import shown
 
 if TYPE_CHECKING:
     from studies.accuracy.results import Row

@@ -25,7 +25,7 @@ from rich.progress import track
 
 from autograder.manifest import ROOT, load_chapters
 from studies.engine import add_engine_options, use_engine
-from studies.plot import reason, shown
+from studies.reason import reason, shown
 
 FRAME = 1.0 / 60.0
 STEPS_A_PICTURE = 3  # 20 pictures a second: the format counts in hundredths

@@ -18,7 +18,7 @@ from rich.console import Console
 
 from autograder.manifest import ROOT
 from studies.drawing import BLUE, GREY
-from studies.plot import shown
+from studies.reason import shown
 from studies.timing import Line, Measurement, measure, timer, versus
 
 COUNT, ROUNDS, FRAME = 200, 41, 1.0 / 60.0

@@ -16,7 +16,7 @@ from PIL import Image, ImageSequence
 from autograder.manifest import ROOT
 from studies import demo, plot
 from studies.engine import use_engine
-from studies.plot import shown
+from studies.reason import shown
 
 PLOTS = (
     "ch02_vectors/cross_product",

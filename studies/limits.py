@@ -20,7 +20,7 @@ from rich.console import Console
 from rich.table import Table
 
 from autograder.manifest import ROOT
-from studies.plot import shown
+from studies.reason import shown
 
 if TYPE_CHECKING:
     from studies.limit_search import Bound

@@ -10,19 +10,16 @@ import argparse
 import csv
 import faulthandler
 import importlib
-import traceback
 from collections.abc import Callable
 from pathlib import Path
 
 from matplotlib import pyplot
 
-from autograder.explain import slip_of
-from autograder.faults import is_inside
 from autograder.finish import DRAWN_WITH
 from autograder.manifest import ROOT, Chapter, select_chapters, split_given
-from autograder.students_code import LIBRARY
 from studies.drawing import Picture
 from studies.engine import add_engine_options, use_engine
+from studies.reason import reason, shown
 
 TIME_LIMIT = 30.0  # seconds for one plot, which takes about one
 
@@ -92,25 +89,3 @@ def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -
         csv.writer(file).writerows([picture.columns, *picture.rows])
     print(f"{shown(png)} and {shown(table)}")
     return True
-
-
-def reason(error: BaseException) -> str:
-    """Return the exception, the line that raised it, and what it most likely comes from."""
-    if isinstance(error, NotImplementedError):
-        return f"not written yet: {error}"
-    if isinstance(error, SyntaxError) and error.filename:
-        file, line, words = error.filename, error.lineno, error.msg
-    else:
-        frames = traceback.extract_tb(error.__traceback__)
-        not_theirs = [*LIBRARY, ROOT / "autograder"]  # which refuses some imports
-        written = [frame for frame in frames if not is_inside(frame.filename, not_theirs)]
-        last = (written or frames)[-1]
-        file, line, words = last.filename, last.lineno, str(error)
-    told = f"{type(error).__name__}: {words}"
-    likely = slip_of(told)
-    where = f"{told} ({shown(Path(file))}, line {line})"
-    return f"{where}\nlikely    {likely}" if likely else where
-
-
-def shown(path: Path) -> Path:
-    return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

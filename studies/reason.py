@@ -1,0 +1,33 @@
+"""Say why the student's code could not be run, for pictures and scenes."""
+
+from __future__ import annotations
+
+import traceback
+from pathlib import Path
+
+from autograder.explain import slip_of
+from autograder.faults import is_inside
+from autograder.manifest import ROOT
+from autograder.students_code import LIBRARY
+
+
+def reason(error: BaseException) -> str:
+    """Return the exception, the line that raised it, and what it most likely comes from."""
+    if isinstance(error, NotImplementedError):
+        return f"not written yet: {error}"
+    if isinstance(error, SyntaxError) and error.filename:
+        file, line, words = error.filename, error.lineno, error.msg
+    else:
+        frames = traceback.extract_tb(error.__traceback__)
+        not_theirs = [*LIBRARY, ROOT / "autograder"]  # which refuses some imports
+        written = [frame for frame in frames if not is_inside(frame.filename, not_theirs)]
+        last = (written or frames)[-1]
+        file, line, words = last.filename, last.lineno, str(error)
+    told = f"{type(error).__name__}: {words}"
+    likely = slip_of(told)
+    where = f"{told} ({shown(Path(file))}, line {line})"
+    return f"{where}\nlikely    {likely}" if likely else where
+
+
+def shown(path: Path) -> Path:
+    return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

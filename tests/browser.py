@@ -1,0 +1,39 @@
+"""A real browser for tests: Debian's Chromium, driven by Playwright.
+
+Where one of the two is missing a test is skipped, unless the environment says CI: there it fails.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or ""
+
+
+def missing() -> str:
+    """Return why no browser can be driven here; an empty text where one can."""
+    try:
+        import playwright  # noqa: F401
+    except ImportError:
+        return "Playwright is not installed (make test installs it)"
+    return "" if CHROMIUM else "there is no chromium; on Debian: apt-get install chromium"
+
+
+def browser() -> Iterator[Any]:
+    """Yield a browser, for a fixture."""
+    if why := missing():
+        if os.environ.get("CI"):
+            pytest.fail(why)
+        pytest.skip(why)
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as driver:
+        # Chromium's own sandbox needs rights that containers do not give; the pages are ours.
+        opened = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield opened
+        opened.close()

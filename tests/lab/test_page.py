@@ -1,0 +1,182 @@
+"""The lab's page in a real browser: every scene, the keyboard, broken code, and no other host."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlencode, urlsplit
+
+import pytest
+
+import browser as browsers
+from autograder.manifest import ROOT, load_chapters
+from copies import copy_tree
+from lab.catalog import entries
+from served import served
+from wrong import Wrong, write_wrong
+
+SCENES = [entry.name for entry in entries()]
+PHONE, DESK = {"width": 360, "height": 740}, {"width": 1280, "height": 900}
+
+browser = pytest.fixture(browsers.browser, scope="module")
+
+
+@pytest.fixture(scope="module")
+def address() -> Iterator[str]:
+    with served() as address:
+        yield address
+
+
+@pytest.fixture
+def page(browser: Any) -> Iterator[Any]:
+    """A page that notes its errors, and every host that it asks."""
+    page = browser.new_page(viewport=DESK, bypass_csp=True)  # Playwright's waiting needs eval
+    page.errors, page.hosts = [], set()
+    page.on("pageerror", lambda error: page.errors.append(str(error)))
+    page.on("request", lambda request: page.hosts.add(urlsplit(request.url).hostname))
+    yield page
+    assert page.errors == []
+    assert page.hosts <= {"127.0.0.1", None}  # none: data within the page
+    page.close()
+
+
+def open_scene(page: Any, address: str, scene: str, **values: object) -> None:
+    """Open a scene, and wait until its first frame is there."""
+    page.goto(f"{address}?{urlencode({'scene': scene, **values})}")
+    page.wait_for_function("document.querySelector('#contenders tbody tr')")
+    page.wait_for_function("document.querySelector('#clock').textContent !== ''")
+
+
+def seconds(page: Any) -> float:
+    return float(page.inner_text("#clock").removesuffix(" s"))
+
+
+def play_until(page: Any, time: float) -> None:
+    page.click("#play")
+    page.wait_for_function(
+        f"parseFloat(document.querySelector('#clock').textContent) >= {time}", timeout=60_000
+    )
+    page.click("#play")
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_a_scene_runs_for_two_seconds(page: Any, address: str, scene: str) -> None:
+    open_scene(page, address, scene)
+    play_until(page, 2.0)
+    assert page.is_hidden("#trouble"), page.inner_text("#trouble")
+    drawn = "(c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some(b => b))"
+    assert page.evaluate(f"{drawn}(document.querySelector('#stage canvas'))")
+    assert page.inner_text("#say") != ""
+
+
+def test_the_error_is_that_of_the_method(page: Any, address: str) -> None:
+    """Leapfrog errs by a phase of w h (w h)^2 / 24 a step: 0.0139 in 2 s at 10 rad/s and 60 Hz."""
+    open_scene(page, address, "one-spring", stiffness=100, integrator="leapfrog")
+    play_until(page, 2.0)
+    error = float(page.inner_text("#contenders tbody tr td"))
+    w, h = 10.0, 1.0 / 60.0
+    assert error == pytest.approx(2.0 * w * (w * h) ** 2 / 24.0, rel=0.25)
+
+
+def test_the_limit_of_stability_is_where_theory_has_it(page: Any, address: str) -> None:
+    """k h^2 / m = 4: 14,400 N/m at 60 Hz and 1 kg."""
+    open_scene(page, address, "one-spring", stiffness=14_390)
+    play_until(page, 2.0)
+    assert page.is_hidden("#trouble")
+    open_scene(page, address, "one-spring", stiffness=14_500)
+    page.click("#play")
+    page.wait_for_selector("#trouble:not([hidden])", timeout=30_000)
+    assert "exploded" in page.inner_text("#trouble")
+
+
+def test_another_contender_is_compared(page: Any, address: str) -> None:
+    open_scene(page, address, "one-spring")
+    page.select_option("#add", label="integrator: Runge-Kutta 4")
+    page.wait_for_function("document.querySelectorAll('#contenders tbody tr').length === 2")
+    play_until(page, 2.0)
+    first, second = (
+        float(row.split("\t")[1]) for row in page.inner_text("#contenders tbody").splitlines()
+    )
+    assert second < first / 100.0  # order 4 against order 1, at w h = 1/6
+    assert page.is_visible("#tradeoff")
+    page.check("#split")
+    assert page.locator("#stage canvas").count() == 2
+    other = page.context.browser.new_page(bypass_csp=True)  # the address brings all of it back
+    other.goto(page.url)
+    other.wait_for_function("document.querySelectorAll('#contenders tbody tr').length === 2")
+    other.close()
+
+
+def test_a_reader_predicts_first_and_then_sees(page: Any, address: str) -> None:
+    open_scene(page, address, "one-spring", stiffness=100)
+    page.check("#predict input >> nth=1")
+    page.click("text=This is my answer")
+    page.wait_for_selector("#predict [role=status]", timeout=20_000)
+    assert page.inner_text("#predict [role=status]").startswith("Not quite: It swings")
+    assert page.inner_text("#play") == "Play"
+
+
+def test_the_keyboard_is_enough(page: Any, address: str) -> None:
+    open_scene(page, address, "one-spring")
+    page.keyboard.press(".")
+    page.wait_for_function("document.querySelector('#clock').textContent === '0.02 s'")
+    page.keyboard.press(" ")
+    page.wait_for_function("parseFloat(document.querySelector('#clock').textContent) > 0.3")
+    page.keyboard.press(" ")
+    page.keyboard.press("r")
+    page.wait_for_function("document.querySelector('#clock').textContent === '0.00 s'")
+    page.keyboard.press("?")
+    assert page.is_visible("#keys")
+    page.keyboard.press("Escape")
+    reached = set()
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        reached.add(page.evaluate("document.activeElement.name || document.activeElement.id"))
+    assert {"scenes", "play", "restart", "stiffness", "integrator", "add", "csv"} <= reached
+    page.focus("#parameters input[type=range]")
+    page.keyboard.press("ArrowRight")
+    assert float(page.input_value("[name=stiffness]")) > 100.0
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("size", [PHONE, DESK], ids=["phone", "desk"])
+def test_it_is_accessible_and_fits(
+    browser: Any, address: str, scheme: str, size: dict[str, int]
+) -> None:
+    from axe_playwright_python.sync_playwright import Axe
+
+    page = browser.new_page(viewport=size, color_scheme=scheme, bypass_csp=True)
+    open_scene(page, address, "one-spring")
+    play_until(page, 0.5)
+    found = Axe().run(page).response["violations"]
+    assert found == [], json.dumps([(v["id"], v["nodes"][0]["html"]) for v in found])
+    assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
+    page.close()
+
+
+def test_stubs_show_their_exercise(page: Any) -> None:
+    with served(engine="chapters") as address:
+        page.goto(f"{address}?scene=one-spring")
+        page.wait_for_selector("#trouble:not([hidden])")
+        assert re.search(r"not written yet: Exercise B\d\.\d", page.inner_text("#trouble"))
+
+
+def test_a_loop_is_ended_and_a_save_starts_again(page: Any, tmp_path: Path) -> None:
+    chapter = next(chapter for chapter in load_chapters() if chapter.name == "ch05_forces")
+    copy_tree(ROOT / "solutions", tmp_path)
+    right = (tmp_path / "ch05_forces/forces.py").read_text(encoding="utf-8")
+    wrong = Wrong("forces.ForceRegistry.update_forces", "", "", body="while True:\n    pass")
+    write_wrong(chapter, [wrong], tmp_path)
+    with served(engine=str(tmp_path)) as address:
+        page.goto(f"{address}?scene=one-spring")
+        page.wait_for_selector("#contenders tbody tr")
+        page.click("#step")
+        page.wait_for_selector("#trouble:not([hidden])", timeout=5_000)
+        assert "forces.py, line" in page.inner_text("#trouble")
+        (tmp_path / "ch05_forces/forces.py").write_text(right, encoding="utf-8")
+        page.wait_for_selector("#trouble[hidden]", state="attached", timeout=10_000)
+        play_until(page, 0.3)
+        assert seconds(page) >= 0.3

@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Iterable
 from pathlib import Path
 
+from autograder.arrange import shared_by_checks
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.stubs import KEPT, make_stubs
 
@@ -26,7 +27,6 @@ STUDENT_TOOLS = {
         "__init__.py __main__.py constraints.py demo.py drag_flight.py drawing.py engine.py "
         "links.py mass_aggregate.py plot.py ropes.py rotations.py stability.py timing.py"
     ),
-    "tests": "conftest.py draw.py expect.py lever.py rigidity.py turning.py",
 }
 
 README = """\
@@ -67,6 +67,8 @@ def make_handout(
         raise ValueError(f"out must be a new or empty folder, and {out} is not empty")
     for folder, names in STUDENT_TOOLS.items():
         _copy((root / folder / name for name in names.split()), out / folder)
+    for file in shared_by_checks(root):
+        _copy([file], out / file.parent.relative_to(root))
     _copy([root / "chapters" / "README.md"], out / "chapters")
     errata = (root / "errata.md").read_text(encoding="utf-8")
     without_links = re.sub(r"\[(\w+)\]\(tests/[^)]*\)", r"\1", errata)  # those tests stay here

@@ -421,7 +421,11 @@ def zip_climbs(at: Path, world: World) -> None:  # noqa: ARG001
 
 @odd("A zip with absolute paths.", "nothing")
 def zip_absolute(at: Path, world: World) -> None:
-    paths = (world.home / "hostile-climbed", world.root / "tests/expect.py", world.root / SUMS)
+    paths = (
+        world.home / "hostile-climbed",
+        world.root / "tests/shared/expect.py",
+        world.root / SUMS,
+    )
     zipped(at, [*((str(path), "climbed") for path in paths), (SUMS, WRONG)])
 
 

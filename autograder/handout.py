@@ -24,8 +24,9 @@ STUDENT_TOOLS = {
         "verdict.py verdicts.py watch.py wrapping.py written.py"
     ),
     "studies": (
-        "__init__.py __main__.py constraints.py demo.py drag_flight.py drawing.py engine.py "
-        "links.py mass_aggregate.py plot.py ropes.py rotations.py stability.py timing.py"
+        "__init__.py __main__.py balance.py constraints.py demo.py drag_flight.py drawing.py "
+        "engine.py links.py mass_aggregate.py piles.py plot.py releases.py ropes.py rotations.py "
+        "stability.py timing.py"
     ),
 }
 

@@ -70,6 +70,16 @@ def test_a_chapters_checks_import_no_later_chapter_and_nothing_heavy(path: Path)
         assert imported(path).isdisjoint({"hypothesis", "scipy", "pymunk", "numpy", "autograder"})
 
 
+@pytest.mark.parametrize(
+    "folder", ["autograder", "chapters", "sample_class", "solutions", "studies", "tests"]
+)
+def test_no_module_is_too_long_to_be_read_at_once(folder: str) -> None:
+    most = 400 if folder == "tests" else 300
+    files = (ROOT / folder).rglob("*.py")
+    lengths = {file: len(file.read_text(encoding="utf-8").splitlines()) for file in files}
+    assert {file: length for file, length in lengths.items() if length > most} == {}
+
+
 def test_the_readme_of_the_tests_has_a_line_for_each_helper() -> None:
     text = (ROOT / "tests/README.md").read_text(encoding="utf-8")
     listed = re.findall(r"(?m)^\| `(\w+)\.py` \| \w+", text)

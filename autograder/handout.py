@@ -16,12 +16,12 @@ STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock stubs.lock LICENSE .gitignore glossary.md",
     "autograder": (
         "__init__.py __main__.py allowed_acts.py allowed_imports.py answers.py apart.py "
-        "arrange.py asked.py calls.py check.py commands.py definitions.py edits.py events.py "
-        "explain.py failure.py faults.py finish.py given.py gone.py in_process.py judge.py "
-        "keys.py lock.py make_venv.py manifest.py memory.py message.py missing.py nearest.py "
-        "originals.py page.py places.py printed.py progress.py put_back.py records.py reset.py "
-        "runner.py scores.py screen.py session.py students_code.py stubs.py surroundings.py "
-        "verdict.py verdicts.py watch.py wrapping.py written.py"
+        "arrange.py asked.py calls.py check.py clean.py commands.py definitions.py edits.py "
+        "events.py explain.py failure.py faults.py finish.py given.py gone.py in_process.py "
+        "judge.py keys.py lock.py make_venv.py manifest.py memory.py message.py missing.py "
+        "nearest.py originals.py page.py places.py printed.py progress.py put_back.py records.py "
+        "reset.py runner.py scores.py screen.py session.py students_code.py stubs.py "
+        "surroundings.py verdict.py verdicts.py watch.py wrapping.py written.py"
     ),
     "studies": (
         "__init__.py __main__.py balance.py constraints.py demo.py drag_flight.py drawing.py "

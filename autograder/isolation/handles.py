@@ -11,8 +11,9 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NoReturn
 
+from autograder.clean import clean
 from autograder.explain import NOT_IMPLEMENTED
-from autograder.faults import CheckEnded, Fault, StudentLeft, clean
+from autograder.faults import CheckEnded, Fault, StudentLeft
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
 from autograder.message import Kind, Message, Place
 from autograder.missing import MissingName

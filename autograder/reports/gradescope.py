@@ -6,8 +6,9 @@ import json
 from pathlib import Path
 from typing import Any
 
+from autograder.clean import clean_line
 from autograder.reports.report import ExerciseReport, StudentReport, tiers
-from autograder.reports.texts import check_title, clean, clean_line, number, replace_file
+from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
@@ -34,6 +35,7 @@ def gradescope_results(report: StudentReport) -> dict[str, Any]:
 
     Where the grader failed there is no score at all: no zero, and no full marks.
     """
+    report = clean_all(report)
     failed = report.status != "graded" or report.score is None
     results: dict[str, Any] = {
         "output": _summary(report, failed),
@@ -49,7 +51,7 @@ def gradescope_results(report: StudentReport) -> dict[str, Any]:
 
 def ungraded_results(reason: str) -> dict[str, Any]:
     """Return results in Gradescope's form for a submission that could not be graded at all."""
-    return {"output": f"{OURS}\n{clean(reason)}", **FORM, "tests": []}
+    return {"output": f"{OURS}\n{clean_all(reason)}", **FORM, "tests": []}
 
 
 def _summary(report: StudentReport, failed: bool) -> str:
@@ -93,7 +95,7 @@ def _output(exercise: ExerciseReport) -> str:
     if status == "waiting":
         return f"waits for a person, who gives up to {exercise.points} points"
     if status == "marked":
-        return f"marked by a person\n{clean(exercise.comment)}".strip()
+        return f"marked by a person\n{exercise.comment}".strip()
     lost = [check for check in checks if check.status != "passed"]
     blocks = [OURS] if status == "error" else []
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))
@@ -105,5 +107,5 @@ def _output(exercise: ExerciseReport) -> str:
     for check in lost:
         title = "a hidden check" if check.hidden else check_title(check.name)
         tier = "robust, " if check.robust else ""
-        blocks.append(f"{tier}{check.status}: {title}\n{clean(str(check.message))}".strip())
+        blocks.append(f"{tier}{check.status}: {title}\n{check.message}".strip())
     return "\n\n".join(blocks)

@@ -40,7 +40,7 @@ gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 # == For those who work on the companion itself ==
 test: say-what-test-is lint .venv/cluster .venv/mutants ## test the companion itself; CH=6: what is about a chapter
 ifneq ($(CH),)
-	@PYTHONPATH=tests $(RUN) -m pytest -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
+	@PYTHONPATH=tests/helpers $(RUN) -m pytest -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
 else
 	@$(RUN) -m pytest -n auto --ignore=$(HOSTILE)
 	@$(RUN) -m pytest $(HOSTILE)

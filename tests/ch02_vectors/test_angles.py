@@ -56,11 +56,10 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
         about.call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
         about.cause = "a pair is wanted: a . b and a word"
         product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
-        name = f"{about.call}, the first"
         cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
         divided = "that is the cosine: a . b is wanted as it is, not divided by the lengths"
         blame(product, [(cosine, divided)])
-        expect_close(product, dot(a, b), call=name, tolerance=1e-12)
+        expect_close(product, dot(a, b), then=", the first", tolerance=1e-12)
         about.cause = "a positive product means an acute angle, a negative one an obtuse angle"
         if got == "right":
             about.cause = "a small product is not zero: its sign still says what the angle is"

@@ -42,7 +42,6 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
     basis = basis_of(a, b)
     for i in range(3):
         for j in range(i, 3):
-            name = f"{about.call}; the scalar product of vectors {i + 1} and {j + 1}"
             about.cause = "they are at right angles: vector 2 is made from the other two, c x a"
             if i == j:
                 about.cause = f"vector {i + 1} is of unit length; its product with itself is the "
@@ -55,7 +54,12 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
             got = dot(basis[i], basis[j])
             blame(got, mistakes)
             wanted = 1.0 if i == j else 0.0
-            expect_close(got, wanted, call=name, tolerance=1e-12)
+            expect_close(
+                got,
+                wanted,
+                then=f"; the scalar product of vectors {i + 1} and {j + 1}",
+                tolerance=1e-12,
+            )
 
 
 @pytest.mark.exercise("B2.10")

@@ -133,10 +133,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     about.cause = "three results are wanted: a . b, the vector b - (a . b) a, and a right angle in "
     about.cause += "radians"
     along = dot(a, b)
-    name = f"{about.call}, the first"
-    expect_close(c, along, call=name, tolerance=1e-12)
+    expect_close(c, along, then=", the first", tolerance=1e-12)
     wanted = (b[0] - along * a[0], b[1] - along * a[1], b[2] - along * a[2])
-    name = f"{about.call}, the second"
     mistakes = [
         (tuple(along * n for n in a), "that is c a, the projection itself: take it away from b"),
         (tuple(-n for n in wanted), "that is c a - b: d is b - c a"),
@@ -144,16 +142,19 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
         (tuple(a[i] - along * b[i] for i in range(3)), "that is a - c b: d is b - c a"),
     ]
     expect_close(
-        xyz(d), wanted, call=name, cause=cause_of(xyz(d), mistakes, about.cause), tolerance=1e-12
+        xyz(d),
+        wanted,
+        then=", the second",
+        cause=cause_of(xyz(d), mistakes, about.cause),
+        tolerance=1e-12,
     )
     # By its sine, a right angle is known to the root of a rounding only: of 1e-15, 5e-8.
-    name = f"{about.call}, the third"
     mistakes = [
         (90.0, "that is in degrees: radians are wanted"),
         (math.acos(max(-1.0, min(along, 1.0))), "that is the angle between a and b, not a and d"),
     ]
     about.cause = cause_of(angle, mistakes, "the angle between a and d, in radians: a right one")
-    expect_close(angle, math.pi / 2.0, call=name, tolerance=1e-7)
+    expect_close(angle, math.pi / 2.0, then=", the third", tolerance=1e-7)
     about.cause = "add_scaled, -= and *= change the caller's vector: b - a * c makes a new one"
     expect_unchanged("v", xyz(v), a, read="the docstring of remove_projection")
     expect_unchanged("w", xyz(w), b, read="the docstring of remove_projection")

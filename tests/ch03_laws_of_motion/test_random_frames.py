@@ -109,8 +109,9 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
     again = frames_of(0.02, 0.5, 1.0, seed)
     expect_exactly(again == first, True, then=", twice: the same?")
     for i, other in enumerate(others, 1):
-        name = f"{about.call}, and with seed {seed + i}: the same first frame?"
-        expect_exactly(other[0] == first[0], False, call=name)
+        expect_exactly(
+            other[0] == first[0], False, then=f", and with seed {seed + i}: the same first frame?"
+        )
     name = f"does {about.call} go up or down all the time?"
     about.cause = "the frames come as they are drawn, not sorted"
     in_order = first[:-1] in (sorted(first[:-1]), sorted(first[:-1], reverse=True))

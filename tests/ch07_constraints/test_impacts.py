@@ -66,24 +66,20 @@ def test_the_first_on_the_ground(rng: Random) -> None:
         (whole, "the radius is left out: the lowest point gets there first"),
     ]
     seen = cause_of(time, mistakes, about.cause)
-    name = f"{about.call}: time"
-    expect_close(time, first, call=name, cause=seen, tolerance=1e-13)
+    expect_close(time, first, then=": time", cause=seen, tolerance=1e-13)
     ((a, b, normal, restitution, depth),) = told([contact], particles)
     seen = (a, b, *normal, restitution, depth)
     wanted = (times.index(first), -1, *UP, c, 0.0)
     if depth:
         about.cause = "the depth is 0: the contact is that of the moment when they touch, not of "
         about.cause += "now"
-    name = f"{about.call}: particle by number, -1 for None, normal, restitution, depth"
-    expect_close(seen, wanted, call=name)
+    expect_close(seen, wanted, then=": particle by number, -1 for None, normal, restitution, depth")
     about.cause = "what comes later than the duration is no impact of this frame"
-    name = f"{about.call}; g.next_impact({0.999 * first}) is None"
     got = ground.next_impact(0.999 * first)
-    expect_exactly(got is None, True, call=name)
+    expect_exactly(got is None, True, then=f"; g.next_impact({0.999 * first}) is None")
     about.cause = "an impact at the very end of the duration is one"
     got = ground.next_impact(float(time))
-    name = f"{about.call}; g.next_impact({time!r}) is None"
-    expect_exactly(got is None, False, call=name)
+    expect_exactly(got is None, False, then=f"; g.next_impact({time!r}) is None")
     about.call += f"; g.height -= 1, g.radius = 0, g.restitution = 0.5; g.next_impact({first!r} + "
     about.call += "9)"
     about.cause = "read the attributes each time: all of them fall 1.25 m further"
@@ -216,9 +212,10 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         expect_close(normal, n, then=": normal", tolerance=1e-8)
         about.cause = "the contact has both, the detector's restitution, and at the impact a depth "
         about.cause += "of 0"
-        name = f"{about.call}: particle and other by number, restitution, penetration"
         seen = (first, second, restitution, depth)
-        expect_close(seen, (0, 1, c, 0.0), call=name)
+        expect_close(
+            seen, (0, 1, c, 0.0), then=": particle and other by number, restitution, penetration"
+        )
         about.cause = "to look ahead moves nothing"
         one, other = pair
         now = (*xyz(one.position), *xyz(one.velocity), *xyz(other.position), *xyz(other.velocity))

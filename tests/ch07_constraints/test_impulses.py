@@ -105,16 +105,14 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         va, vb = xyz(a.velocity), xyz(b.velocity)
         got = tuple(ma * p + mb * q for p, q in zip(va, vb, strict=True))
         wanted = tuple(ma * p + mb * q for p, q in zip(v, w, strict=True))
-        name = f"{about.call}; the momentum of both"
         # Some roundings of numbers up to 200.
-        expect_close(got, wanted, call=name, tolerance=1e-11)
+        expect_close(got, wanted, then="; the momentum of both", tolerance=1e-11)
         lost = 0.5 * ma * (dot(v, v) - dot(va, va)) + 0.5 * mb * (dot(w, w) - dot(vb, vb))
         closing = dot(w, n) - dot(v, n)
         wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * closing * closing
-        name = f"{about.call}; the kinetic energy that is lost"
         about.cause = "mu (1 - c^2) v_s^2 / 2, with mu = ma mb / (ma + mb): none of it at "
         about.cause += "restitution 1, and that is what elastic means (E-7)"
-        expect_close(lost, wanted, call=name, tolerance=1e-10)
+        expect_close(lost, wanted, then="; the kinetic energy that is lost", tolerance=1e-10)
 
 
 @pytest.mark.exercise("B7.3")
@@ -340,8 +338,7 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     expect_unchanged("c.normal", got, n)
     got = xyz(a.position)
     wanted = tuple(x + part for x, part in zip(p, n, strict=True))
-    shown = f"{about.call}; a.position"
-    expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
+    expect_close(got, wanted, then="; a.position", tolerance=1e-14 * 8)
     about.call = f"a at {p}, b at {q}; c = Contact(a, b, Vector3{n}, 0.5, 0.5); moves = "
     about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
     about.cause = "the normal, the positions and the moves are three things: work on vectors of "
@@ -356,12 +353,10 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     for name, particle, place, sign in (("a", a, p, 0.25), ("b", b, q, -0.25)):
         wanted = tuple(x + sign * part for x, part in zip(place, n, strict=True))
         got = xyz(particle.position)
-        shown = f"{about.call}; {name}.position"
-        expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
+        expect_close(got, wanted, then=f"; {name}.position", tolerance=1e-14 * 8)
         got = xyz(particle.velocity)
-        shown = f"{about.call}; {name}.velocity"
         about.cause = "places only: resolve_velocity changes velocities"
-        expect_close(got, ZERO, call=shown)
+        expect_close(got, ZERO, then=f"; {name}.velocity")
 
 
 @pytest.mark.exercise("B7.4")

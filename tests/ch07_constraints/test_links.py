@@ -60,9 +60,10 @@ def expect_contacts(
     expect_exactly(len(got), len(wanted), then=": how many", cause=why)
     for seen, right in zip(got, wanted, strict=True):
         a, b, normal, restitution, depth = seen
-        name = f"{about.call}: particle and other, by number, -1 for None"
         why = "the particle is the end a; the other is the end b, or None for an anchor"
-        expect_close((a, b), right[:2], call=name, cause=why)
+        expect_close(
+            (a, b), right[:2], then=": particle and other, by number, -1 for None", cause=why
+        )
         back = tuple(-part for part in right[2])
         why = cause_of(normal, [(back, f"the normal is turned round: {about.cause}")], about.cause)
         expect_close(normal, right[2], then=": normal", cause=why, tolerance=1e-15)
@@ -74,8 +75,7 @@ def expect_contacts(
         ]
         why = cause_of(depth, depths, about.cause)
         # Lengths of up to 20 m, rounded a few times.
-        name = f"{about.call}: penetration"
-        expect_close(depth, right[4], call=name, cause=why, tolerance=1e-14)
+        expect_close(depth, right[4], then=": penetration", cause=why, tolerance=1e-14)
 
 
 def places(pair: list[Any]) -> Components:
@@ -246,10 +246,11 @@ def test_a_pendulum_swings_in_its_period() -> None:
         # A quarter of the period; the error is of order h: 0.001 s of 0.5 s, with a margin of 5.
         got = 4.0 * turn * 0.001
         expect_close(got, period, tolerance=0.01 * period)
-        name = f"{about.call}; how far it is from the anchor in the end, m"
         about.cause = "resolve_penetration brings it back to its length in each frame"
         got = math.hypot(*seen[-1][0])
-        expect_close(got, 1.0, call=name, tolerance=1e-12)
+        expect_close(
+            got, 1.0, then="; how far it is from the anchor in the end, m", tolerance=1e-12
+        )
 
 
 @pytest.mark.exercise("B7.8")

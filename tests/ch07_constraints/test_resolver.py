@@ -187,9 +187,13 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
     about.cause = "it goes on until nothing closes faster than VELOCITY_TOLERANCE"
     used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
     got = max(dot(after[b][1], n) - dot(after[a][1], n) for a, b, n, _, _ in contacts)
-    name = f"{about.call}: how fast the worst one still closes, or parts if negative"
     # VELOCITY_TOLERANCE is 1e-12; what parts is right, and none parts faster than 100 m/s.
-    expect_close(got, -50.0, call=name, tolerance=50.0 + 2e-12)
+    expect_close(
+        got,
+        -50.0,
+        then=": how fast the worst one still closes, or parts if negative",
+        tolerance=50.0 + 2e-12,
+    )
     # One resolution changes two bodies, and no two bodies have a part in all of the contacts.
     about.cause = "it returns how many it has resolved, which is more than 1 and less than the "
     about.cause += "limit here"
@@ -199,8 +203,9 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
         for velocities in ([v for _, v, _ in bodies], [v for _, v in after])
     )
     about.cause = "an impulse at restitution 0.5 takes energy out, and never puts some in"
-    name = f"{about.call}: the kinetic energy, as a share of that before"
-    expect_close(now / before, 0.5, call=name, tolerance=0.5)
+    expect_close(
+        now / before, 0.5, then=": the kinetic energy, as a share of that before", tolerance=0.5
+    )
 
 
 @pytest.mark.exercise("B7.5")
@@ -215,9 +220,8 @@ def test_each_resolution_knows_the_duration() -> None:
         bodies = [(ZERO, (0.0, -4.0, 0.0), 2.0), (ZERO, (0.0, -4.0, 0.0), 3.0)]
         pull = (0.0, -4.0, 0.0)
         _, after, _ = resolved(bodies, contacts, "resolve_velocities", 9, duration, pull)
-        name = f"{about.call} {duration}: velocities upwards"
         got = (after[0][1][1], after[1][1][1])
-        expect_close(got, (wanted, wanted), call=name)
+        expect_close(got, (wanted, wanted), then=f" {duration}: velocities upwards")
 
 
 @pytest.mark.exercise("B7.6")
@@ -334,8 +338,7 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             about.cause = "less by how far its particle moved along its normal, more by how far "
             about.cause += "its other did, whatever its other end; the world never moves: `is` "
             about.cause += "tells two particles apart, and None is None as well"
-            name = f"{about.call} {names[p]} and {names[q]}"
-            expect_close(got, wanted, call=name, tolerance=1e-14)
+            expect_close(got, wanted, then=f" {names[p]} and {names[q]}", tolerance=1e-14)
 
 
 @pytest.mark.exercise("B7.6")
@@ -355,18 +358,22 @@ def test_both_phases_have_their_own_limit() -> None:
         (1, 2, "each phase may use the one iteration of its own"),
     ):
         about.cause = cause
-        name = f"{about.call}ContactResolver({iterations}).resolve_contacts; iterations_used"
         used, after, _ = resolved(bodies, pairs, "resolve_contacts", iterations or 0)
-        expect_exactly(used, wanted, call=name)
+        expect_exactly(
+            used, wanted, then=f"ContactResolver({iterations}).resolve_contacts; iterations_used"
+        )
         about.cause = "the places in the end are those of resolve_penetrations"
         got = math.fsum(place[0] for place, _ in after[:3])
-        name = f"{about.call}ContactResolver({iterations}).resolve_contacts; the sum of the places"
-        expect_close(got, 3.0, call=name, tolerance=1e-14)
-    name = f"{about.call}the balls at rest and apart; iterations_used"
+        expect_close(
+            got,
+            3.0,
+            then=f"ContactResolver({iterations}).resolve_contacts; the sum of the places",
+            tolerance=1e-14,
+        )
     pairs = [(1, 0, RIGHT, 0.0, 0.0), (2, 1, RIGHT, 0.0, -0.5)]
     about.cause = "where nothing closes and nothing is deep, nothing is used"
     used, after, _ = resolved(row(0.0, 0.0, 0.0), pairs, "resolve_contacts", 0)
-    expect_exactly(used, 0, call=name)
+    expect_exactly(used, 0, then="the balls at rest and apart; iterations_used")
     got = tuple(place[0] for place, _ in after)
     expect_close(got, (0.0, 1.0, 2.0), then="the balls at rest: places")
 

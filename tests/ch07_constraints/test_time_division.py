@@ -92,14 +92,11 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
         about.cause = "a bounce of restitution e, at the time of impact, and for a duration of 0: "
         about.cause += "nothing of it was built up by a frame"
         # Some 200 flights, each with a few roundings of 10 m.
-        name = f"{about.call}height and speed"
-        expect_close((place[1], velocity[1]), wanted, call=name, tolerance=1e-11)
+        expect_close((place[1], velocity[1]), wanted, then="height and speed", tolerance=1e-11)
         about.cause = "it asks for what is left of the frame: first for all of it"
-        name = f"{about.call}the longest that the detector was asked for"
-        expect_close(max(asked), h, call=name)
-        name = f"{about.call}how often the detector was asked"
+        expect_close(max(asked), h, then="the longest that the detector was asked for")
         about.cause = "once a frame, and once more after each impact"
-        expect_exactly(len(asked), frames + bounces, call=name)
+        expect_exactly(len(asked), frames + bounces, then="how often the detector was asked")
 
 
 @pytest.mark.exercise("B7.12")
@@ -162,16 +159,19 @@ def test_rest_is_told_with_its_time() -> None:
         expect_exactly(impacts, most, then=f"{most}: error.impacts")
         about.cause = "impacts at 1, 2, 2.5 and 2.75 s: they come sooner where each of them damps, "
         about.cause += "and damping is for the end of the frame"
-        name = f"{about.call}{most}: error.time"
-        expect_close(time, times[most], call=name, tolerance=1e-12)
+        expect_close(time, times[most], then=f"{most}: error.time", tolerance=1e-12)
         place, velocity = seen[0][0]
         speed = -10.0 * 0.5**most
         about.cause = "the particles are then where they are at the time of the next impact, "
         about.cause += "unresolved, and not yet damped"
         early = "that is after the last impact: fly to the next one, and raise then"
         blame((place[1], velocity[1]), [((0.0, -speed), early)])
-        name = f"{about.call}{most}: height and speed then"
-        expect_close((place[1], velocity[1]), (0.0, speed), call=name, tolerance=1e-12)
+        expect_close(
+            (place[1], velocity[1]),
+            (0.0, speed),
+            then=f"{most}: height and speed then",
+            tolerance=1e-12,
+        )
 
 
 @pytest.mark.exercise("B7.12")
@@ -214,18 +214,22 @@ def test_impacts_come_in_their_order(rng: Random) -> None:
     # After the first impact: 3 kg at 0.5, 1 kg at 1.5 m/s, which meets the right one at 2.5 m/s.
     wanted_times = (1.0, late / 2.5)
     got = tuple(time for _, _, time in found[:2])
-    name = f"{about.call}times of the first two impacts, each since the one before"
-    expect_close(got, wanted_times, call=name, tolerance=1e-13)
-    name = f"{about.call}which pairs"
+    expect_close(
+        got,
+        wanted_times,
+        then="times of the first two impacts, each since the one before",
+        tolerance=1e-13,
+    )
     pairs = [number for a, b, _ in found[:2] for number in (a, b)]
-    expect_exactly(pairs, [0, 1, 1, 2], call=name)
+    expect_exactly(pairs, [0, 1, 1, 2], then="which pairs")
     about.cause = "momentum and, at restitution 1, energy are what they were"
     momentum = math.fsum(m * v[0] for (_, _, m), (_, v) in zip(bodies, seen[0], strict=True))
     energy = math.fsum(
         0.5 * m * v[0] ** 2 for (_, _, m), (_, v) in zip(bodies, seen[0], strict=True)
     )
-    name = f"{about.call}momentum and kinetic energy"
-    expect_close((momentum, energy), (0.0, 3.0), call=name, tolerance=1e-13)
+    expect_close(
+        (momentum, energy), (0.0, 3.0), then="momentum and kinetic energy", tolerance=1e-13
+    )
     about.cause = "spheres do not pass through each other"
     gaps = [right[0][0] - left[0][0] - 2.0 for left, right in pairwise(seen[0])]
     got = min(0.0, *gaps)
@@ -256,38 +260,39 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     about.cause += "and after an impact"
     bouncing, falling, fixed = pushed(pushes, d, h)
     # Some roundings of 5 m/s.
-    name = f"{about.call}position"
     wanted = (3.0 * h, height, 0.0)
-    expect_close(bouncing[0], wanted, call=name, tolerance=1e-13)
+    expect_close(bouncing[0], wanted, then="position", tolerance=1e-13)
     about.cause = "damping multiplies the velocity by d^h, once, at the end of the frame"
-    name = f"{about.call}velocity"
     mistakes = [
         ((3.0, 2.0 * end, 0.0), "damping is left out: d^h times the velocity, at the end"),
         ((0.75, 0.5 * end, 0.0), "that is d, the damping of a second: this frame has d^h"),
     ]
     blame(bouncing[1], mistakes)
-    expect_close(bouncing[1], (1.5, end, 0.0), call=name, tolerance=1e-13)
+    expect_close(bouncing[1], (1.5, end, 0.0), then="velocity", tolerance=1e-13)
     about.cause = "the frame uses the forces up: let Particle.integrate do it, and put place and "
     about.cause += "velocity back; last_acceleration is that of the frame"
     wanted = (0.0, a, 0.0)
-    name = f"{about.call}p.last_acceleration"
-    expect_close(bouncing[2], wanted, call=name, tolerance=1e-14)
+    expect_close(bouncing[2], wanted, then="p.last_acceleration", tolerance=1e-14)
     expect_close(bouncing[3], ZERO, then="p.force_accumulator")
     about.cause = "each particle has its own forces: 8 N on 2 kg, without an impact"
     got = falling[0] + falling[1]
-    name = f"{about.call}another one, at (9, 90, 0) at rest, 8 N along X: position, velocity"
     wanted = (9.5, 90.0, 0.0, 1.0, 0.0, 0.0)
-    expect_close(got, wanted, call=name, tolerance=1e-13)
+    expect_close(
+        got,
+        wanted,
+        then="another one, at (9, 90, 0) at rest, 8 N along X: position, velocity",
+        tolerance=1e-13,
+    )
     about.cause = "what is immovable stays as it is, and loses its forces"
     got = fixed[0] + fixed[1] + fixed[3]
-    name = f"{about.call}an immovable one, velocity (1, 2, 3): position, velocity, force"
     wanted = (9.0, 9.0, 9.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0)
-    expect_close(got, wanted, call=name)
+    expect_close(
+        got, wanted, then="an immovable one, velocity (1, 2, 3): position, velocity, force"
+    )
     about.call += "another frame; "
     about.cause = "in the next frame the force is gone"
     wanted = (2.25, height + end * h + 0.125 * a * h * h, 0.0)
-    name = f"{about.call}position"
-    expect_close(bouncing[4], wanted, call=name, tolerance=1e-13)
+    expect_close(bouncing[4], wanted, then="position", tolerance=1e-13)
 
 
 @pytest.mark.exercise("B7.12")

@@ -84,9 +84,8 @@ def test_the_angles_are_within_half_a_turn() -> None:
     about.read = "the docstring of two_other_turns"
     about.call, about.cause = "two_other_turns()", "degrees from -180 to 180: 270 is -90"
     for letter, angle in zip("ab", two_other_turns(), strict=True):
-        name = f"{about.call}, {letter}, which is {angle}: is it from -180 to 180"
         allowed = isinstance(angle, (int, float)) and abs(angle) <= 180.0
-        expect_exactly(allowed, True, call=name)
+        expect_exactly(allowed, True, then=f", {letter}, which is {angle}: is it from -180 to 180")
 
 
 # 9.2 One turn back to the reference
@@ -108,9 +107,8 @@ def way_back(q: Quad) -> tuple:
     slips = {"an angle in degrees, not in radians": turn, "an angle in degrees": -turn}
     if angle:
         about.cause = named(angle, about.cause, slips)
-    name = f"{about.call}: is its angle, {angle}, from -pi to pi"
     allowed = isinstance(angle, (int, float)) and abs(angle) <= math.pi + 1e-12
-    expect_exactly(allowed, True, call=name)
+    expect_exactly(allowed, True, then=f": is its angle, {angle}, from -pi to pi")
     return unit, angle
 
 
@@ -194,10 +192,9 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
-    name = f"{about.call}: multiplications, where more than four are made"
     about.cause = "a * b makes sixteen: leave out what is zero"
     got = max(4, multiplications((r, i), (s, j)))
-    expect_exactly(got, 4, call=name)
+    expect_exactly(got, 4, then=": multiplications, where more than four are made")
 
 
 @pytest.mark.exercise("9.3a")
@@ -298,7 +295,6 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
             result, error = turned_by_steps(orientation, rate, duration, steps)
         wanted = stepped(q, rate, duration, steps)
         got = same_sign(rijk(result), wanted)
-        name = f"{about.call}, the orientation"
         half = 0.5 * rate * duration / steps
         size = (1.0 + half * half) ** (0.5 * steps)
         slips = {
@@ -312,11 +308,10 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         }
         slips = {label: same_sign(slip, wanted) for label, slip in slips.items()}
         why = named(got, about.cause, slips)
-        expect_close(got, wanted, call=name, cause=why, tolerance=TIGHT)
+        expect_close(got, wanted, then=", the orientation", cause=why, tolerance=TIGHT)
         turn = abs(rate * duration)
         missing = turn - 2.0 * steps * math.atan(0.5 * turn / steps)
         about.cause = "the angle of the turn from the one to the other, in radians and not negative"
-        name = f"{about.call}, the error"
         slips = {
             "half the angle": 0.5 * missing,
             "the angle with its sign": -missing,
@@ -325,7 +320,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         why = named(error, about.cause, slips)
         if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
             why = f"acos loses half of the digits where the turn is small, as here: {about.cause}"
-        expect_close(error, missing, call=name, cause=why, tolerance=1e-11)
+        expect_close(error, missing, then=", the error", cause=why, tolerance=1e-11)
         expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
 
 

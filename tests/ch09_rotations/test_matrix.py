@@ -85,7 +85,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
 @pytest.mark.exercise("B9.4")
 @pytest.mark.robust
 def test_a_matrix_times_something_else_is_refused() -> None:
-    about.read = "the first lines of matrix.py"
+    about.read = "the first lines of matrix3.py"
     v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
     about.cause = "three numbers are no Vector3: TypeError"
     expect_error(

@@ -32,7 +32,7 @@ from turning import (
 POINT = "book 9.4.2, and the docstring of Matrix4.transform"
 TIMES = "book 9.4.2, and the docstring of Matrix4.product"
 INVERSE = "book 9.4.3, and the docstring of Matrix4.inverse"
-FIRST_LINES = "the first lines of matrix.py"
+FIRST_LINES = "the first lines of matrix3.py"
 
 
 @pytest.mark.exercise("B9.14")

@@ -35,7 +35,7 @@ from turning import (
 
 WORLD = "book 9.4.5"
 BASIS = "book 9.4.6, and the docstring of change_basis"
-FIRST_LINES = "the first lines of matrix.py"
+FIRST_LINES = "the first lines of matrix3.py"
 METHODS = pytest.mark.parametrize(
     "method", ["transform_inverse", "transform_direction", "transform_inverse_direction"]
 )

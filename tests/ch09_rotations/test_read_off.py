@@ -47,13 +47,11 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     about.call = f"read_off(Matrix4{twelve})"
     about.cause = "the rotation is the first three columns, as a Matrix3, the position the last one"
     rotation, position = read_off(matrix)
-    name = f"{about.call}, the rotation"
     got = entries(rotation)
     slips = {"the transpose of the rotation": transposed(m), "the first nine entries": twelve[:9]}
     why = named(got, about.cause, slips)
     # Where an axis goes, less where the origin does, is rounded as numbers up to 11 are.
-    expect_close(got, m, call=name, cause=why, tolerance=TIGHT)
-    name = f"{about.call}, the position"
+    expect_close(got, m, then=", the rotation", cause=why, tolerance=TIGHT)
     got = xyz(position)
     x, y, z = applied(transposed(m), p)
     slips = {
@@ -63,7 +61,7 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
         "the position of the inverse": (-x, -y, -z),
     }
     why = named(got, about.cause, slips)
-    expect_close(got, p, call=name, cause=why, tolerance=0.0)
+    expect_close(got, p, then=", the position", cause=why, tolerance=0.0)
     expect_unchanged("the matrix", entries(matrix), twelve, cause=UNCHANGED)
 
 

@@ -195,7 +195,7 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
         TypeError,
         call=f"Matrix3.from_quaternion({q})",
         allowed=lambda: of_length(1.0),
-        read="the first lines of matrix.py",
+        read="the first lines of matrix3.py",
     )
 
 

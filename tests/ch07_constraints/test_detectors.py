@@ -32,8 +32,8 @@ PAIRS = "the docstring of ParticlePairs.contacts"
 def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
-    lowest = "The lowest point of the sphere, y - radius, is below the ground. Return a contact of "
-    lowest += "that depth, whatever the velocity is."
+    lowest = "The lowest point of the sphere, y - radius, is below the height of the ground. "
+    lowest += "Return a contact of that depth, whatever the velocity is."
     for radius in (0.0, 0.25):
         about.call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
         # Eighths of a meter are exact beside a radius of a quarter.

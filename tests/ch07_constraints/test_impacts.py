@@ -32,9 +32,10 @@ PAIRS = "the docstring of ParticlePairs.next_impact"
 
 @scoped
 def expect_impact(impact: Any) -> Any:
-    """Expect that there is an impact; return it."""
+    """Expect an impact, as time and contact, and return it."""
     about.cause = f"There is an impact here. Return (time, contact). {about.cause}"
-    expect_exactly(impact is None, False, then=" is None")
+    pair = isinstance(impact, (tuple, list)) and len(impact) == 2
+    expect_exactly(pair, True, then=" is (time, contact)")
     return impact
 
 

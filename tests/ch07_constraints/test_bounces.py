@@ -296,5 +296,5 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
             error,
             call=f"force_for_frame({name}, 1.0, 2.0)",
             allowed=lambda: force_for_frame(Vector3(1.0, 2.0, 3.0), 1.0, 2.0),
-            cause="Check the force with finite_vector of arguments.py.",
+            cause="Check the force with finite_vector from arguments.py.",
         )

@@ -326,7 +326,7 @@ def test_a_bounce_needs_a_duration_that_means_something() -> None:
             about.call = f"Contact(a, None, Vector3(0, 1, 0)).velocity_after({duration!r}), a with "
             about.call += f"velocity (0, {velocity}, 0)"
             about.cause = "Refuse a duration that is negative or not finite before anything else. "
-            about.cause += "Call not_negative of arguments.py."
+            about.cause += "Call not_negative from arguments.py."
             a = Particle(velocity=Vector3(0.0, velocity, 0.0))
             contact = Contact(a, None, Vector3(*UP))
             expect_error(

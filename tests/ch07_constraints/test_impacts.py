@@ -156,7 +156,7 @@ def test_the_ground_looks_ahead_for_a_duration() -> None:
 
 @scoped
 def expect_durations(name: str, detector: object) -> None:
-    about.cause = "Refuse a duration that is negative or not finite. Call not_negative of "
+    about.cause = "Refuse a duration that is negative or not finite. Call not_negative from "
     about.cause += "arguments.py."
     for duration, error in (
         (-0.5, ValueError),

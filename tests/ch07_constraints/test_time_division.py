@@ -309,8 +309,8 @@ def test_a_frame_needs_numbers_that_mean_something() -> None:
     about.read = READ
     p = Particle(Vector3(0.0, 5.0, 0.0), Vector3(1.0, 2.0, 3.0))
     p.add_force(Vector3(1.0, 0.0, 0.0))
-    about.cause = "Refuse bad arguments before anything moves. Call positive for the duration and "
-    about.cause += "whole for max_impacts, both of arguments.py."
+    about.cause = "Refuse a bad duration or max_impacts before anything moves. Call positive and "
+    about.cause += "whole from arguments.py."
     bad: list[tuple[tuple, type[Exception]]] = [
         ((duration, 10), ValueError) for duration in (0.0, -1.0, math.nan, math.inf)
     ]

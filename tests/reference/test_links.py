@@ -99,7 +99,7 @@ A, B, HERE = Particle(), Particle(), Vector3()
 @pytest.mark.parametrize(
     ("make", "error", "match"),
     [
-        (lambda: Cable(A, A, 1.0), ValueError, "b must be another particle"),
+        (lambda: Cable(A, A, 1.0), ValueError, "a and b must be two different"),
         (lambda: Cable(A, B, 0.0), ValueError, "max_length"),
         (lambda: Cable(A, B, math.inf), ValueError, "max_length"),
         (lambda: Cable(A, B, 1.0, 1.1), ValueError, "restitution"),
@@ -109,17 +109,17 @@ A, B, HERE = Particle(), Particle(), Vector3()
         (lambda: AnchoredCable(A, HERE, -1.0), ValueError, "max_length"),
         (lambda: AnchoredCable(A, HERE, 1.0, -0.1), ValueError, "restitution"),
         (lambda: Rod(None, B, 1.0), TypeError, "a must be a Particle"),
-        (lambda: Rod(B, B, 1.0), ValueError, "another particle"),
+        (lambda: Rod(B, B, 1.0), ValueError, "two different particles"),
         (lambda: Rod(A, B, math.nan), ValueError, "length"),
         (lambda: Rod(A, B, "1"), TypeError, "length"),
         (lambda: TwoSidedRod(A, B, 0.0), ValueError, "length"),
         (lambda: AnchoredRod(A, (0, 0, 0), 1.0), TypeError, "anchor"),
         (lambda: AnchoredRod(A, HERE, 0.0), ValueError, "length"),
         (lambda: Limits(A, B, -0.1, 1.0), ValueError, "min_length"),
-        (lambda: Limits(A, B, 2.0, 1.0), ValueError, "min_length must be max_length"),
+        (lambda: Limits(A, B, 2.0, 1.0), ValueError, "min_length must be at most max_length"),
         (lambda: Limits(A, B, 0.0, 0.0), ValueError, "max_length"),
         (lambda: Limits(A, B, 0.0, 1.0, math.nan), ValueError, "restitution"),
-        (lambda: Limits(A, A, 0.0, 1.0), ValueError, "another particle"),
+        (lambda: Limits(A, A, 0.0, 1.0), ValueError, "two different particles"),
     ],
 )
 def test_what_a_link_cannot_be_made_of_is_named(

@@ -1,7 +1,7 @@
-"""Pictures of chapter 7: bounces, rest, what the resolver leaves, stacks, ropes and rods.
+"""Pictures of chapter 7: bounces, resting contacts, the resolver, stacks, ropes and rods.
 
-Titles give what is measured on the picture: a wrong engine cannot hide. What is not written yet is
-left out where there is something else to see. Rods are in plots_of_rods.
+Each title gives a figure that is measured on the picture, so that mistakes in an engine show.
+Curves of bodies that are not written yet are left out. Pictures of rods are in plots_of_rods.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ COLORS = {"explicit Euler": RED, "semi-implicit Euler": BLUE, "time division": G
 
 
 def bounce_heights() -> Picture:
-    """A ball that falls from 2 m and bounces: with all of its speed, and with half of it."""
+    """A ball that falls from 2 m and bounces, with restitution 1 and with restitution 0.5."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     found = written(
@@ -72,8 +72,8 @@ def bounce_heights() -> Picture:
             words.append(f"{name}: up to {max(late):.3f} m")
         elif c < 1.0 and name == "time division":
             ended = run.message.startswith("TooManyImpacts")
-            words_of = f"the impacts end after {run.times[-1]:.7f} s" if ended else "no end is told"
-            ends.append(f"{name}: {words_of}")
+            end = f"the impacts end after {run.times[-1]:.7f} s" if ended else "no end is reported"
+            ends.append(f"{name}: {end}")
         elif c < 1.0:
             late = [height for time, height in run.points if time > 2.0]
             ends.append(f"{name}: up to {1e3 * max(late, default=math.nan):.3g} mm after 2 s")
@@ -88,16 +88,16 @@ def bounce_heights() -> Picture:
     left.set_ylim(top=max([1.25 * HEIGHT, *_finite(found.values())]) * 1.15)
     left.legend(fontsize=8, ncols=3, loc="upper center")
     right.legend(fontsize=8)
-    # An end at restitution 0.5 is what time division is expected to say.
+    # At restitution 0.5 time division is expected to report an end.
     _notes(figure, {key: run for key, run in found.items() if key != ("time division", 0.5)})
     return Picture(figure, ("method", "restitution", "time, s", "height, m"), rows)
 
 
 def resting_jitter() -> Picture:
-    """A ball that rests, with and without the rule for it, and a rule that is taken too far."""
+    """A ball at rest, with and without the resting rule, and with a rule that goes too far."""
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
-    rules = {"the rule": None, "no rule": without_rule}
+    rules = {"resting rule": None, "no rule": without_rule}
     found = written(
         {
             (c, name, rule, made): _resting(name, c, rules[rule], made == "generated")
@@ -107,8 +107,9 @@ def resting_jitter() -> Picture:
             for made in ("built-in", "generated")
         }
     )
-    looks = {("explicit Euler", "the rule"): RED, ("explicit Euler", "no rule"): ORANGE}
-    looks |= {("semi-implicit Euler", "the rule"): BLUE, ("semi-implicit Euler", "no rule"): SKY}
+    looks = {("explicit Euler", "resting rule"): RED, ("explicit Euler", "no rule"): ORANGE}
+    looks |= {("semi-implicit Euler", "resting rule"): BLUE}
+    looks |= {("semi-implicit Euler", "no rule"): SKY}
     for (c, name, rule, made), run in found.items():
         axes = panels[0] if c == 0.5 else panels[1]
         mm = [1e3 * height for height in run.values]
@@ -127,7 +128,7 @@ def resting_jitter() -> Picture:
             high = [value for key, value in most.items() if key[1] == rule]
             words.append(f"with {rule} {max(high, default=math.nan):.3g} mm")
         axes.set_title(
-            f"A ball at rest 1 $\\mu$m up, restitution {c:g}: highest\n{', '.join(words)}",
+            f"A ball at rest 1 $\\mu$m up, restitution {c:g}: largest height\n{', '.join(words)}",
             fontsize=10,
         )
         axes.legend(fontsize=7.5, loc="upper left")
@@ -135,8 +136,8 @@ def resting_jitter() -> Picture:
     falls = written(
         {
             "time division": lambda: ball_by_time_division(fall, c, 60),
-            "explicit Euler, the rule": lambda: ball(STEPS["explicit Euler"], fall, c, 60),
-            "semi-implicit Euler, the rule": _falling(fall, c, None),
+            "explicit Euler, resting rule": lambda: ball(STEPS["explicit Euler"], fall, c, 60),
+            "semi-implicit Euler, resting rule": _falling(fall, c, None),
             "semi-implicit Euler, no bounce below 1 m/s": _falling(fall, c, no_bounce_below(1.0)),
         }
     )
@@ -148,7 +149,7 @@ def resting_jitter() -> Picture:
         words.append(f"{1e3 * _rise(run):.3g}")
     axes.set_title(
         f"A fall of {1e3 * fall:g} mm, to {math.sqrt(2.0 * GRAVITY * fall):.2f} m/s, restitution "
-        f"{c:g}: highest\nbounces of {', '.join(words)} mm (theory {1e3 * fall * c**2:.3g})",
+        f"{c:g}: highest\nbounce {', '.join(words)} mm (theory {1e3 * fall * c**2:.3g})",
         fontsize=10,
     )
     axes.set_ylim(-3.0, 75.0)
@@ -161,20 +162,20 @@ def resting_jitter() -> Picture:
 
 
 def resolver_convergence() -> Picture:
-    """What is left of velocities and depths in a pile after so many resolutions."""
+    """The largest closing velocity and depth left in a pile, by the number of resolutions."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     counts = [*range(31), *range(32, 100, 4), *range(100, 401, 20)]
     found = written(
         {
-            "the worst first": lambda: [residuals(count, False) for count in counts],
-            "in the order of the list": lambda: [residuals(count, True) for count in counts],
+            "worst first": lambda: [residuals(count, False) for count in counts],
+            "in list order": lambda: [residuals(count, True) for count in counts],
         }
     )
     rows: list[Sequence[object]] = []
     for name, seen in found.items():
-        color, style = (BLUE, "o-") if name == "the worst first" else (ORANGE, "s-")
+        color, style = (BLUE, "o-") if name == "worst first" else (ORANGE, "s-")
         for i, axes in enumerate(panels):
-            # What is 0, or rounding, has its place at the lower edge of the picture.
+            # Zero and rounding errors are drawn at the lower edge of the picture.
             left = [max(number(pair[i]), (1e-8, 1e-10)[i]) for pair in seen]
             axes.semilogy(counts, left, style, color=color, ms=3, lw=1, label=name)
         rows += [(name, count, *pair) for count, pair in zip(counts, seen, strict=True)]
@@ -196,7 +197,7 @@ def resolver_convergence() -> Picture:
 
 
 def stack_height() -> Picture:
-    """Stacks of 3 and of 10 spheres, by how often each contact may be resolved."""
+    """Stacks of 3 and of 10 spheres, by the number of iterations per contact."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)
     found = written(
@@ -214,7 +215,7 @@ def stack_height() -> Picture:
         seen = zip(height.times, height.values, overlap.values, strict=True)
         rows += [(count, name, *row) for row in seen]
         if iterations in (None, 50):
-            how, style = ("default", "-") if iterations is None else (f"{name} a contact", "--")
+            how, style = ("default", "-") if iterations is None else (f"{name} per contact", "--")
             color, label = BLUE if count == 3 else RED, f"{count} spheres, {how}"
             left.plot(height.times, height.values, style, color=color, label=label)
             down = height.values[0] - height.values[-1]
@@ -233,8 +234,8 @@ def stack_height() -> Picture:
     for axes, what, told in ((left, "sink by", sunk), (right, "overlap by up to", overlaps)):
         lines = [f"{count} spheres {what} {', '.join(words)}" for count, words in told.items()]
         axes.set_title("\n".join(lines), fontsize=10)
-    left.set(xlabel="time, s", ylabel="height of the middle of the highest sphere, m")
-    right.set(xlabel="iterations a contact", ylabel="largest overlap in 2 s, % of a diameter")
+    left.set(xlabel="time, s", ylabel="height of the center of the top sphere, m")
+    right.set(xlabel="iterations per contact", ylabel="largest overlap in 2 s, % of a diameter")
     right.set_xticks(numbers_of, [str(i) for i in numbers_of])
     right.set_xticks([], minor=True)
     left.set_ylim(0.0, 14.0)
@@ -242,12 +243,12 @@ def stack_height() -> Picture:
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
     _notes(figure, {key: pair[0] for key, pair in found.items()})
-    columns = ("spheres", "iterations a contact", "time, s", "height, m", "overlap / diameter")
+    columns = ("spheres", "iterations per contact", "time, s", "height, m", "overlap / diameter")
     return Picture(figure, columns, rows)
 
 
 def restitution_of_materials() -> Picture:
-    """Exercise 7.1: the restitution of what was dropped, and what the form without a root says."""
+    """Exercise 7.1: the restitution of the measured drops, with and without the square root."""
     path, drops = _drops()
     table = table_of_drops(drops)
     singles = [(material, number(restitution_of_drop(a, b))) for material, a, b in drops]
@@ -258,11 +259,11 @@ def restitution_of_materials() -> Picture:
     cells, off, printed_off = [], [], []
     for i, (material, count, mean, error) in enumerate(table):
         mean = number(mean)
-        error = number(error)  # NaN where one drop tells none
+        error = number(error)  # NaN for a single drop
         dots = [value for name, value in singles if name == material]
         ratios = [b / a for name, a, b in drops if name == material and a]
         printed = statistics.fmean(ratios) if ratios else math.nan
-        # A bounce from 1 m is as high as the square of the restitution: was it?
+        # Dropped from 1 m, a ball bounces to the square of its restitution. Did it?
         off.append(abs(mean * mean - printed))
         printed_off.append(abs(printed * printed - printed))
         spread = [i + 0.05 * (j - 0.5 * (len(dots) - 1)) for j in range(len(dots))]
@@ -271,7 +272,7 @@ def restitution_of_materials() -> Picture:
         bars = None if math.isnan(error) else error
         label = "mean, with its standard error" if first else None
         axes.errorbar(i - 0.2, mean, bars, fmt="D", color=BLUE, ms=5, capsize=4, label=label)
-        label = "without the root (E-10)" if first else None
+        label = "without the square root" if first else None
         axes.plot(i + 0.25, printed, "x", color=RED, ms=8, mew=2, label=label)
         cells.append([material, str(count), f"{mean:.3f}", f"{error:.3f}", f"{printed:.3f}"])
         rows.append(("mean", material, count, mean, error, printed))
@@ -293,8 +294,8 @@ def restitution_of_materials() -> Picture:
         beside.text(0.5, 0.5, "the table has no rows", ha="center")
     most, printed_most = (100.0 * max(values, default=math.nan) for values in (off, printed_off))
     figure.suptitle(
-        f"{len(drops)} drops in {path}. By the means bounces are off by at most {most:.2g} % of "
-        f"the fall,\nby the form without the root by {printed_most:.2g} %",
+        f"{len(drops)} drops in {path}. The mean restitutions predict the bounces to within "
+        f"{most:.2g} % of the fall,\nwithout the square root to within {printed_most:.2g} %",
         fontsize=11,
     )
     columns = ("row", "material", "drops", "restitution", "standard error", "without the root")
@@ -322,7 +323,7 @@ def _bouncing(name: str, restitution: float, frames: int) -> Callable[[], Track]
 def _resting(
     name: str, restitution: float, rule: Resolve | None, generated: bool
 ) -> Callable[[], Track]:
-    """A hair above the ground, so that the book's step finds it there first after a frame."""
+    """Start just above the ground, so that the first step of the book's method has no contact."""
     return lambda: ball(STEPS[name], 1e-6, restitution, 120, rule, generated)
 
 
@@ -335,17 +336,17 @@ def _stacked(count: int, iterations: int | None) -> Callable[[], tuple[Track, Tr
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that a picture has room for: an engine may have lost its ball."""
+    """Return the heights that fit into a picture, since a wrong engine may lose its ball."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 
 def _highest(run: Track) -> float:
-    """Return the height that it gets to, of those that a picture can show."""
+    """Return the largest height that fits into a picture."""
     return max((height for height in run.values[1:] if abs(height) < 1e3), default=math.nan)
 
 
 def _rise(run: Track) -> float:
-    """Return how high it gets after it was lowest for the first time."""
+    """Return the largest height after the first minimum."""
     for i, (a, b) in enumerate(pairwise(run.values)):
         if b > a:
             return max(run.values[i:])
@@ -357,7 +358,7 @@ def _notes(figure: Figure, found: dict[Any, Track]) -> None:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Return the name of the file, and the drops in it: the student's, where there are any."""
+    """Return the name of the file and its drops: the student's file, or the sample if empty."""
     for name in ("drops.csv", "drops_sample.csv"):
         try:
             drops = read_drops(find_drops(name))

@@ -295,16 +295,16 @@ def test_one_rod_is_a_pendulum_of_the_second_order() -> None:
 
 
 def test_a_chain_from_horizontal_blows_up_in_long_frames_and_not_in_short_ones() -> None:
-    with pytest.raises(ArithmeticError, match="turns too far in one frame"):
+    with pytest.raises(ArithmeticError, match="turns too far in one step"):
         let_go(30, 90.0, 60, 3.0, 0.1)
     _, stretch = let_go(30, 90.0, 240, 1.0, 0.1)
     assert stretch < 1e-2
 
 
 def test_what_a_direct_chain_cannot_be_made_of_is_named() -> None:
-    with pytest.raises(ValueError, match=r"particles\[0\] must be one that can move"):
+    with pytest.raises(ValueError, match=r"particles\[0\] must have a finite mass"):
         DirectChain([Particle(Vector3(1.0), mass=math.inf), Particle(Vector3(2.0))], Vector3())
-    with pytest.raises(ValueError, match=r"particles\[0\] must be one that can move"):
+    with pytest.raises(ValueError, match=r"particles\[0\] must have a finite mass"):
         DirectChain([Particle(Vector3(1.0), mass=math.inf)], Vector3())
     with pytest.raises(ValueError, match="the length of rod 1"):
         DirectChain([Particle(Vector3(1.0)), Particle(Vector3(1.0))], Vector3())

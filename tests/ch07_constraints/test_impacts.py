@@ -114,10 +114,8 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     impact = expect_impact(GroundPlane([p]).next_impact(100.0))
     # Its speed of 5e-9 m/s after the step brings the impact forward by 1e-9 s.
     expect_close(impact[0], t, tolerance=1e-8)
-    about.call = (
-        "an immovable particle at height 1 and one of 1 kg at height 2, both with velocity "
-    )
-    about.call += "(0, -2, 0); GroundPlane(particles).next_impact(9): time"
+    about.call = "an immovable particle at height 1 and one of 1 kg at height 2, both with "
+    about.call += "velocity (0, -2, 0); GroundPlane(particles).next_impact(9): time"
     about.cause = "An immovable particle does not move, so it has no impact. Skip it."
     down = Vector3(0.0, -2.0, 0.0)
     particles = [

@@ -112,9 +112,7 @@ def test_what_the_rates_make(rng: Random) -> None:
         got = entries(rate_map(x, y, z))
         slips = {
             "the identity, as if the rates were the angular velocity": IDENTITY,
-            "the transpose: the axes are the rows, but they should be the columns": transposed(
-                wanted
-            ),
+            "the transpose, with the axes as rows": transposed(wanted),
             "the map to axes of the object, not of the world": map_to_own(x, y, z),
             "the map with its columns in reverse order": [
                 wanted[3 * row + column] for row in range(3) for column in (2, 1, 0)
@@ -142,7 +140,7 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "the rate map times the angular velocity; use its inverse": applied(there, w),
+            "the rate map times the angular velocity": applied(there, w),
             "the transpose times the angular velocity, which is right only for a rotation": applied(
                 transposed(there), w
             ),

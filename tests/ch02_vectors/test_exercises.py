@@ -120,7 +120,7 @@ def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
     )
 
 
-# 2.6 What is left without the projection
+# 2.6 The rest of a vector after a projection
 
 
 @pytest.mark.exercise("2.6", weight=2)

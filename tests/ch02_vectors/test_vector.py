@@ -275,7 +275,7 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
         expect_error(attempt, TypeError, allowed=allowed)
 
 
-# B2.4 Normalise
+# B2.4 Normalize
 
 
 @pytest.mark.exercise("B2.4")

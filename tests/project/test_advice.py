@@ -27,7 +27,7 @@ from autograder.verdict import Verdict
 
 CHAPTERS = load_chapters()
 FILE = re.compile(r"\b[a-z]\w*\.(?:py|md|csv|toml)\b")
-OF_A_FILE = re.compile(r"((?:\w+(?:, | and ))*\w+) of (\w+\.py)")
+OF_A_FILE = re.compile(r"((?:\w+(?:, | and ))*\w+) (?:of|from) (\w+\.py)")
 PROSE = {"functions", "lines", "line", "head", "top", "rest"}  # of a file, and no names in it
 LIBRARY = re.compile(r"\b(math|random|itertools|functools|statistics|copy)\.([a-z]\w*)")
 # A name of two words or more; what begins with one letter, such as v_s, is a formula's.

@@ -158,7 +158,7 @@ def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
     expect_refusal(name, bad, 0.5, ValueError, good=(0.0, 0.5))
 
 
-# 3.5b How far apart the two equations end
+# 3.5b How far apart the two damping equations end
 
 
 @pytest.mark.exercise("3.5b")

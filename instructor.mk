@@ -38,9 +38,9 @@ gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
 
 # == For those who work on the companion itself ==
-test: say-what-test-is lint .venv/cluster .venv/mutants ## test the companion itself; CH=6: what is about a chapter
+test: say-what-test-is lint .venv/extras ## test the companion itself; CH=6: what is about a chapter
 ifneq ($(CH),)
-	@PYTHONPATH=tests $(RUN) -m pytest -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
+	@PYTHONPATH=tests/helpers $(RUN) -m pytest -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
 else
 	@$(RUN) -m pytest -n auto --ignore=$(HOSTILE)
 	@$(RUN) -m pytest $(HOSTILE)
@@ -50,9 +50,9 @@ say-what-test-is:
 	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 15 minutes)."
 	@echo "To check what you wrote, run make check or make watch."
 
-.venv/cluster .venv/mutants: .venv/%: %.lock $(READY)
+.venv/extras: extras.lock $(READY)
 	@echo "Installing the packages of $< into .venv."
-	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
+	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock -r $<
 	@touch $@
 
 lint: $(READY) ## check style and types
@@ -67,7 +67,7 @@ figures: $(READY) ## draw the pictures of the chapters' READMEs again
 	@$(RUN) -m studies figures
 
 # == Measurements ==
-mutants: .venv/mutants ## how many changed references the checks notice (CH=6)
+mutants: .venv/extras ## how many changed references the checks notice (CH=6)
 	@$(RUN) tests/strength mutants $(if $(CH),--chapter "$(CH)")
 
 seeds: $(READY) ## check right answers with 1,000 seeds (CH=6 SEEDS=100)

@@ -102,6 +102,11 @@ def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
     return folder / "root" if behind and behind.hidden else root
 
 
+def shared_by_checks(root: Path) -> list[Path]:
+    """Return the files that the checks of all chapters share."""
+    return [root / "tests/conftest.py", *sorted((root / "tests/shared").glob("*.py"))]
+
+
 def _put_hidden_checks(
     folder: Path, chapter: Chapter, root: Path, behind: Behind | None
 ) -> list[str]:
@@ -115,8 +120,10 @@ def _put_hidden_checks(
         ignore=shutil.ignore_patterns("__pycache__"),
     )
     shutil.copyfile(root / "pyproject.toml", folder / "root" / "pyproject.toml")
-    for file in (root / "tests").glob("*.py"):
-        shutil.copyfile(file, tests / file.name)
+    for file in shared_by_checks(root):
+        copy = folder / "root" / file.relative_to(root)
+        copy.parent.mkdir(exist_ok=True)
+        shutil.copyfile(file, copy)
     hidden = behind.hidden / chapter.name
     if not hidden.is_dir():
         return []

@@ -72,7 +72,7 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
     except ImportError as error:
         raise ValueError(
             "--cluster needs Dask, the extra 'cluster', which is not installed: "
-            ".venv/bin/python -m pip install -r cluster.lock"
+            ".venv/bin/python -m pip install -r requirements.lock -r extras.lock"
         ) from error
     try:
         client = Client(address, timeout=CONNECTED_WITHIN, set_as_default=False)

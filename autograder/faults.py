@@ -98,13 +98,6 @@ def short(file: str) -> str:
     return f"{Path(file).parent.name}/{Path(file).name}"
 
 
-def clean(text: str) -> str:
-    """Make control characters, which could repaint a screen, and lone surrogates visible."""
-    return "".join(
-        c if c.isprintable() or c in "\n\t" else c.encode("unicode_escape").decode() for c in text
-    )
-
-
 @cache
 def _parents(file: str) -> list[Path]:
     return list(Path(file).resolve().parents)

@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Iterable
 from pathlib import Path
 
+from autograder.arrange import shared_by_checks
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.stubs import KEPT, make_stubs
 
@@ -15,18 +16,18 @@ STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock stubs.lock LICENSE .gitignore glossary.md",
     "autograder": (
         "__init__.py __main__.py allowed_acts.py allowed_imports.py answers.py apart.py "
-        "arrange.py asked.py calls.py check.py commands.py definitions.py edits.py events.py "
-        "explain.py failure.py faults.py finish.py given.py gone.py in_process.py judge.py "
-        "keys.py lock.py make_venv.py manifest.py memory.py message.py missing.py nearest.py "
-        "originals.py page.py places.py printed.py progress.py put_back.py records.py reset.py "
-        "runner.py scores.py screen.py session.py students_code.py stubs.py surroundings.py "
-        "verdict.py verdicts.py watch.py wrapping.py written.py"
+        "arrange.py asked.py calls.py check.py clean.py commands.py definitions.py edits.py "
+        "events.py explain.py failure.py faults.py finish.py given.py gone.py in_process.py "
+        "judge.py keys.py lock.py make_venv.py manifest.py memory.py message.py missing.py "
+        "nearest.py originals.py page.py places.py printed.py progress.py put_back.py records.py "
+        "reset.py runner.py scores.py screen.py session.py students_code.py stubs.py "
+        "surroundings.py verdict.py verdicts.py watch.py wrapping.py written.py"
     ),
     "studies": (
-        "__init__.py __main__.py constraints.py demo.py drag_flight.py drawing.py engine.py "
-        "links.py mass_aggregate.py plot.py ropes.py rotations.py stability.py timing.py"
+        "__init__.py __main__.py balance.py constraints.py demo.py drag_flight.py drawing.py "
+        "engine.py links.py mass_aggregate.py piles.py plot.py releases.py ropes.py rotations.py "
+        "stability.py timing.py"
     ),
-    "tests": "conftest.py draw.py expect.py lever.py rigidity.py turning.py",
 }
 
 README = """\
@@ -67,6 +68,8 @@ def make_handout(
         raise ValueError(f"out must be a new or empty folder, and {out} is not empty")
     for folder, names in STUDENT_TOOLS.items():
         _copy((root / folder / name for name in names.split()), out / folder)
+    for file in shared_by_checks(root):
+        _copy([file], out / file.parent.relative_to(root))
     _copy([root / "chapters" / "README.md"], out / "chapters")
     errata = (root / "errata.md").read_text(encoding="utf-8")
     without_links = re.sub(r"\[(\w+)\]\(tests/[^)]*\)", r"\1", errata)  # those tests stay here

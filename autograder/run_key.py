@@ -7,6 +7,7 @@ import platform
 from collections.abc import Iterable
 from pathlib import Path
 
+from autograder.arrange import shared_by_checks
 from autograder.assignment import Assignment
 from autograder.manifest import load_chapters
 from autograder.reports.report import RunKey
@@ -16,7 +17,7 @@ def run_key(assignment: Assignment) -> RunKey:
     """Return what must be the same for a report to hold, next to the submission itself."""
     root = assignment.root
     names = [chapter.name for chapter in load_chapters(root)]
-    checks = [*(root / "tests").glob("*.py")]
+    checks = shared_by_checks(root)
     for name in names:
         checks += [*(root / "tests" / name).glob("*.py"), *(root / "solutions" / name).glob("*.py")]
         checks += [*(root / "chapters" / name).glob("*.toml")]

@@ -18,9 +18,9 @@ from pathlib import Path
 from autograder import events
 from autograder.apart import how_it_ended
 from autograder.arrange import Behind, Config, arrange, root_of_checks
+from autograder.clean import clean
 from autograder.events import Event, read_event
 from autograder.explain import explain_hang
-from autograder.faults import clean
 from autograder.judge import Judge, SilentError, is_stopped
 from autograder.manifest import ROOT, Chapter
 from autograder.message import Kind, Message

@@ -8,8 +8,6 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from itertools import pairwise
 from typing import Protocol
 
 from ch02_vectors.vector import Vector3
@@ -21,15 +19,6 @@ from ch08_mass_aggregate.bridge import Bridge
 from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.tilting_platform import TiltingPlatform
-from ch08_mass_aggregate.trebuchet import (
-    PIVOT_HEIGHT,
-    PROJECTILE_MASS,
-    STEP,
-    TIME_LIMIT,
-    Design,
-    G,
-    Trebuchet,
-)
 from ch08_mass_aggregate.wheel import Wheel, deformation, spin
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 from studies.constraints import Move, Track
@@ -52,15 +41,6 @@ class MassAggregate(Protocol):
     def world(self) -> ParticleWorld: ...
 
     def step(self, duration: float) -> None: ...
-
-
-@dataclass(frozen=True)
-class Release:
-    """Where a sling may let go: the angle in degrees, the range in m, the share of the energy."""
-
-    angle: float
-    range: float
-    share: float
 
 
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
@@ -183,42 +163,6 @@ def in_frames(
     return Track(times, values[: len(times)], message), states[: len(times)]
 
 
-def releases(design: Design) -> list[Release]:
-    """Throw with a sling that does not let go, and return each release that an angle can ask for.
-
-    A sling lets go in the first frame in which the projectile flies as low as the angle: so each
-    frame in which it flies lower than ever before is one, down to the horizon. Ranges and shares
-    are what Trebuchet.throw makes of them, in plain numbers.
-    """
-    machine = Trebuchet(design)
-    resolve_by_heap(machine.world)
-    start, high = numbers(machine.projectile.position)[1], numbers(machine.weight.position)[1]
-    found: list[Release] = []
-
-    def run() -> None:
-        for _ in range(round(TIME_LIMIT / STEP)):
-            machine.world.step(STEP)
-            x, y, _ = numbers(machine.projectile.position)
-            vx, vy, vz = numbers(machine.projectile.velocity)
-            if y <= 0.0:  # on the sling to the ground: no throw
-                return
-            if vx <= 0.0 or y <= PIVOT_HEIGHT:
-                continue
-            angle = math.degrees(math.atan2(vy, vx))
-            if found and angle >= found[-1].angle:
-                continue
-            time = (vy + math.sqrt(vy * vy + 2.0 * G * y)) / G
-            kinetic = 0.5 * (vx * vx + vy * vy + vz * vz)
-            gained = PROJECTILE_MASS * (G * (y - start) + kinetic)
-            lost = design.counterweight * G * (high - numbers(machine.weight.position)[1])
-            found.append(Release(angle, x + vx * time, gained / lost if lost else math.nan))
-            if angle <= 0.0:
-                return
-
-    stopped(run)
-    return found
-
-
 def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
     """Return the spin in rad/s of a wheel that is driven."""
     wheel = Wheel(force, driven)
@@ -284,16 +228,6 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
     """Return the largest distance of places from others."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
-
-
-def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Return releases with one of NaN wherever the angle jumps: no line is to be drawn there."""
-    shown = list(found[:1])
-    for before, release in pairwise(found):
-        if before.angle - release.angle > degrees:
-            shown.append(Release(math.nan, math.nan, math.nan))
-        shown.append(release)
-    return shown
 
 
 def _driven(wheel: Wheel, measure: Measure, rate: int, seconds: float) -> Track:

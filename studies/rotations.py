@@ -7,7 +7,7 @@ and Z point in the world.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,6 @@ import numpy
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import integrate_rotation
-from ch09_rotations.exercises import Stone, balance_offset, masses_beside
 from ch09_rotations.quaternion import Quaternion
 from studies.drawing import (
     Numbers,
@@ -272,52 +271,3 @@ def nine(matrix: Any) -> list[float]:
     """Return the nine numbers of the same, row by row."""
     found = [number(entry) for entry in getattr(matrix, "entries", ())]
     return found if len(found) == 9 else [math.nan] * 9
-
-
-@dataclass(frozen=True)
-class BalanceLine:
-    """A line below a box with stones by its angle in degrees: what the engine has, what is true."""
-
-    angle: int
-    offset: float
-    left: float
-    right: float
-    message: str
-    true_left: float
-    true_right: float
-    miss: float  # m, how far it passes the centre of mass
-    torque: float  # N m, of gravity about it
-
-
-def center(stones: Sequence[Stone]) -> tuple[float, float]:
-    """Return the centre of mass of stones."""
-    total = math.fsum(mass for _, mass, _, _ in stones)
-    x = math.fsum(mass * x for _, mass, x, _ in stones) / total
-    y = math.fsum(mass * y for _, mass, _, y in stones) / total
-    return x, y
-
-
-def balance_line(stones: Sequence[Stone], angle: int) -> BalanceLine:
-    """Return what the engine has of a line by balance_offset and masses_beside, measured."""
-    a = math.radians(angle)
-    found: list[object] = []
-    message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))
-    offset, sides = found if found else (None, None)
-    off = number(offset)
-    left, right = (
-        map(number, sides) if isinstance(sides, tuple) and len(sides) == 2 else (math.nan, math.nan)
-    )
-    x, y = center(stones)
-    middle = math.cos(a) * y - math.sin(a) * x
-    arms = [(mass, math.cos(a) * y - math.sin(a) * x) for _, mass, x, y in stones]
-    return BalanceLine(
-        angle,
-        off,
-        left,
-        right,
-        message,
-        math.fsum(mass for mass, arm in arms if arm - middle > 1e-9),
-        math.fsum(mass for mass, arm in arms if arm - middle < -1e-9),
-        abs(off - middle),
-        abs(GRAVITY * math.fsum(mass * (arm - off) for mass, arm in arms)),
-    )

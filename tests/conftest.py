@@ -34,7 +34,7 @@ def pytest_configure(config: pytest.Config) -> None:
     for folder in folders:
         if not (TESTS.parent / folder).is_dir():
             raise pytest.UsageError(f"--engine: there is no folder {folder!r}")
-    sys.path.insert(0, str(TESTS))
+    sys.path[:0] = [str(TESTS / "shared"), str(TESTS / "helpers"), str(TESTS)]
     sys.path += [str(TESTS.parent / folder) for folder in folders]  # behind Python's own modules
 
 

@@ -6,20 +6,18 @@ plain numbers and compares those, so that an object that lies about itself gains
 
 from __future__ import annotations
 
-import builtins
-import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NoReturn
 
+from autograder.clean import clean
 from autograder.explain import NOT_IMPLEMENTED
-from autograder.faults import CheckEnded, Fault, StudentLeft, clean
-from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError, Wire, pack, unpack
-from autograder.message import Kind, Message, Place
+from autograder.faults import CheckEnded
+from autograder.isolation.exceptions import exception_of, known_name, text_of_worker
+from autograder.isolation.wire import BrokenProtocolError, Wire, pack, unpack
+from autograder.message import Kind, Message
 from autograder.missing import MissingName
-from autograder.nearest import MOST_SLOTS, Unknown
 
 BROKEN = "the code broke the protocol between its process and the checks"
-FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 class WorkerFailure(CheckEnded):
@@ -86,15 +84,15 @@ class Session:
         if "missing" in reply:
             raise WorkerFailure(self._explain_missing(reply["missing"]))
         if "unsendable" in reply:
-            what = _text(reply["unsendable"], 200)
+            what = text_of_worker(reply["unsendable"], 200)
             raise WorkerFailure(Message(f"what came back is no result: {what}"))
-        raise _exception(reply.get("raised"))
+        raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
         """Return what a check says that uses a name which is not there."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name of no known form")
-        module, name, near = (_text(part, 100) for part in data[:3])
+        module, name, near = (text_of_worker(part, 100) for part in data[:3])
         why = self.broken.get(module)
         return why or MissingName(module, name, near, data[3] is True).explain()
 
@@ -110,7 +108,7 @@ class Session:
             return {"value": pack(self._callbacks[number](*arguments), self._refer)}
         except Exception as error:
             text = str(error.args[0]) if len(error.args) == 1 else str(error)
-            return {"error": [_known_name(error), text]}
+            return {"error": [known_name(error), text]}
         except BaseException:
             self.dead = Message("a call-back of the check failed")
             raise
@@ -129,71 +127,11 @@ class Session:
         number = data.get("object")
         if type(number) is not int:
             raise BrokenProtocolError("a value of no known kind")
-        return ObjectHandle(self, number, _text(data.get("type"), 100))
+        return ObjectHandle(self, number, text_of_worker(data.get("type"), 100))
 
     def _fail(self, why: Message) -> NoReturn:
         self.dead = why
         raise WorkerFailure(why) from None
-
-
-def _known_name(error: Exception) -> str:
-    """Return the nearest name of an exception that crosses the wire."""
-    return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
-
-
-def _exception(data: Any) -> BaseException:
-    """Return the exception that stands for the student's, with its fault."""
-    try:
-        frames = [
-            Place(file, line, _text(function, 100))
-            for file, line, function in data["frames"][-50:]
-            if type(file) is str and FILE.fullmatch(file) and type(line) is int
-        ]
-        syntax = data["syntax"]
-        if syntax is not None:
-            file, line, text = syntax
-            syntax = (_text(file, 200), int(line), _text(text, 200))
-        fault = Fault(
-            _text(data["type"], 100),
-            _text(data["text"], 2000),
-            frames,
-            syntax,
-            _text(data["missing_module"], 200),
-            _unknown(data["unknown"]),
-        )
-        name = data["as"]
-        kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
-    except (KeyError, TypeError, ValueError, OverflowError) as error:
-        raise BrokenProtocolError("an exception of no known form") from error
-    exception: BaseException = (WordedKeyError if kind is KeyError else kind)(fault.text)
-    exception.fault = fault  # type: ignore[attr-defined]
-    return exception
-
-
-class WordedKeyError(KeyError):
-    """A KeyError with the student's words: Python's own would put quotes around them."""
-
-    def __str__(self) -> str:
-        return str(self.args[0])
-
-
-WordedKeyError.__name__ = KeyError.__name__
-
-
-def _unknown(data: Any) -> Unknown | None:
-    """Return the name that an exception is about, if it is about one."""
-    if data is None:
-        return None
-    name, of, near = (_text(data[key], 100) for key in ("name", "of", "nearest"))
-    slots = [_text(slot, 100) for slot in data["slots"][:MOST_SLOTS]]
-    return Unknown(name, of, near, slots, data["module"] is True)
-
-
-def _text(value: Any, longest: int) -> str:
-    """Return text from the worker, cut, with what is no plain character made visible."""
-    if type(value) is not str:
-        raise BrokenProtocolError("a text that is none")
-    return clean(value[:longest])
 
 
 class Handle:

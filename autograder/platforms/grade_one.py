@@ -19,7 +19,7 @@ from autograder.isolation.level import choose_level
 from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level, drop_privileges
 from autograder.manifest import ROOT, load_chapters
-from autograder.reports.gradescope import gradescope_results, ungraded_results
+from autograder.reports.gradescope import as_text, gradescope_results, ungraded_results
 from autograder.reports.report import StudentReport
 from autograder.submissions.find import Submission, printable
 
@@ -34,7 +34,7 @@ def main(folder: Path, root: Path = ROOT) -> None:
     except Exception as error:
         traceback.print_exc()  # Gradescope shows it to the instructor
         results = ungraded_results(f"{type(error).__name__}: {error}")
-    print(json.dumps(results, indent=1, allow_nan=False))
+    print(as_text(results), end="")
 
 
 def grade_one(folder: Path, root: Path) -> StudentReport:
@@ -63,7 +63,7 @@ def students(metadata: Path) -> str:
     try:
         users = json.loads(metadata.read_text(encoding="utf-8"))["users"]
         return ", ".join(printable(user["name"]) for user in users) or "submission"
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return "submission"
 
 

@@ -8,7 +8,7 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from autograder.handout import STUDENT_TOOLS
+from autograder.arrange import shared_by_checks
 from autograder.manifest import ROOT, Chapter, chapters_below
 
 SCRIPTS = ("setup.sh", "run_autograder")
@@ -64,8 +64,7 @@ def _files(
     yield root / "LICENSE"
     yield from (root / "autograder").rglob("*.py")
     yield from (root / "autograder/reports/templates").iterdir()
-    for name in STUDENT_TOOLS["tests"].split():
-        yield root / "tests" / name
+    yield from shared_by_checks(root)
     for chapter in chapters:
         yield from (root / "tests" / chapter.name).glob("test_*.py")
         yield from (root / "tests" / chapter.name).glob("*probes.py")

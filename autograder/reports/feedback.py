@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import statistics
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
 from itertools import groupby
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from autograder.reports.scatter import Scatter, scatter
 from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import PHYSICS_SHARE, place_on_chart
 from autograder.submissions.find import file_name
+from autograder.verdict import Status
 
 SYMBOLS = {  # beside the word, so that no status is told by colour alone
     "passed": "✓",
@@ -45,20 +47,50 @@ MEANINGS = {
 TO_FIX = ("failed", "inherited", "blocked")  # in the order in which to fix them
 
 
+@dataclass
+class LostChecks:
+    """Lost checks with the same message. What is hidden has no titles: they may tell what it is."""
+
+    status: Status
+    message: str
+    hidden: bool
+    robust: bool
+    titles: list[str] = field(default_factory=list)
+    count: int = 0
+
+
+@dataclass(frozen=True)
+class ShownExercise(ExerciseReport):
+    """An exercise as its page shows it: what is lost in full, what passes in short.
+
+    ``gains`` says that it earns more on given chapters, and ``uneven`` that the checks of a tier
+    count differently.
+    """
+
+    anchor: str
+    scatter: Scatter | None
+    place: str | None
+    gains: bool
+    uneven: bool
+    tiers: list[tuple[str, int, int]]
+    lost: list[LostChecks]
+    passed: list[str]
+
+
 def write_feedback(out: Path, report: StudentReport) -> Path:
     """Write feedback/<student>.html, the page for one student, and return its path."""
     path = out / "feedback" / f"{file_name(report.student)}.html"
     report = clean_all(report)
-    exercises = [_exercise(i, e) for i, e in enumerate(report.exercises, start=1)]
-    states = {e["status"] for e in exercises} | {g["status"] for e in exercises for g in e["lost"]}
+    exercises = [_shown(i, e) for i, e in enumerate(report.exercises, start=1)]
+    states = {e.status for e in exercises} | {g.status for e in exercises for g in e.lost}
     own, given = report.score, report.score_on_given
     page = _render(
         "student.html",
         report=report,
-        chapters=[(n, list(group)) for n, group in groupby(exercises, lambda e: e["chapter"])],
+        chapters=[(n, list(group)) for n, group in groupby(exercises, lambda e: e.chapter)],
         inherited=None if own is None or given is None else round(given - own, 2),
-        by_hand_points=sum(e["points"] for e in exercises if e["kind"] == "written"),
-        waiting=[e["id"] for e in exercises if e["status"] == "waiting"],
+        by_hand_points=sum(e.points for e in exercises if e.kind == "written"),
+        waiting=[e.id for e in exercises if e.status == "waiting"],
         next=_first_to_fix(exercises),
         physics_percent=round(100 * PHYSICS_SHARE),
         meanings=[(state, text) for state, text in MEANINGS.items() if state in states],
@@ -71,10 +103,6 @@ def write_index(out: Path, chapters: list[Chapter], reports: Sequence[StudentRep
     """Write index.html, the class for its instructor, and return its path."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
-    shown = [
-        vars(clean_all(report)) | {"link": link}
-        for report, link in zip(reports, links, strict=True)
-    ]
     clean = [clean_all(report) for report in reports]
     rates = exercise_rates(chapters, clean)
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
@@ -82,7 +110,7 @@ def write_index(out: Path, chapters: list[Chapter], reports: Sequence[StudentRep
     scores = [report.score for report in clean if report.score is not None]
     page = _render(
         "index.html",
-        reports=shown,
+        reports=[*zip(clean, links, strict=True)],
         chapters=chapters,
         errors=sum(report.status != "graded" for report in clean),
         points=sum(e.points for e in exercises) - by_hand_points,
@@ -100,34 +128,34 @@ def write_index(out: Path, chapters: list[Chapter], reports: Sequence[StudentRep
     return path
 
 
-def _exercise(number_on_page: int, exercise: ExerciseReport) -> dict[str, Any]:
-    """Return an exercise as its page shows it: what is lost in full, what passes in short."""
+def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
     checks, chart = exercise.checks, exercise.chart
     own, given = exercise.score, exercise.score_on_given
-    return vars(exercise) | {
-        "scatter": chart and scatter(exercise, chart, [("yours", chart.own)]),
-        "place": chart and place_on_chart(chart.axes, chart.own),
-        "anchor": f"exercise-{number_on_page}",
-        "gains": own is not None and given is not None and given > own,
-        "uneven": len({(check.robust, check.weight) for check in checks}) > len(tiers(checks)),
-        "tiers": tiers(checks),
-        "lost": _groups([check for check in checks if check.status != "passed"]),
-        "passed": [
+    return ShownExercise(
+        **vars(exercise),
+        anchor=f"exercise-{number_on_page}",
+        scatter=scatter(exercise, chart, [("yours", chart.own)]) if chart else None,
+        place=place_on_chart(chart.axes, chart.own) if chart else None,
+        gains=own is not None and given is not None and given > own,
+        uneven=len({(check.robust, check.weight) for check in checks}) > len(tiers(checks)),
+        tiers=tiers(checks),
+        lost=_groups([check for check in checks if check.status != "passed"]),
+        passed=[
             "hidden check" if check.hidden else check_title(check.name)
             for check in checks
             if check.status == "passed"
         ],
-    }
+    )
 
 
-def _first_to_fix(exercises: list[dict[str, Any]]) -> dict[str, Any] | None:
+def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
     """Return the exercise to go on with: physics that fails comes before robust checks."""
 
-    def urgency(exercise: dict[str, Any]) -> tuple[bool, int]:
-        works = all(passed == of for tier, passed, of in exercise["tiers"] if tier == "physics")
-        return works, TO_FIX.index(exercise["status"])
+    def urgency(exercise: ShownExercise) -> tuple[bool, int]:
+        works = all(passed == of for tier, passed, of in exercise.tiers if tier == "physics")
+        return works, TO_FIX.index(exercise.status)
 
-    return min((e for e in exercises if e["status"] in TO_FIX), key=urgency, default=None)
+    return min((e for e in exercises if e.status in TO_FIX), key=urgency, default=None)
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
@@ -142,20 +170,15 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
     return [scatter(exercise, chart, named[key]) for key, (exercise, chart) in found.items()]
 
 
-def _groups(checks: list[CheckReport]) -> list[dict[str, Any]]:
+def _groups(checks: list[CheckReport]) -> list[LostChecks]:
     """Return lost checks, those with the same message as one: a file that cannot be read."""
-    groups: dict[tuple[Any, ...], dict[str, Any]] = {}
+    groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
-        shared = {
-            "status": check.status,
-            "message": str(check.message),
-            "hidden": check.hidden,
-            "robust": check.robust,
-        }
-        group = groups.setdefault(tuple(shared.values()), shared | {"titles": [], "count": 0})
-        group["count"] += 1
-        if not check.hidden:  # its name may tell what is hidden
-            group["titles"].append(check_title(check.name))
+        shared = check.status, str(check.message), check.hidden, check.robust
+        group = groups.setdefault(shared, LostChecks(*shared))
+        group.count += 1
+        if not check.hidden:
+            group.titles.append(check_title(check.name))
     return list(groups.values())
 
 

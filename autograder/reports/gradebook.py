@@ -8,9 +8,10 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from autograder.clean import clean_line
 from autograder.manifest import Chapter
 from autograder.reports.report import StudentReport
-from autograder.reports.texts import clean_line, number, replace_file
+from autograder.reports.texts import number, replace_file
 
 COLUMNS = "student,status,score,score on given chapters,by hand,waiting,total"
 # What begins a formula, in full width as well, at the start or behind spaces. A spreadsheet that

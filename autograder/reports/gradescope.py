@@ -3,53 +3,97 @@
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Literal
 
+from autograder.clean import clean_line
+from autograder.records import to_json
 from autograder.reports.report import ExerciseReport, StudentReport, tiers
-from autograder.reports.texts import check_title, clean, clean_line, number, replace_file
+from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
-FORM = {
-    "output_format": "text",
-    "test_output_format": "text",
-    "test_name_format": "text",
-    "visibility": "visible",
-    "stdout_visibility": "hidden",
-}
 OURS = "error of the grader, retry: this is no fault of the submission, and it is no zero"
+
+
+@dataclass(frozen=True)
+class ExerciseResult:
+    """What Gradescope calls a test: an exercise. Without a score it shows none."""
+
+    number: str
+    name: str
+    max_score: float
+    output: str
+    visibility: Literal["visible"]
+    score: float | None = None
+    status: Literal["passed", "failed"] | None = None
+
+
+@dataclass(frozen=True)
+class GradescopeResults:
+    """The results.json of a submission. All text in it is plain, and standard output is hidden."""
+
+    output: str
+    output_format: Literal["text"]
+    test_output_format: Literal["text"]
+    test_name_format: Literal["text"]
+    visibility: Literal["visible"]
+    stdout_visibility: Literal["hidden"]
+    tests: list[ExerciseResult]
+    score: float | None = None
+    execution_time: float | None = None
 
 
 def write_gradescope(out: Path, report: StudentReport) -> Path:
     """Write gradescope/<student>/results.json and return its path."""
     path = out / "gradescope" / file_name(report.student) / "results.json"
-    text = json.dumps(gradescope_results(report), indent=1, ensure_ascii=False, allow_nan=False)
-    replace_file(path, text + "\n")
+    replace_file(path, as_text(gradescope_results(report)))
     return path
 
 
-def gradescope_results(report: StudentReport) -> dict[str, Any]:
+def as_text(results: GradescopeResults) -> str:
+    """Return the content of a results.json."""
+    return json.dumps(to_json(results), indent=1, allow_nan=False) + "\n"
+
+
+def gradescope_results(report: StudentReport) -> GradescopeResults:
     """Return the report in Gradescope's form: a test an exercise, written ones with them.
 
     Where the grader failed there is no score at all: no zero, and no full marks.
     """
+    report = clean_all(report)
     failed = report.status != "graded" or report.score is None
-    results: dict[str, Any] = {
-        "output": _summary(report, failed),
-        **FORM,
-        "tests": [_test(exercise) for exercise in report.exercises],
-    }
-    if report.seconds is not None:
-        results["execution_time"] = report.seconds
-    if not failed and report.total is not None:
-        results["score"] = round(report.total, 2)
-    return results
+    return _results(
+        _summary(report, failed),
+        [_exercise_result(exercise) for exercise in report.exercises],
+        score=None if failed or report.total is None else round(report.total, 2),
+        execution_time=report.seconds,
+    )
 
 
-def ungraded_results(reason: str) -> dict[str, Any]:
+def ungraded_results(reason: str) -> GradescopeResults:
     """Return results in Gradescope's form for a submission that could not be graded at all."""
-    return {"output": f"{OURS}\n{clean(reason)}", **FORM, "tests": []}
+    return _results(f"{OURS}\n{clean_all(reason)}", [])
+
+
+def _results(
+    output: str,
+    tests: list[ExerciseResult],
+    score: float | None = None,
+    execution_time: float | None = None,
+) -> GradescopeResults:
+    return GradescopeResults(
+        output=output,
+        output_format="text",
+        test_output_format="text",
+        test_name_format="text",
+        visibility="visible",
+        stdout_visibility="hidden",
+        tests=tests,
+        score=score,
+        execution_time=execution_time,
+    )
 
 
 def _summary(report: StudentReport, failed: bool) -> str:
@@ -71,20 +115,19 @@ def _summary(report: StudentReport, failed: bool) -> str:
     return "\n".join(lines)
 
 
-def _test(exercise: ExerciseReport) -> dict[str, Any]:
-    test: dict[str, Any] = {
-        "number": clean_line(exercise.id),
-        "name": clean_line(exercise.title),
-        "max_score": exercise.points,
-        "output": _output(exercise),
-        "visibility": "visible",
-    }
+def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
     status = exercise.status
-    if exercise.score is not None and status not in ("error", "waiting"):
-        test["score"] = exercise.score
-        if status != "marked":  # a person gives points, and no verdict
-            test["status"] = "passed" if status == "passed" else "failed"
-    return test
+    has_score = exercise.score is not None and status not in ("error", "waiting")
+    verdict: Literal["passed", "failed"] = "passed" if status == "passed" else "failed"
+    return ExerciseResult(
+        number=clean_line(exercise.id),
+        name=clean_line(exercise.title),
+        max_score=exercise.points,
+        output=_output(exercise),
+        visibility="visible",
+        score=exercise.score if has_score else None,
+        status=verdict if has_score and status != "marked" else None,  # a person gives no verdict
+    )
 
 
 def _output(exercise: ExerciseReport) -> str:
@@ -93,7 +136,7 @@ def _output(exercise: ExerciseReport) -> str:
     if status == "waiting":
         return f"waits for a person, who gives up to {exercise.points} points"
     if status == "marked":
-        return f"marked by a person\n{clean(exercise.comment)}".strip()
+        return f"marked by a person\n{exercise.comment}".strip()
     lost = [check for check in checks if check.status != "passed"]
     blocks = [OURS] if status == "error" else []
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))
@@ -105,5 +148,5 @@ def _output(exercise: ExerciseReport) -> str:
     for check in lost:
         title = "a hidden check" if check.hidden else check_title(check.name)
         tier = "robust, " if check.robust else ""
-        blocks.append(f"{tier}{check.status}: {title}\n{clean(str(check.message))}".strip())
+        blocks.append(f"{tier}{check.status}: {title}\n{check.message}".strip())
     return "\n\n".join(blocks)

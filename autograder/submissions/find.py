@@ -8,6 +8,8 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
+from autograder.clean import visible
+
 LONGEST_NAME = 100  # bytes; a suffix comes after it, and file systems end at 255
 SILENT = ("__pycache__", "__MACOSX", "README.md", "marks.csv")
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
@@ -79,10 +81,7 @@ def printable(text: str) -> str:
 
     A backslash is doubled: so two texts never become one.
     """
-    return "".join(
-        char if char.isprintable() and char != "\\" else char.encode("unicode_escape").decode()
-        for char in text
-    )
+    return "".join(map(visible, text.replace("\\", "\\\\")))
 
 
 def _clean(name: str) -> str:

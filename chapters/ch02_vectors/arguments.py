@@ -1,10 +1,10 @@
-"""Look at what comes in from outside: a value that means nothing is refused by name.
+"""Check arguments, and refuse values that make no sense with an error that names them.
 
-Each function returns what it was given, as a float or a copy, where it may be used. Otherwise it
-raises ValueError, or TypeError for another kind of thing, with the argument's name and value. A NaN
-compares false with everything, so each asks for what is wanted and refuses the rest.
+Each function returns its value, as a float or a copy, if it is valid. Otherwise it raises
+ValueError, or TypeError for a wrong type, with the argument's name and the value that came. Every
+comparison with NaN is False, so each function tests for valid values and refuses the rest.
 
-This file is complete and is not handed in: keep functions of your own in the files that you edit.
+This file is complete and is not handed in. Write functions of your own in the files that you edit.
 """
 
 from __future__ import annotations
@@ -13,13 +13,12 @@ import math
 import sys
 from typing import TYPE_CHECKING, TypeVar
 
-if (
-    TYPE_CHECKING
-):  # for editors and type checkers alone: any file may import this one, vector.py too
+# Only editors and type checkers run this import, so vector.py itself can import this file.
+if TYPE_CHECKING:
     from ch02_vectors.vector import Vector3
 
 Value = TypeVar("Value")
-LARGEST = sys.float_info.max  # an int beyond it would fit in no float
+LARGEST = sys.float_info.max  # a larger int does not fit in a float
 
 
 def finite(name: str, value: float) -> float:
@@ -30,7 +29,7 @@ def finite(name: str, value: float) -> float:
 
 
 def not_negative(name: str, value: float) -> float:
-    """Return a finite number that is zero or more."""
+    """Return a finite number that is at least zero."""
     if not (isinstance(value, (int, float)) and 0.0 <= value <= LARGEST):
         raise _refusal(name, value, "finite and not negative")
     return float(value)
@@ -44,14 +43,14 @@ def positive(name: str, value: float) -> float:
 
 
 def positive_or_infinite(name: str, value: float) -> float:
-    """Return a number above zero, which math.inf is too."""
+    """Return a number above zero. math.inf is allowed."""
     if not (isinstance(value, (int, float)) and (0.0 < value <= LARGEST or value == math.inf)):
         raise _refusal(name, value, "positive")
     return float(value)
 
 
 def whole(name: str, value: int) -> int:
-    """Return a whole number of 1 or more; True is none."""
+    """Return a whole number that is at least 1. True and False are refused."""
     if not isinstance(value, int) or isinstance(value, bool):
         raise TypeError(f"{name} must be a whole number, got {value!r}")
     if value < 1:
@@ -69,7 +68,7 @@ def finite_vector(name: str, v: Vector3) -> Vector3:
 
 
 def instance_of(name: str, value: Value, kind: type) -> Value:
-    """Return a value that is of a class, such as Particle."""
+    """Return a value that is an object of a class such as Particle."""
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a {kind.__name__}, got {value!r}")
     return value

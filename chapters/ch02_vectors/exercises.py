@@ -1,6 +1,6 @@
 """The exercises of the book's chapter 2 and exercise B2.11, as functions of their data.
 
-None of them changes the vectors it is given. Angles are in radians.
+No function here changes the vectors that it is given. Angles are in radians.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from ch02_vectors.vector import Vector3
 def split(v: Vector3) -> tuple[float, Vector3]:
     """Exercise 2.1: return the magnitude of v and its direction, a new unit vector.
 
-    The zero vector has magnitude 0 and, for want of a better one, the direction zero.
+    For the zero vector the magnitude is 0 and the direction is the zero vector.
 
     >>> magnitude, direction = split(Vector3(2, -2, -2))
     >>> round(magnitude, 6), [round(component, 6) for component in direction]
@@ -21,10 +21,11 @@ def split(v: Vector3) -> tuple[float, Vector3]:
 
 
 def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
-    """Exercise 2.2a: return a . b and what its sign says of the angle between a and b.
+    """Exercise 2.2a: return a . b and what its sign says about the angle between a and b.
 
-    The word is "acute" (less than a right angle), "right" or "obtuse" (more). The numbers
-    of the example are ours. Raises ValueError where the product is NaN, which says nothing.
+    The word is "acute" (less than a right angle), "right", or "obtuse" (more than a right angle).
+    The numbers of the example are ours. Raises ValueError if the product is NaN, since NaN has no
+    sign.
 
     >>> scalar_product_and_angle(Vector3(1, 2, 3), Vector3(4, -5, 1))
     (-3.0, 'obtuse')
@@ -35,7 +36,7 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
 def make_perpendicular(a: Vector3, x: float, y: float) -> float:
     """Exercise 2.4: return the z that makes (x, y, z) perpendicular to a.
 
-    Raises ValueError where a.z is zero: then no z will do, or every z.
+    Raises ValueError if a.z is zero. Then either no z works or every z does.
 
     >>> make_perpendicular(Vector3(1, 2, 3), 7, -2)
     -1.0
@@ -46,7 +47,8 @@ def make_perpendicular(a: Vector3, x: float, y: float) -> float:
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
     """Exercise 2.5: return the angle between a and b, from 0 to pi, by their scalar product.
 
-    NaN gives NaN. Raises ValueError where a or b is zero and has no direction.
+    If a component is NaN, the angle is NaN. Raises ValueError if a or b is zero, because a zero
+    vector has no direction.
 
     >>> round(angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0)), 6)  # 135 degrees
     2.356194
@@ -55,10 +57,11 @@ def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
 
 
 def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
-    """Exercise 2.5: return the two angles that |a x b| leaves possible, the smaller one first.
+    """Exercise 2.5: return the two possible angles for |a x b|, the smaller one first.
 
     Two angles that add up to pi have the same sine, so the vector product cannot tell them apart.
-    NaN gives NaN. Raises ValueError where a or b is zero and has no direction.
+    If a component is NaN, both angles are NaN. Raises ValueError if a or b is zero, because a zero
+    vector has no direction.
 
     >>> angles = angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))
     >>> [round(angle, 6) for angle in angles]  # 45 and 135 degrees
@@ -70,25 +73,26 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     """Exercise 2.6: return c = a . b, the vector d = b - c a, and the angle between a and d.
 
-    a and b are unit vectors. d is what is left of b without its part along a. The numbers
-    of the example are ours.
+    a and b are unit vectors, and d is b without its part along a. The numbers of the example are
+    ours.
 
-    Raises ValueError where a or b is not of unit length within 1e-6, as NaN never is, or where
-    nothing is left because they are parallel (d shorter than 1e-6).
+    Raises:
+        ValueError: if the length of a or b differs from 1 by more than 1e-6 or is NaN, or if d is
+            shorter than 1e-6, which means that a and b are parallel.
 
     >>> c, d, angle = remove_projection(Vector3(1, 0, 0), Vector3(0.6, 0.8, 0))
     >>> c, d, round(angle, 6)  # 90 degrees
     (0.6, Vector3(0.0, 0.8, 0.0), 1.570796)
     """
-    raise NotImplementedError("Exercise 2.6: What is left without the projection")
+    raise NotImplementedError("Exercise 2.6: The rest of a vector after a projection")
 
 
 def checked_duration(duration: float) -> float:
     """Exercise B2.11: return a duration in s as a float, or refuse one that no step can use.
 
     A step needs a duration that is positive and finite. Check it before you compute anything, so
-    that a refused call changes nothing. The message of the error says which argument is wrong, what
-    it must be, and which value came: ``duration must be positive and finite, got -1.5``.
+    that a refused call changes nothing. The error message says which argument is wrong, what it
+    must be, and which value came: ``duration must be positive and finite, got -1.5``.
 
     Raises:
         ValueError: for zero, a negative number, an infinity or NaN.
@@ -97,15 +101,15 @@ def checked_duration(duration: float) -> float:
     >>> checked_duration(2)
     2.0
     """
-    raise NotImplementedError("Exercise B2.11: Refuse what makes no sense")
+    raise NotImplementedError("Exercise B2.11: Refuse bad arguments")
 
 
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
     """Exercise 2.7: return the position after moving with a constant velocity (Eq. 2.7).
 
-    position in m, velocity in m/s, duration in s. The start of the example is ours.
+    position is in m, velocity in m/s and duration in s. The start position of the example is ours.
 
-    Raises ValueError where the duration is not positive and finite.
+    Raises ValueError if the duration is not positive and finite.
 
     >>> position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     Vector3(13.0, -5.0, 16.0)

@@ -1,6 +1,7 @@
-"""Pictures of chapter 2, drawn with the vectors of the engine at hand: make plot CH=2.
+"""Pictures of chapter 2, drawn with the vectors of the chosen engine: make plot CH=2.
 
-Titles give what is measured on the picture with plain numbers: a wrong engine cannot hide.
+Each title says what was measured in the picture with plain numbers, so that a mistake in the engine
+shows up.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ COLUMNS = ("vector", "x", "y", "z")
 
 
 def addition() -> Picture:
-    """Two vectors and their sum, in the parallelogram that they span."""
+    """Draw two vectors and their sum in the parallelogram that they span."""
     a, b = (4.0, 1.0, 0.0), (1.0, 3.0, 0.0)
     corner = (5.0, 4.0, 0.0)
     total = numbers(Vector3(*a) + Vector3(*b))
@@ -46,7 +47,7 @@ def addition() -> Picture:
     arrow(axes, total, "a + b", BLACK)
     _plane(axes, (-1, 7), (-1, 6))
     if not is_drawable(total):
-        axes.set_title("a + b is no vector that can be drawn")
+        axes.set_title("a + b is not finite, so it cannot be drawn")
     elif off < 1e-9:
         axes.set_title("a + b ends at the far corner of the parallelogram of a and b")
     else:
@@ -55,7 +56,7 @@ def addition() -> Picture:
 
 
 def projection() -> Picture:
-    """A vector, its projection on a direction, and what is left of it."""
+    """Draw a vector, its projection onto a direction, and the rest of the vector."""
     a, b = (math.cos(0.3), math.sin(0.3), 0.0), (2.0, 4.0, 0.0)
     direction, v = Vector3(*a), Vector3(*b)
     along = direction * direction.dot(v)
@@ -68,13 +69,13 @@ def projection() -> Picture:
     arrow(axes, end, "d = b - c a", BLACK, tail=part)
     _plane(axes, (-1, 5), (-1, 5))
     axes.legend(loc="lower right")
-    axes.set_title(f"Without its part along a, b stands at {angle_between(a, rest):.4g}° to a")
+    axes.set_title(f"The angle between a and d is {angle_between(a, rest):.4g}°")
     rows = [("a", *a), ("b", *b), ("c a", *part), ("b - c a", *rest)]
     return Picture(figure, COLUMNS, rows)
 
 
 def cross_product() -> Picture:
-    """The vector product over the parallelogram of its factors, and its length by their angle."""
+    """Draw the vector product with the parallelogram of its factors, and its length by angle."""
     a, b = (0.3, 0.1, 1.2), (1.0, 0.0, 0.2)
     product = numbers(Vector3(*a).cross(Vector3(*b)))
     figure = pyplot.figure(figsize=(10, 5), layout="constrained")
@@ -88,11 +89,11 @@ def cross_product() -> Picture:
     angles = [angle_between(v, product) for v in (a, b, cross(a, b))]
     if is_drawable(product):
         space.set_title(
-            "a x b stands at {:.4g}° to a, {:.4g}° to b and\n"
-            "{:.4g}° to where right-handed axes have it".format(*angles)
+            "Angles of a x b: {:.4g}° to a, {:.4g}° to b and\n"
+            "{:.4g}° to its direction in right-handed axes".format(*angles)
         )
     else:
-        space.set_title("a x b is no vector that can be drawn")
+        space.set_title("a x b is not finite, so it cannot be drawn")
 
     degrees = range(0, 181, 5)
     lengths = [_product_length(math.radians(angle)) for angle in degrees]
@@ -100,10 +101,10 @@ def cross_product() -> Picture:
     theory = [6.0 * math.sin(math.radians(angle)) for angle in degrees]
     plane.plot(degrees, theory, color=GREY, lw=5, alpha=0.5, label="|a| |b| sin t")
     plane.plot(degrees, lengths, "o", color=BLACK, ms=4, label="|a x b|")
-    plane.set(xlabel="angle t between a and b, degrees", ylabel="|a x b|, with |a| = 2, |b| = 3")
+    plane.set(xlabel="angle t between a and b, degrees", ylabel="|a x b| for |a| = 2 and |b| = 3")
     plane.legend()
     gap = max(abs(got - wanted) for got, wanted in zip(lengths, theory, strict=True))
-    plane.set_title(f"|a x b| and |a| |b| sin t differ by {gap:.1g} at most")
+    plane.set_title(f"|a x b| and |a| |b| sin t differ by at most {gap:.1g}")
     rows = [
         (angle, got, wanted) for angle, got, wanted in zip(degrees, lengths, theory, strict=True)
     ]
@@ -111,7 +112,7 @@ def cross_product() -> Picture:
 
 
 def basis() -> Picture:
-    """An orthonormal basis and the two vectors that it was made from."""
+    """Draw an orthonormal basis and the two vectors that it was made from."""
     a, b = (1.6, 0.6, 0.4), (0.2, 1.3, 0.6)
     made = make_orthonormal_basis(Vector3(*a), Vector3(*b))
     first, second, third = (numbers(v) for v in made)
@@ -125,10 +126,11 @@ def basis() -> Picture:
     pairs = ((first, second), (second, third), (third, first))
     angles = ", ".join(f"{angle_between(v, w):.4g}°" for v, w in pairs)
     lengths = ", ".join(f"{math.sqrt(dot(v, v)):.4g}" for v in (first, second, third))
-    hand = "right" if dot(cross(first, second), third) > 0.0 else "not right"
-    space.set_title(f"A basis, {hand}-handed, with angles {angles}\nand lengths {lengths}")
+    is_right = dot(cross(first, second), third) > 0.0
+    kind = "right-handed basis" if is_right else "basis that is not right-handed"
+    space.set_title(f"A {kind}, with angles of {angles}\nand lengths of {lengths}")
     if not is_drawable(first, second, third):
-        space.set_title("The basis has what is no vector that can be drawn")
+        space.set_title("A vector of the basis is not finite, so it cannot be drawn")
     rows = [("a", *a), ("b", *b), ("first", *first), ("second", *second), ("third", *third)]
     return Picture(figure, COLUMNS, rows)
 
@@ -137,7 +139,7 @@ PLOTS = (addition, projection, cross_product, basis)
 
 
 def _product_length(angle: float) -> float:
-    """Return |a x b| of the engine for |a| = 2 and |b| = 3 at this angle, in a slanting plane."""
+    """Return the engine's |a x b| for |a| = 2 and |b| = 3 at this angle, in a slanted plane."""
     along, across = 3.0 * math.cos(angle), 3.0 * math.sin(angle)
     a, b = Vector3(1.2, 1.6, 0.0), Vector3(0.6 * along, 0.8 * along, across)
     return math.hypot(*numbers(a.cross(b)))

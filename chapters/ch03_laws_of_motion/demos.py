@@ -19,27 +19,27 @@ Point = tuple[float, float]
 
 
 class Throw:
-    """A ball that your particle moves step by step, beside the path that it would truly take."""
+    """A ball that your particle moves step by step, next to the exact path."""
 
     seconds = 16.5
     keys = (
-        "The up and down arrow keys turn the aim, left and right change the strength, the space "
-        "bar throws, and a click aims at the point and throws (farther away is stronger). 1 to 5 "
-        "choose 60, 30, 15, 10 or 5 steps per second, a switches the air on and off, r starts anew."
+        "Up and down change the angle, left and right change the speed, and the space bar throws. "
+        "A click aims at that point and throws: the farther away, the faster. 1 to 5 choose 60, "
+        "30, 15, 10 or 5 steps per second, a switches the air on and off, and r starts again."
     )
     HAND = (1.0, 2.0)  # m
-    HOOPS = ((9.0, 3.0), (14.0, 4.0), (11.0, 5.0), (16.0, 2.5))  # m, the middle of each rim
+    HOOPS = ((9.0, 3.0), (14.0, 4.0), (11.0, 5.0), (16.0, 2.5))  # m, the center of each rim
     RIM = 0.5  # m, half of its width
     BALL = 0.25  # m, its radius
     RATES = (60, 30, 15, 10, 5)  # steps per second
     AIR = 0.7  # the fraction of the velocity that is kept per second
-    TURN, PUSH = math.radians(2.0), 0.25  # rad and m/s, what a key changes
+    TURN, PUSH = math.radians(2.0), 0.25  # rad and m/s, the change made by one key press
     WEAKEST, STRONGEST = 4.0, 20.0  # m/s
-    PULL = 2.0  # 1/s, the speed of a throw at a click that is a meter away
-    REST = 1.0  # s, for which the hoop stays where it is after a throw
-    LONGEST = 6.0  # s, after which a ball that does not come down is given up
-    # When, in s, and with how many steps per second, damping, angle in degrees and speed in m/s
-    # the invented player throws: at 10 steps per second first with the exact aim, then weaker.
+    PULL = 2.0  # 1/s, the speed of a throw per meter of distance to the click
+    REST = 1.0  # s, how long the hoop stays in place after a throw
+    LONGEST = 6.0  # s, after which a ball that has not come down is given up
+    # The throws of the automatic player: time in s, steps per second, damping, angle in degrees and
+    # speed in m/s. At 10 steps per second it first uses the exact aim, and then a lower speed.
     ORDERS = (
         (0.5, 60, 1.0, 55.0, 9.57),
         (3.2, 10, 1.0, 55.0, 12.33),
@@ -75,35 +75,35 @@ class Throw:
         self.angle, self.speed = math.radians(55.0), 9.0
         self.orders = [*self.ORDERS]
         self.start()
-        self.new_ball().integrate(1.0 / self.rate)  # says at once what is not written yet
+        self.new_ball().integrate(1.0 / self.rate)  # reports at once if a body is not written yet
 
     def start(self) -> None:
-        """Begin a new game at the first hoop. It moves on after each ball that goes in."""
+        """Start a new game at the first hoop. The hoop moves on after each ball that goes in."""
         self.throws = self.score = self.steps = self.passed = 0
         self.rest = 0.0
         self.old: list[Point] = []
         self.way: list[Point] = []
         self.truth: list[Point] = []
-        self.end("Aim, and throw.")
+        self.end("Aim and throw.")
 
     def end(self, message: str) -> None:
-        """Let nothing fly, and say how it went; what flew stays to be seen."""
+        """End the throw with a message. The path stays visible."""
         self.message, self.flies = message, False
         self.rest = self.REST
 
     @property
     def hoop(self) -> Point:
-        """The middle of the rim, in m."""
+        """The center of the rim, in m."""
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
     def flight(self) -> DragFlight:
-        """Return the throw as plain numbers, with its exact solution."""
+        """Return the throw as plain numbers that have an exact solution."""
         vx, vy = self.speed * math.cos(self.angle), self.speed * math.sin(self.angle)
         start = State((*self.HAND, 0.0), (vx, vy, 0.0))
         return DragFlight("throw", start, GRAVITY, self.damping, self.LONGEST)
 
     def new_ball(self) -> Particle:
-        """Return a particle that leaves the hand as it is aimed now."""
+        """Return a particle that leaves the hand with the current aim."""
         start = self.flight().start
         return Particle(
             Vector3(*start.position),
@@ -137,7 +137,7 @@ class Throw:
         return path
 
     def update(self, duration: float) -> None:
-        """Make the steps of the ball that are due by now."""
+        """Make the steps of the ball that are due."""
         if not self.flies:
             self.rest -= duration
             if self.rest < 0.0:
@@ -151,9 +151,9 @@ class Throw:
             self.look(numbers(self.particle.position))
 
     def look(self, place: Numbers) -> None:
-        """Note where the ball is now, and end the throw where it is down."""
+        """Record the position of the ball, and end the throw if the ball is on the ground."""
         if not is_drawable(place):
-            self.end("The ball is at a position that is not a number.")
+            self.end("The position of the ball is not a number.")
             return
         self.way.append((place[0], place[1]))
         if place[1] <= self.BALL or self.steps * self.step > self.LONGEST:
@@ -162,7 +162,7 @@ class Throw:
             self.score += self.is_in(yours)
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Return by how much in m a path comes down beyond the middle of the rim, if it does."""
+        """Return how far beyond the rim's center, in m, a path passes the rim's height, if ever."""
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):
             if y1 > y >= y2:
@@ -170,11 +170,11 @@ class Throw:
         return None
 
     def is_in(self, beyond: float | None) -> bool:
-        """Say whether a ball that comes down there falls through the hoop."""
+        """Return whether a ball that comes down there goes through the hoop."""
         return beyond is not None and abs(beyond) < self.RIM
 
     def told(self, beyond: float | None) -> str:
-        """Return in words how well a path hits the hoop."""
+        """Describe in words how well a path hits the hoop."""
         if beyond is None:
             return "too low"
         if self.is_in(beyond):
@@ -209,18 +209,18 @@ class Throw:
         self.title.set_text(f"{self.state()}\n{self.message or self.error(place, true)}")
 
     def state(self) -> str:
-        """Return how the next ball is thrown, and how the game stands."""
+        """Describe the next throw and the score."""
         air = "no air" if self.damping == 1.0 else f"air: damping {self.damping:g}"
         return (
             f"{self.speed:.2f} m/s at {math.degrees(self.angle):.0f}°, {self.rate} steps per "
-            f"second, {air}; {self.score} in of {self.throws}"
+            f"second, {air}; {self.score} of {self.throws} went in"
         )
 
     def error(self, place: Point, true: Point) -> str:
-        """Return how far the ball that flies is from where it would truly be."""
+        """Describe how far the flying ball is from its exact position."""
         time = self.steps * self.step
         off = math.dist(place, true)
-        return f"After {time:.2f} s the ball is {off:.2f} m from where it would truly be."
+        return f"After {time:.2f} s the ball is {off:.2f} m from its exact position."
 
     def press(self, key: str) -> None:
         if key in ("up", "down"):
@@ -237,7 +237,7 @@ class Throw:
             self.start()
 
     def aim(self, angle: float, speed: float) -> None:
-        """Aim forwards, with a speed in m/s that an arm can give."""
+        """Aim forward, with a speed in m/s that an arm can reach."""
         self.angle = max(0.0, min(math.radians(88.0), angle))
         self.speed = max(self.WEAKEST, min(self.STRONGEST, speed))
 
@@ -249,7 +249,7 @@ class Throw:
             self.throw()
 
     def play(self, time: float) -> None:
-        """Throw at 60 steps per second, at 10 with two aims, and in air with two strengths."""
+        """Throw at 60 steps per second, then at 10 with two aims, and in air with two speeds."""
         if self.orders and self.orders[0][0] <= time:
             _, self.rate, self.damping, degrees, speed = self.orders.pop(0)
             self.aim(math.radians(degrees), speed)
@@ -260,7 +260,7 @@ DEMOS = (Throw,)
 
 
 def _net(left: float, right: float, top: float) -> list[list[Point]]:
-    """Return the threads of a net below a rim."""
+    """Return the threads of the net below a rim."""
     threads, bottom, narrow = 6, top - 0.7, 0.2
     above = [left + (right - left) * i / threads for i in range(threads + 1)]
     below = [x + narrow * (1.0 - 2.0 * i / threads) for i, x in enumerate(above)]
@@ -269,12 +269,12 @@ def _net(left: float, right: float, top: float) -> list[list[Point]]:
 
 
 def _neighbours(count: int) -> list[tuple[int, int]]:
-    """Return pairs of a place and the next one, in both directions."""
+    """Return pairs of each index and the next one, in both directions."""
     return [*((i, i + 1) for i in range(count)), *((i + 1, i) for i in range(count))]
 
 
 def _draw_thrower(axes: Axes, hand: Point) -> None:
-    """Draw somebody whose hand is there."""
+    """Draw a person whose hand is at this point."""
     x, y = hand[0] - 0.6, hand[1] - 0.2
     neck, hip = (x, y - 0.25), (x, y - 1.0)
     limbs = [[neck, hip], [neck, hand], [hip, (x - 0.25, 0.0)], [hip, (x + 0.25, 0.0)]]

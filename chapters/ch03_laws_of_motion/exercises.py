@@ -1,6 +1,7 @@
-"""The exercises of the book's chapter 3, as functions of their data; 3.3 is in particle.py.
+"""The exercises of chapter 3 of the book, as functions of their data. 3.3 is in particle.py.
 
-None of them changes the vectors it is given. What is no number where one is wanted is a TypeError.
+No function here changes the vectors that it is given. All of them raise TypeError for anything that
+is not a number where a number is expected.
 """
 
 from __future__ import annotations
@@ -13,24 +14,24 @@ GRAVITATIONAL_CONSTANT = 6.67428e-11  # N m^2/kg^2
 
 
 def speed_ratio(first_mass: float, second_mass: float) -> float:
-    """Exercise 3.1: return how many times the speed of the second particle the first one has.
+    """Exercise 3.1: return the speed of the first particle divided by that of the second.
 
-    Both start at rest, and the same force acts on both for the same time. Masses in kg.
+    Both start at rest, and the same force acts on both for the same time. The masses are in kg.
 
-    Raises ValueError where a mass is not positive and finite.
+    Raises ValueError if a mass is not positive and finite.
 
-    >>> speed_ratio(2.0, 1.0)  # 2 m and m
+
     0.5
     """
     raise NotImplementedError("Exercise 3.1: The same force on two masses")
 
 
 def gravity_between(first_mass: float, second_mass: float, distance: float) -> float:
-    """Exercise 3.2: return the force in N by which two masses attract each other (Eq. 3.3).
+    """Exercise 3.2: return the force in N with which two masses attract each other (Eq. 3.3).
 
-    With the book's G = 6.67428e-11 N m^2/kg^2; masses in kg, distance in m.
+    G is the book's 6.67428e-11 N m^2/kg^2. The masses are in kg and the distance is in m.
 
-    Raises ValueError where one of the three is not positive and finite.
+    Raises ValueError if a mass or the distance is not positive and finite.
 
     >>> force = gravity_between(100.0, 100.0, 1.0)
     >>> f"{force:.6g}"
@@ -42,12 +43,12 @@ def gravity_between(first_mass: float, second_mass: float, distance: float) -> f
 def position_by_equation(
     position: Vector3, velocity: Vector3, acceleration: Vector3, time: float
 ) -> Vector3:
-    """Exercise 3.4a: return the position under a constant acceleration, as new (Eq. 2.9).
+    """Exercise 3.4a: return the new position after a time with constant acceleration (Eq. 2.9).
 
-    p' = p + v t + a t^2 / 2, in m, m/s, m/s^2 and s.
+    It is p' = p + v t + a t^2 / 2, in m, m/s, m/s^2 and s. In this example and those below, the
+    start and two components of the acceleration are ours.
 
-    Raises ValueError where the time in s is not positive and finite. The start and two of the three
-    components of the acceleration are ours, in these examples and those below.
+    Raises ValueError if the time is not positive and finite.
 
     >>> position_by_equation(Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5), 5)
     Vector3(-18.0, 12.5, 15.25)
@@ -58,11 +59,12 @@ def position_by_equation(
 def state_by_steps(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> tuple[Vector3, Vector3]:
-    """Exercise 3.4b, with (c): return position and velocity after steps of one duration each.
+    """Exercise 3.4b and (c): return the position and the velocity after several equal steps.
 
-    A step is Eq. 2.7 and then Eq. 2.8, without damping: what Particle.integrate does.
+    A step is Eq. 2.7 and then Eq. 2.8, without damping. Particle.integrate does the same. The
+    duration of each step is in s.
 
-    Raises ValueError where the duration in s is not positive and finite, or the steps are below 1.
+    Raises ValueError if the duration is not positive and finite, or if steps is below 1.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> state_by_steps(p, v, a, 1, steps=1)
@@ -76,9 +78,9 @@ def state_by_steps(
 def stepping_error(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> Vector3:
-    """Exercise 3.4d: return by how much the stepped position is off: stepped minus exact.
+    """Exercise 3.4d: return the error of the stepped position, which is stepped minus exact.
 
-    Arguments and errors as in state_by_steps.
+    The arguments and the errors raised are those of state_by_steps.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> stepping_error(p, v, a, 1, steps=5)
@@ -88,30 +90,30 @@ def stepping_error(
 
 
 def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[float]:
-    """Exercise 3.5a: return durations of frames in s, random about a mean, that fill a total time.
+    """Exercise 3.5a: return random frame durations in s that add up to a total time.
 
-    Each is drawn evenly from mean (1 - jitter) to mean (1 + jitter), all but the last, which is cut
-    so that the sum is the total, to rounding. The same seed gives the same frames.
+    Each duration is drawn evenly from mean (1 - jitter) to mean (1 + jitter). The last one is
+    shortened so that the sum is the total within rounding. The same seed gives the same durations.
 
-    Raises ValueError where the mean or the total is not positive and finite, or the jitter is not
-    from 0 up to but not including 1.
+    Raises ValueError if the mean or the total is not positive and finite, or if the jitter is not
+    at least 0 and below 1.
 
     >>> random_frames(0.25, 0.0, 1.0, seed=7)
     [0.25, 0.25, 0.25, 0.25]
     """
-    raise NotImplementedError("Exercise 3.5a: Frames of random length")
+    raise NotImplementedError("Exercise 3.5a: Frames of random duration")
 
 
 def damping_difference(
     velocity: Vector3, acceleration: Vector3, damping: float, runs: Sequence[Sequence[float]]
 ) -> float:
-    """Exercise 3.5b: return how far apart the two equations for damping end, as a mean over runs.
+    """Exercise 3.5b: return how much the results of the two damping equations differ on average.
 
-    A run is a list of durations in s. In each run two particles start with the same velocity in
-    m/s; in every frame one follows Eq. 3.5 and the other Eq. 3.6, with the same damping. The
-    distance between their velocities at the end, in m/s, is averaged over the runs.
+    A run is a list of step durations in s. In each run two particles start with the given velocity
+    in m/s. In every step one follows Eq. 3.5 and the other Eq. 3.6, with the same damping. The
+    result is the length of the difference of their last velocities, in m/s, averaged over the runs.
 
-    Raises ValueError where there is no run, where the damping is negative or not finite, or where a
+    Raises ValueError if there are no runs, if the damping is negative or not finite, or if a
     duration is not positive and finite.
 
     >>> gravity = Vector3(0, -10, 0)
@@ -119,4 +121,4 @@ def damping_difference(
     >>> round(difference, 6)
     0.068181
     """
-    raise NotImplementedError("Exercise 3.5b: How far apart the two equations end")
+    raise NotImplementedError("Exercise 3.5b: How far apart the two damping equations end")

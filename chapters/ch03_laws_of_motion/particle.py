@@ -1,6 +1,6 @@
 """A particle: a point with a mass that moves by Newton's laws (book chapter 3).
 
-Units are SI: m, m/s, m/s^2, kg, s, J, kg m/s.
+All units are SI units: m, m/s, m/s^2, kg, s, J and kg m/s.
 """
 
 from __future__ import annotations
@@ -14,17 +14,18 @@ from ch02_vectors.vector import Vector3
 class Particle:
     """A point mass with a position, a velocity and a constant acceleration, such as gravity.
 
-    ``position``, ``velocity`` and ``acceleration`` are vectors, zero where none is given. What is
-    assigned to them is copied, so two particles never share one, and must be finite: ValueError
-    names the one that is not, TypeError what is no Vector3. Their components may be changed one by
-    one, as in ``particle.velocity.y = 3.0``, and are then yours to keep finite.
+    ``position``, ``velocity`` and ``acceleration`` are vectors and zero by default. A vector that
+    is assigned to them is copied, so two particles never share one. Assigning a vector that is not
+    finite raises ValueError, and anything else raises TypeError. You may also change components one
+    by one, as in ``particle.velocity.y = 3.0``. Then it is up to you to keep them finite.
 
-    ``damping`` is the fraction of the velocity that is kept per second: 1 keeps all of it.
-    A mass of math.inf, or an inverse mass of 0, makes a particle that nothing moves.
+    ``damping`` is the fraction of the velocity that is kept per second. 1 keeps all of it, 0 stops
+    the particle, and a number above 1 speeds it up. A particle whose mass is math.inf, or whose
+    inverse mass is 0, cannot be moved by anything.
 
-    A particle can only have the attributes that ``__slots__`` lists. The engine keeps 1 / mass in
-    ``_inverse_mass`` and the damping in ``_damping``. If your code needs to remember something
-    else, add its name there.
+    A particle has only the attributes that ``__slots__`` lists. The engine stores 1 / mass in
+    ``_inverse_mass`` and the damping in ``_damping``. If your code must store something else, add
+    its name there.
     """
 
     __slots__ = ("_damping", "_inverse_mass", "acceleration", "position", "velocity")
@@ -49,97 +50,104 @@ class Particle:
         self.damping = damping
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute; of the three vectors keep a copy, after a look at it."""
+        """Set an attribute. Check and copy the three vectors first."""
         if name in ("position", "velocity", "acceleration"):
             value = finite_vector(name, value)
         object.__setattr__(self, name, value)
 
     @property
     def mass(self) -> float:
-        """The mass in kg, above 0; math.inf for an immovable particle (3.2)."""
+        """The mass in kg, which is above 0, or math.inf for an immovable particle (3.2)."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @mass.setter
     def mass(self, mass: float) -> None:
-        """Set the mass. Raises ValueError where it is not positive; math.inf is.
+        """Set the mass. Raises ValueError if it is not positive. math.inf is allowed.
 
-        Raises TypeError for what is no number, as every setter here does.
+        Like every setter here, it raises TypeError for anything that is not a number.
         """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @property
     def inverse_mass(self) -> float:
-        """1 / mass in 1/kg, which the engine keeps: 0 for an immovable particle (3.2)."""
+        """1 / mass in 1/kg, the number that the engine stores. 0 if the particle is immovable."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @inverse_mass.setter
     def inverse_mass(self, inverse_mass: float) -> None:
-        """Set the inverse mass. Raises ValueError where it is negative or not finite."""
+        """Set the inverse mass. Raises ValueError if it is negative or not finite."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @property
     def has_finite_mass(self) -> bool:
-        """Whether the particle can be moved at all: True unless its mass is infinite."""
+        """True unless the mass is infinite, which makes the particle immovable."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @property
     def damping(self) -> float:
-        """The share d of the velocity that is kept per second (Eq. 3.6)."""
+        """The fraction d of the velocity that is kept per second (Eq. 3.6)."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @damping.setter
     def damping(self, damping: float) -> None:
-        """Set the damping. Raises ValueError where it is negative or not finite."""
+        """Set the damping. Raises ValueError if it is negative or not finite."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     def kinetic_energy(self) -> float:
-        """Exercise 3.3: return m |v|^2 / 2 in J.
+        """Exercise 3.3: return the kinetic energy m |v|^2 / 2 in J.
 
-        An immovable particle has none, since it does not move.
+        The result is 0 for an immovable particle, because it does not move.
         """
         raise NotImplementedError("Exercise 3.3: Kinetic energy")
 
     def momentum(self) -> Vector3:
-        """Return m v in kg m/s, as new: what stays constant without a force (3.2).
+        """Return the momentum m v in kg m/s as a new vector (3.2).
 
-        An immovable particle has none, since it does not move.
+        Momentum stays constant as long as no force acts. The result is zero for an immovable
+        particle, because it does not move.
         """
         raise NotImplementedError("Exercise B3.2: Momentum")
 
     @property
     def last_acceleration(self) -> Vector3:
-        """All of the acceleration of the last step, as new; so far that is the constant one."""
+        """The total acceleration of the last step, as a new vector.
+
+        In this chapter it is the constant acceleration. Chapter 5 adds forces to it.
+        """
         raise NotImplementedError("Exercise B3.4: The step")
 
     def drift(self, duration: float) -> None:
         """Move the position with the velocity for a duration in s: p' = p + v h (Eq. 2.7).
 
-        The velocity stays as it is, and an immovable particle stays where it is. Integrators drift
-        for parts of a step, and a few drift back, so the duration may be 0 or negative.
+        The velocity does not change, and an immovable particle does not move. The duration may be
+        0 or negative, because integrators drift for parts of a step and a few drift back.
 
-        The duration is not checked here, because a step has several moves. What makes the step
-        checks it once: integrate, an integrator or a world.
+        The duration is not checked here, because a step consists of several moves. The caller
+        checks it once per step: integrate, an integrator or a world.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
     def kick(self, duration: float) -> None:
-        """Change the velocity as the acceleration does in a duration in s: v' = (v + a h) d^h.
+        """Change the velocity by the acceleration for a duration in s: v' = (v + a h) d^h.
 
-        The velocity is damped after the acceleration is added. That is the form of the book's
-        listing; its Eq. 3.6 has v d^h + a h (E-16). The position stays as it is, and an immovable
-        particle keeps its velocity. The duration may be 0 or negative, and is not checked, as for
-        drift.
+        First the acceleration is added, and then the velocity is damped. This is the form of the
+        book's listing. The book's Eq. 3.6 has v d^h + a h instead (E-16). The position does not
+        change, and an immovable particle keeps its velocity. As in drift, the duration may be 0 or
+        negative and is not checked.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
     def integrate(self, duration: float) -> None:
-        """Make the book's step for a duration in s: drift, then kick. It is explicit Euler (3.3.2).
+        """Make the book's step for a duration in s: drift, then kick. This is explicit Euler.
 
-        So the position moves with the velocity from before the step, and the term a h^2 / 2 is left
-        out on purpose. The book calls this order by another name (E-17). Chapter 5 adds forces to
-        the kick, and gets its step from here: call self.kick(duration).
+        The position moves with the velocity from before the step, and the term a h^2 / 2 is left
+        out on purpose (3.3.2). The book gives this method another name (E-17). The particle of
+        chapter 5 overrides kick to add forces, so this method must call self.kick(duration).
 
-        An immovable particle stays as it is. Raises ValueError where the duration is not positive
-        and finite, and TypeError where it is not a number; the particle is then as it was.
+        An immovable particle does not change.
+
+        Raises:
+            ValueError: if the duration is not positive and finite. The particle does not change.
+            TypeError: if the duration is not a number. The particle does not change.
         """
         raise NotImplementedError("Exercise B3.4: The step")

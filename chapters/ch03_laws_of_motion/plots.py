@@ -1,6 +1,6 @@
-"""Pictures of chapter 3, drawn with the particle of the engine at hand: make plot CH=3.
+"""Pictures of chapter 3, drawn with the particle of the chosen engine: make plot CH=3.
 
-Titles give what is measured on the picture: a wrong engine cannot hide.
+Each title says what was measured in the picture, so that a mistake in the engine shows up.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from studies.drag_flight import AT_REST, FREE_FALL, GRAVITY, PROJECTILE, DragFli
 from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, Picture, numbers, slope
 
 KEPT = 0.5  # the damping per second of the comparison
-TUNED_AT = 60.0  # frames a second, at which the damping per frame is made to take as much
+TUNED_AT = 60.0  # frames per second, at which damping per frame is set to the same loss
 RATES = (15, 20, 30, 45, 60, 90, 120, 180, 240)
 JITTER = 0.3
 RUNS = 20
 FORMS = (
-    ("Eq. 3.5, v d + a h, set at 60 Hz", ORANGE, "s-"),
+    ("Eq. 3.5, v d + a h, set for 60 Hz", ORANGE, "s-"),
     ("Eq. 3.6, v d^h + a h", BLUE, "^-"),
     ("the engine, (v + a h) d^h", BLACK, "o--"),
 )
 
 
 def damping_comparison() -> Picture:
-    """What each equation takes from a fall of a second, over the frame rate (exercise 3.5)."""
+    """Draw the loss of velocity in a fall of one second against the frame rate (exercise 3.5)."""
     fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
     exact = 1.0 + fall.exact(fall.duration).velocity[1] / undamped
@@ -44,16 +44,16 @@ def damping_comparison() -> Picture:
             right.plot(RATES, off, style, color=color, ms=5, label=label)
     left.axhline(100.0 * exact, color=GREY, lw=5, alpha=0.5, label="exact, dv/dt = a + v ln d")
     _frame_rates(left)
-    left.set(ylabel="velocity lost in a second of fall, %", ylim=(0, 100))
+    left.set(ylabel="velocity lost in one second of fall, %", ylim=(0, 100))
     left.legend(fontsize=9)
     left.set_title(
-        "What Eq. 3.5 takes depends on the frame rate:\n"
+        "The loss by Eq. 3.5 depends on the frame rate:\n"
         f"{100.0 * rows[0][1]:.0f} % at 15 Hz, {100.0 * rows[-1][1]:.0f} % at 240 Hz"
     )
     for sign in (1.0, -1.0):
-        # To first order in h the two forms are off by k h / 2 of the velocity that is left.
+        # To first order in h, the two forms are off by k h / 2 of the remaining velocity.
         theory = [sign * 50.0 * (1.0 - exact) * -math.log(KEPT) / rate for rate in RATES]
-        label = "" if sign < 0.0 else "theory, (1 - loss) h ln d / 2, both signs"
+        label = "" if sign < 0.0 else "theory, ±(1 - loss) h ln d / 2"
         right.plot(RATES, theory, color=GREY, lw=5, alpha=0.5, label=label)
     _frame_rates(right)
     right.set(ylabel="loss minus exact loss, percentage points", ylim=(-3.5, 3.5))
@@ -61,15 +61,15 @@ def damping_comparison() -> Picture:
     orders = [-slope(RATES, [abs(row[column] - exact) for row in rows]) for column in (2, 3)]
     sides = {row[column] > exact for row in rows for column in (2, 3)}
     right.set_title(
-        f"Eq. 3.6 and the engine stray to {'two sides' if len(sides) == 2 else 'one side'},\n"
-        "by h to the power {:.2f} and {:.2f}".format(*orders)
+        f"Eq. 3.6 and the engine err on {'opposite sides' if len(sides) == 2 else 'one side'};\n"
+        "the error grows as h to the power {:.2f} and {:.2f}".format(*orders)
     )
-    columns = ("frame rate, Hz", *(f"share lost: {form[0]}" for form in FORMS), "exact share")
+    columns = ("frame rate, Hz", *(f"loss: {form[0]}" for form in FORMS), "exact loss")
     return Picture(figure, columns, rows)
 
 
 def integration_error() -> Picture:
-    """The error of the step over the length of a frame, in a free fall (exercise 3.4)."""
+    """Draw the error of the step in free fall against its duration (exercise 3.4)."""
     counts = (10, 20, 50, 100, 200, 500, 1000, 3000)
     time, g = FREE_FALL.duration, -GRAVITY[1]
     rows = []
@@ -82,21 +82,21 @@ def integration_error() -> Picture:
     figure, axes = pyplot.subplots(figsize=(6.4, 5), layout="constrained")
     axes.loglog(lengths, theory, color=GREY, lw=5, alpha=0.5, label="theory, g t h / 2")
     axes.loglog(lengths, errors, "o-", color=BLACK, ms=5, label="Particle.integrate")
-    axes.set(xlabel="length of a frame h, s", ylabel=f"error of the position after {time:g} s, m")
+    axes.set(xlabel="time step h, s", ylabel=f"error of the position after {time:g} s, m")
     axes.grid(alpha=0.3, which="both")
     axes.legend()
     at_60 = math.dist(
         with_particle(FREE_FALL, 1 / 60, 300)[-1].position, FREE_FALL.exact(time).position
     )
     axes.set_title(
-        f"The error goes as h to the power {slope(lengths, errors):.3f}:\n"
-        f"{at_60:.3f} m at 60 frames a second"
+        f"The error grows as h to the power {slope(lengths, errors):.3f}\n"
+        f"and is {at_60:.3f} m at 60 steps per second"
     )
     return Picture(figure, ("h, s", "error, m", "g t h / 2, m"), rows)
 
 
 def trajectories() -> Picture:
-    """A throw with and without damping, in long frames, beside the exact paths."""
+    """Draw a throw with and without damping, in long steps, and the exact paths."""
     frame = 0.1
     frames = round(PROJECTILE.duration / frame)
     undamped = DragFlight("projectile", PROJECTILE.start, GRAVITY, 1.0, PROJECTILE.duration)
@@ -119,8 +119,8 @@ def trajectories() -> Picture:
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9)
     axes.set_title(
-        f"In steps of {frame} s a throw is off its exact position\n"
-        f"by up to {gaps[0]:.2f} m without damping, {gaps[1]:.2f} m with it"
+        f"In steps of {frame} s the position of a throw is wrong\n"
+        f"by up to {gaps[0]:.2f} m without damping and {gaps[1]:.2f} m with it"
     )
     columns = ("damping", "time, s", "x, m", "y, m", "exact x, m", "exact y, m")
     return Picture(figure, columns, rows)
@@ -130,9 +130,9 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 
 
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
-    """Return the share of the velocity that three forms of damping take from a second's fall.
+    """Return the fraction of the velocity that each form of damping takes in one second of fall.
 
-    The frames are random about 1 / rate; the shares are averaged over runs.
+    The frame durations are random around 1 / rate, and the fractions are averaged over the runs.
     """
     gravity = Vector3(*GRAVITY)
     per_frame = KEPT ** (1.0 / TUNED_AT)
@@ -150,7 +150,7 @@ def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
 
 
 def _frame_rates(axes: Axes) -> None:
-    axes.set(xscale="log", xlabel="frames a second (each frame up to 30 % shorter or longer)")
+    axes.set(xscale="log", xlabel="frames per second (each frame up to 30 % shorter or longer)")
     axes.set_xticks(RATES, [str(rate) for rate in RATES])
     axes.minorticks_off()
     axes.grid(alpha=0.3)

@@ -1,7 +1,7 @@
 """Forces that depend on where a particle is: water, a balloon, a crowd and a homing bullet.
 
-Units and the checks of arguments are those of springs.py, which passes these classes on: import
-them from either module.
+Units and the checks of arguments are as in springs.py, which passes these classes on: import them
+from either module.
 """
 
 from __future__ import annotations

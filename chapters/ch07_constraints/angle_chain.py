@@ -22,12 +22,14 @@ class AngleChain:
     """Point masses on massless rods, one below the other, that swing in the X-Y plane.
 
     The first rod turns about the origin. Rods are listed from there to the tip: ``lengths`` in m,
-    ``masses`` in kg of what is at the outer ends, ``angles`` in radians from straight down towards
-    +X, ``angular_velocities`` in rad/s (all 0 if left out). ``gravity`` is in m/s^2. The attributes
+    ``masses`` in kg at their outer ends, ``angles`` in radians from straight down toward +X, and
+    ``angular_velocities`` in rad/s (all 0 if left out). ``gravity`` is in m/s^2. The attributes
     have these names. One rod makes a pendulum, two make a double pendulum.
 
-    Raises ValueError where the lists are empty or differ in length, a length, a mass or gravity is
-    not positive, or a number is not finite; TypeError for anything that is not a number.
+    Raises:
+        ValueError: if the lists are empty or differ in length, if a length, a mass or gravity is
+            not positive, or if a number is not finite.
+        TypeError: if an argument is not a number.
     """
 
     def __init__(
@@ -60,9 +62,10 @@ class AngleChain:
         return places
 
     def step(self, duration: float) -> None:
-        """Move the chain on by a duration in s: Runge-Kutta 4 of the angular accelerations.
+        """Make a Runge-Kutta 4 step of a duration in s.
 
-        Raises ValueError where the duration is not positive and finite.
+        Raises:
+            ValueError: if the duration is not positive and finite.
         """
         h = positive("duration", duration)
         velocities = self.angular_velocities

@@ -16,11 +16,14 @@ from ch02_vectors.vector import Vector3
 
 
 class AnglePendulum:
-    """A mass on a massless rod that swings about the origin in the X-Y plane, whatever its mass.
+    """A mass on a massless rod that swings about the origin in the X-Y plane.
 
-    length in m, angle in radians from straight down towards +X, angular_velocity in rad/s, gravity
-    in m/s^2; the attributes have these names. Raises ValueError where length or gravity is not
-    positive, or a number not finite; TypeError for what is no number.
+    ``length`` is in m, ``angle`` in radians from straight down toward +X, ``angular_velocity`` in
+    rad/s and ``gravity`` in m/s^2. The attributes have these names. The mass does not matter.
+
+    Raises:
+        ValueError: if length or gravity is not positive, or a number is not finite.
+        TypeError: if an argument is not a number.
     """
 
     def __init__(
@@ -33,14 +36,15 @@ class AnglePendulum:
 
     @property
     def position(self) -> Vector3:
-        """Where the mass is, in m, as a new vector."""
+        """The position of the mass in m, as a new vector."""
         x, y = self.length * math.sin(self.angle), -self.length * math.cos(self.angle)
         return Vector3(x, y)
 
     def step(self, duration: float) -> None:
-        """Swing on by a duration in s: Runge-Kutta 4 of the angle's acceleration, -g/l sin.
+        """Make a Runge-Kutta 4 step of a duration in s, with the angular acceleration -g/l sin.
 
-        Raises ValueError where the duration is not positive and finite.
+        Raises:
+            ValueError: if the duration is not positive and finite.
         """
         h = positive("duration", duration)
         pull = -self.gravity / self.length
@@ -60,12 +64,14 @@ class DoublePendulum:
     """A pendulum that hangs on a pendulum: two masses on two massless rods in the X-Y plane.
 
     The first rod turns about the origin, the second one about the first mass. ``lengths`` are in m,
-    ``masses`` in kg, ``angles`` in radians from straight down towards +X, ``angular_velocities`` in
-    rad/s, ``gravity`` in m/s^2; the attributes have these names. AngleChain with two rods moves in
-    the same way, but a step takes twice the time.
+    ``masses`` in kg, ``angles`` in radians from straight down toward +X, ``angular_velocities`` in
+    rad/s and ``gravity`` in m/s^2. The attributes have these names. AngleChain with two rods moves
+    in the same way, but a step takes twice the time.
 
-    Raises ValueError where there are not two of each, a length, a mass or gravity is not positive,
-    or a number is not finite; TypeError for anything that is not a number.
+    Raises:
+        ValueError: if there are not two of each, if a length, a mass or gravity is not positive, or
+            if a number is not finite.
+        TypeError: if an argument is not a number.
     """
 
     def __init__(
@@ -93,15 +99,17 @@ class DoublePendulum:
         return [Vector3(x, y), Vector3(x + outer * math.sin(b), y - outer * math.cos(b))]
 
     def step(self, duration: float) -> None:
-        """Swing on by a duration in s: Runge-Kutta 4 of the equations of Lagrange.
+        """Make a Runge-Kutta 4 step of a duration in s, with the equations of Lagrange.
 
         With the angles a and b, d = a - b, and M the sum of the masses m1 and m2:
 
             M l1 a'' + m2 l2 b'' cos d = -m2 l2 b'^2 sin d - M g sin a
               l1 a'' cos d + l2 b''    =     l1 a'^2 sin d -   g sin b
 
-        Source: Landau and Lifshitz, Mechanics, section 5, problem 1. Raises ValueError where the
-        duration is not positive and finite.
+        Source: Landau and Lifshitz, Mechanics, section 5, problem 1.
+
+        Raises:
+            ValueError: if the duration is not positive and finite.
         """
         h = positive("duration", duration)
         half, sixth = 0.5 * h, h / 6.0

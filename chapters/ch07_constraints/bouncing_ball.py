@@ -1,7 +1,7 @@
-"""Going further, complete: a ball that bounces, without steps and without contacts.
+"""Going further, complete: a bouncing ball, computed from its impacts instead of steps.
 
-All that happens to it are its impacts, and when they are is known: between two of them its height
-is a parabola. So nothing is worked out but each impact once, and a height where one is wanted.
+Between two impacts the height of the ball is a parabola, so the time of the next impact is known.
+The only work is one computation per impact, and one per height that you ask for.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import math
 
 from ch02_vectors.arguments import finite, not_negative, positive, whole
 
-LEAST = 1e-12  # m: a ball that would bounce no higher lies still, whatever its restitution
+LEAST = 1e-12  # m: a ball that would not bounce higher than this comes to rest
 
 
 def heights_in_frames(
@@ -21,12 +21,16 @@ def heights_in_frames(
     frames: int,
     gravity: float = 9.81,
 ) -> list[float]:
-    """Return a ball's height above the ground in m at the end of each of so many frames.
+    """Return a ball's height above the ground in m at the end of each frame.
 
-    It begins at ``height`` in m, above the ground, with ``speed`` in m/s upwards; ``frame`` is in s
-    and gravity in m/s^2. Raises ValueError where a height is negative, a speed not finite, a
-    restitution outside 0 to 1, frame or gravity not positive, or there is not a whole number of
-    frames, 1 or more, which all together last for a finite time.
+    The ball starts at ``height`` in m above the ground, with an upward ``speed`` in m/s. ``frame``
+    is the duration of a frame in s, ``frames`` their number, and gravity is in m/s^2.
+
+    Raises:
+        ValueError: if ``height`` is negative, ``speed`` or the time of all frames not finite,
+            ``restitution`` outside 0 to 1, ``frame`` or ``gravity`` not positive, or ``frames``
+            less than 1.
+        TypeError: if an argument is not a number, or ``frames`` not a whole number.
     """
     not_negative("height", height)
     finite("speed", speed)
@@ -51,5 +55,5 @@ def heights_in_frames(
 
 
 def _time_of_fall(height: float, speed: float, gravity: float) -> float:
-    """Return when a ball that moves freely comes to the ground, in s."""
+    """Return the time in s at which a freely moving ball reaches the ground."""
     return (speed + math.sqrt(speed * speed + 2.0 * gravity * height)) / gravity

@@ -1,4 +1,4 @@
-"""The demo of chapter 7: one rope of rods, let go by three methods side by side."""
+"""The demo of chapter 7: the same rope of rods by three methods, side by side."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ SUBSTEPS = 8
 
 
 class Ropes:
-    """A rope that should keep its length: by a step a frame, by substeps, and by one solve."""
+    """A rope that should keep its length: one step per frame, substeps, and a direct solve."""
 
     seconds = 6.0
-    keys = "The up and down arrow keys take more and fewer links, r lets go anew."
+    keys = "The up and down arrow keys change the number of links, r starts again."
     COUNTS = (1, 2, 3, 5, 10, 15, 20)
     ANGLE = 60.0  # degrees from straight down
 
@@ -41,7 +41,7 @@ class Ropes:
         self.start()
 
     def start(self) -> None:
-        """Let go of the ropes anew, straight and at rest."""
+        """Release the ropes again, straight and at rest."""
         self.time = 0.0
         self.ropes = [chain_particles(self.count, self.ANGLE) for _ in self.panels]
         one, many, solved = self.ropes
@@ -62,7 +62,7 @@ class Ropes:
                 self.messages[name] = stopped(lambda move=move: move(duration))
 
     def too_long(self) -> list[float]:
-        """Return by how much in m each rope is longer than its links should make it."""
+        """Return the excess length of each rope in m."""
         return [
             math.fsum(
                 math.dist(numbers(a.position), numbers(b.position)) - LINK
@@ -94,10 +94,10 @@ class Ropes:
             self.start()
 
     def click(self, axes: object, x: float, y: float) -> None:
-        """Nothing here is clicked."""
+        """Ignore clicks."""
 
     def play(self, time: float) -> None:
-        """Look at five links, and then at ten."""
+        """Show five links first, and then ten."""
         if round(60.0 * time) == 180:
             self.press("up")
 

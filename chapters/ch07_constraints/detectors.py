@@ -1,12 +1,12 @@
-"""Detectors: contact generators that find what touches, and when something will.
+"""Detectors find the contacts of now, and the next impact.
 
-``contacts()`` returns what touches now, in the order of the particles, the same every time. That
-includes what only just touches, with a penetration of 0, so that rest is found a frame earlier.
-``next_impact(duration)`` looks ahead for ``time_division_step``.
+``contacts()`` returns the current contacts, always in the order of the particles. Particles that
+just touch have a contact too, with a penetration of 0. ``next_impact(duration)`` looks ahead, for
+``time_division_step``.
 
-Lengths are in m, times in s. What a detector is made with is looked at: ValueError names what is
-negative or not finite, and a restitution that is not from 0 to 1; TypeError what is no number, and
-particles that are no list or tuple of them. A list is kept, and may be changed.
+Lengths are in m, times in s. A detector keeps the list of particles that it gets, which may be
+changed later. Constructors raise ValueError for a number that is negative or not finite and for a
+restitution outside 0 to 1, and TypeError for an argument of the wrong type.
 """
 
 from __future__ import annotations
@@ -22,19 +22,20 @@ Impact = tuple[float, Contact]
 
 
 class Detector(Protocol):
-    """Whatever has both methods is a detector: no class needs to derive from this one."""
+    """Any object with both methods is a detector. It need not inherit from this class."""
 
     def contacts(self) -> Iterable[Contact]:
-        """Return the contacts of now."""
+        """Return the current contacts."""
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return when the first impact of the next ``duration`` s is, and its contact, or None."""
+        """Return the time and contact of the first impact within ``duration`` s, or None."""
 
 
 class GroundPlane:
-    """Exercise 7.5: level ground at a height, for points, and for spheres of a radius.
+    """Exercise 7.5: level ground at a height, for points or for spheres of one radius.
 
-    All below it is ground, so whatever gets there in a frame, however fast, is in contact with it.
+    Everything below the height is ground. So a particle that gets there in a step is in contact,
+    however fast it is.
     """
 
     def __init__(
@@ -50,29 +51,32 @@ class GroundPlane:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Exercise 7.5: return a contact for each particle that touches the ground, or is below.
+        """Exercise 7.5: return a contact for each particle that touches the ground or is below it.
 
-        It has no other, its normal is (0, 1, 0), and its penetration is how far the lowest point of
-        the sphere is below the height. Immovable particles have none.
+        The contact has no other, and its normal is (0, 1, 0). Its penetration is the depth of the
+        sphere's lowest point below the height. Immovable particles are left out.
         """
         raise NotImplementedError("Exercise 7.5: A detector for the ground")
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the first impact on the ground within ``duration`` s: its time and its contact.
+        """Return the time and contact of the first impact on the ground within ``duration`` s.
 
-        A particle moves by p + v t + a t^2 / 2, where a is its last_acceleration, and impacts when
-        it is on the ground, or below, and closes on: see time_to_close. One that lies there, and is
-        pulled downwards, impacts at 0, time and again. None where there is no impact. The contact's
-        penetration is 0. Immovable particles have none, and of two at the same time the first in
-        the list is taken.
+        A particle moves by p + v t + a t^2 / 2, where a is its last_acceleration. It has an impact
+        when time_to_close says so. A particle that lies on the ground and is accelerated downward
+        has an impact at 0, again and again. Immovable particles have no impacts. Of two impacts at
+        the same time, take the particle that is first in the list.
 
-        Raises ValueError where the duration is negative or not finite.
+        Returns:
+            (time, contact), where the contact has a penetration of 0, or None without an impact.
+
+        Raises:
+            ValueError: if the duration is negative or not finite.
         """
         raise NotImplementedError("Exercise B7.10: When does it reach the ground?")
 
 
 class ParticlePairs:
-    """Finds pairs of particles that touch: spheres that all have one ``radius``, above 0."""
+    """Finds contacts between pairs of spheres. All have the same ``radius``, which is positive."""
 
     def __init__(
         self, particles: Sequence[Particle], radius: float, restitution: float = 0.0
@@ -82,68 +86,77 @@ class ParticlePairs:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact for each pair whose spheres touch or overlap.
+        """Return a contact for each pair of spheres that touch or overlap.
 
-        Its particle is the one that comes first in the list; its normal leads there from the other
-        one, and is +Y where both are at one place. Two immovable particles have none.
+        The pairs are in list order, and the contact's particle is the one that is earlier in the
+        list. The normal points from the other to it, and is +Y if both positions are equal. Two
+        immovable particles have no contact.
 
-        It does not look at each pair: only particles in the same cell of a grid, or in neighbouring
-        ones, can touch.
+        Do not compare every pair. In a grid, for example, only particles in the same cell or in
+        neighboring cells can touch.
         """
         raise NotImplementedError("Exercise B7.9: Pairs of spheres")
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the first impact of two spheres within ``duration`` s: its time and its contact.
+        """Return the time and contact of the first impact of two spheres within ``duration`` s.
 
-        Particles move by p + v t + a t^2 / 2, where a is their last_acceleration, so two of the
-        same acceleration see each other move along a line; immovable ones stay where they are. They
-        impact when their spheres touch, or overlap, and close by more than VELOCITY_TOLERANCE: less
-        is what an impact leaves. Those that do so already impact at 0. None where there is no
-        impact. The contact is that of the places at its time, with a penetration of 0. Of several
-        at the same time the first in the order of contacts is taken.
+        Particles move by p + v t + a t^2 / 2, where a is their last_acceleration. Two particles of
+        the same acceleration therefore move along a line relative to each other. Immovable ones
+        stay where they are and have no acceleration. Two spheres have an impact when they touch or
+        overlap and close faster than VELOCITY_TOLERANCE, since an impact leaves slower rounding. If
+        they do so already, the time is 0. Of several impacts at the same time, take the first in
+        the order of contacts().
 
-        Raises ValueError where the duration is negative or not finite, and where two particles have
-        accelerations that differ by more than rounding, 1e-12 of their sizes: their paths are
-        beyond this detector. An immovable one has none.
+        Returns:
+            (time, contact), or None without an impact. The contact's normal is the one at the time
+            of the impact, and its penetration is 0.
+
+        Raises:
+            ValueError: if the duration is negative or not finite, or if the accelerations of any
+                two particles differ by more than rounding, 1e-12 of their sizes.
         """
         raise NotImplementedError("Exercise B7.11: When do two spheres meet?")
 
 
 class Detectors:
-    """Several detectors as one: for spheres that bounce on the ground and off each other."""
+    """Combines several detectors, such as the ground and pairs of spheres, into one."""
 
     def __init__(self, *detectors: Detector) -> None:
         self.detectors = detectors
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of all, in the order of the detectors."""
+        """Return the contacts of all detectors, in their order."""
         return [contact for detector in self.detectors for contact in detector.contacts()]
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the first impact of all; of several at the same time that of the first detector.
+        """Return the first impact of all. At equal times the earlier detector wins.
 
-        Raises what one of them raises.
+        Raises:
+            ValueError: if one of the detectors does.
         """
         impacts = [detector.next_impact(duration) for detector in self.detectors]
         return min((impact for impact in impacts if impact), key=lambda i: i[0], default=None)
 
 
 def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
-    """Return the first time in s at which a gap is closed, 0 or less, and closes on.
+    """Return the first time in s at which a gap is 0 or negative and still decreasing.
 
-    It is gap + v t + a t^2 / 2 in m, with v in m/s and a in m/s^2. Where it is closed already, the
-    time is that at which it closes on, or begins to: 0 where it does so now, and where it lies
-    still and is accelerated inwards. Where it is not accelerated inwards, a velocity inwards of
-    VELOCITY_TOLERANCE or less is no closing. math.inf where it never closes, or only just gets
-    there, and turns round. The arguments are not checked.
+    After t seconds the gap is gap + v t + a t^2 / 2, in m, with v in m/s and a in m/s^2. If it is 0
+    or negative at the start, the time is 0 if it is decreasing, or if v is 0 and a is negative.
+    If v is positive and a negative, the time is when the gap gets back to 0, or when v reverses if
+    the gap never becomes positive. If a is not negative, a velocity of -VELOCITY_TOLERANCE or more
+    counts as not closing.
+
+    Return math.inf if the gap never closes, or if v reverses exactly when the gap is 0. The
+    arguments are not checked.
     """
     raise NotImplementedError("Exercise B7.10: When does it reach the ground?")
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
-    """Return a list or tuple of particles; TypeError for anything else."""
+    """Return a list or tuple of particles, or raise TypeError for anything else."""
     if not isinstance(particles, (list, tuple)):
-        raise TypeError(f"particles must be a list, got {particles!r}")
+        raise TypeError(f"particles must be a list or tuple, got {particles!r}")
     for i, particle in enumerate(particles):
         instance_of(f"particles[{i}]", particle, Particle)
     return particles

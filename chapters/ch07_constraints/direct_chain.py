@@ -1,4 +1,4 @@
-"""Going further: a chain that solves for the pulls of all its rods at once.
+"""Going further, complete: a chain that solves for the pulls of all its rods at once.
 
 The pull of a rod changes three lengths: its own and those of the two rods next to it. So each
 equation for the pulls has at most three unknowns. They are solved from the anchor to the free end
@@ -15,9 +15,9 @@ from ch02_vectors.arguments import finite_vector, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 
-TOO_FAR = "rod {} turns too far in one frame: shorter frames would help"
+TOO_FAR = "rod {} turns too far in one step; use shorter steps"
 # What the way back needs of a rod: position, velocity and gain of the particle at its far end, the
-# vector along it, its pull in the last frame, and its equation: change = value + factor * next one.
+# vector along it, its pull in the last step, and its equation: change = value + factor * next one.
 Row = tuple[Vector3, Vector3, float, float, float, float, float, float, float]
 
 
@@ -27,56 +27,58 @@ class DirectChain:
     The chain makes the steps of its particles. Each rod keeps the length in m that it has when the
     chain is made. The last of several particles may be immovable: it holds the other end.
 
-    Raises ValueError if there are no particles, if a rod has no length, or if a particle other than
-    the last is immovable.
+    Raises:
+        ValueError: if there are no particles, if a rod has no length, or if a particle other than
+            the last is immovable.
     """
 
     def __init__(self, particles: Sequence[Particle], anchor: Vector3) -> None:
         self.particles = [*particles]
         if not self.particles:
-            raise ValueError("particles must be one or more, got none")
+            raise ValueError("particles must have at least one particle, got none")
         self.anchor = finite_vector("anchor", anchor)
         self.lengths: list[float] = []
         places = [self.anchor, *(particle.position for particle in self.particles)]
         for i, (start, end) in enumerate(pairwise(places)):
             is_other_end = i and i == len(self.particles) - 1
             if not (self.particles[i].inverse_mass or is_other_end):
-                raise ValueError(f"particles[{i}] must be one that can move, got mass inf")
+                raise ValueError(f"particles[{i}] must have a finite mass, got inf")
             self.lengths.append(positive(f"the length of rod {i}", (end - start).magnitude()))
-        # N/m: the pull of each rod in the last frame, per m of its length
+        # N/m: the pull of each rod in the last step, per m of its length
         self._pulls: list[float] = []
 
     @property
     def tensions(self) -> list[float]:
-        """The pull of each rod in the last frame, in N. A negative one pushed."""
+        """The pull of each rod in the last step, in N. It is negative for a rod that pushed."""
         return [pull * length for pull, length in zip(self._pulls, self.lengths, strict=False)]
 
     def step(self, duration: float) -> None:
-        """Move the chain on by a frame of a duration in s, with the forces in the accumulators.
+        """Move the chain by one step of a duration in s, with the forces in the accumulators.
 
         Velocities change before positions, as in semi-implicit Euler. The impulse of each rod acts
-        along the rod's direction at the start of the frame, and gives the rod its length at the end
-        of it. These equations are linear except for a small square. The pulls of the last frame are
-        a good guess for that square, so one solve is enough.
+        along the rod's direction at the start of the step and gives the rod its length at the end.
+        These equations are linear except for a small square. The pulls of the last step are a good
+        estimate of that square, so one solve is enough.
 
-        The first frame accelerates for half of its time only. From then on the velocities are those
-        in the middle of the frame before, and the positions are of order 2 (leapfrog), as long as
-        all frames have the same duration.
+        The first step accelerates for only half of its time. From then on the velocities are those
+        in the middle of the previous step. The positions are of order 2 (leapfrog), as long as all
+        steps have the same duration.
 
-        Raises ValueError if the duration is not positive and finite; all is then as it was. Raises
-        ArithmeticError if the frame is so long that a rod would turn around in it; the chain is
-        then somewhere on its way.
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing is changed then.
+            ArithmeticError: if a rod would turn too far in the step. The chain is then in the
+                middle of the step, and cannot be used any more.
         """
         positive("duration", duration)
-        time = duration if self._pulls else 0.5 * duration  # for which the frame accelerates
+        time = duration if self._pulls else 0.5 * duration  # for which the step accelerates
         self._pulls = self._pull_and_drift(self._kick_and_eliminate(duration, time), duration)
 
     def _kick_and_eliminate(self, duration: float, time: float) -> list[Row]:
         """Kick the particles for a time, and return the rods' equations with one unknown less.
 
-        With the pulls of the last frame, the kicked velocities say where each rod will be at the
-        end of this frame. Equation i says how changes of the pulls i - 1, i and i + 1 give rod i
-        its length there. Change i - 1 is eliminated from it at once (Thomas, 1949).
+        With the pulls of the last step, the kicked velocities say where each rod will be at the end
+        of this step. Equation i says how changes of the pulls i - 1, i and i + 1 give rod i its
+        length there. Change i - 1 is eliminated from it at once (Thomas, 1949).
 
         Everything is a plain float: with vectors, or in separate passes, a step takes longer.
         """
@@ -106,7 +108,7 @@ class DirectChain:
                 w = velocity.z + (next_force_z - force_z) * gain
             else:
                 u = v = w = 0.0  # immovable: it stays, whatever its velocity is
-            to_x = x + (u - last_u) * duration  # along the rod at the end of the frame
+            to_x = x + (u - last_u) * duration  # along the rod at the end of the step
             to_y = y + (v - last_v) * duration
             to_z = z + (w - last_w) * duration
             below = last_gain * (to_x * last_x + to_y * last_y + to_z * last_z)

@@ -1,7 +1,7 @@
-"""Read the drops that were measured for exercise 7.1, from a CSV file with a line for each.
+"""Read the measured drops of exercise 7.1 from a CSV file with one drop per line.
 
-Its columns are material, initial_height and bounce_height. The heights are in m, of the same point
-of the ball, above where it is when it lies still.
+The columns are material, initial_height and bounce_height. The heights are in m, measured from
+where the ball lies on the ground.
 """
 
 from __future__ import annotations
@@ -16,9 +16,10 @@ COLUMNS = ["material", "initial_height", "bounce_height"]
 
 
 def read_drops(path: Path) -> list[tuple[str, float, float]]:
-    """Return the drops in a file, in its order; lines without anything are left out.
+    """Return the drops in a file, in their order. Empty lines are skipped.
 
-    Raises ValueError that names the line where a column is missing, or a height is none.
+    Raises:
+        ValueError: if a line lacks a column or a height is not a number. It names the line.
     """
     drops = []
     with path.open(encoding="utf-8-sig", newline="") as file:
@@ -39,16 +40,17 @@ def read_drops(path: Path) -> list[tuple[str, float, float]]:
             except ValueError:
                 heights = math.nan, math.nan
             if not all(0.0 <= height < math.inf for height in heights):
-                wanted = "must have two heights in m, such as 1.25"
+                wanted = "must have two heights in m, such as 1.25 and 0.8"
                 raise ValueError(f"{where} {wanted}, got {','.join(row)!r}")
             drops.append((row[0].strip(), *heights))
     return drops
 
 
 def find_drops(name: str = "drops.csv") -> Path:
-    """Return the path of a file of this chapter: the student's own, where the engine has one.
+    """Return the path of a file of this chapter, preferring the student's own.
 
-    Raises FileNotFoundError where no folder of the engine has it.
+    Raises:
+        FileNotFoundError: if no folder of the engine has the file.
     """
     for folder in ch07_constraints.__path__:
         if (path := Path(folder) / name).exists():

@@ -10,30 +10,33 @@ Drop = tuple[str, float, float]
 
 
 def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
-    """Exercise 7.1: return the restitution of a ball that is dropped, and bounces so high.
+    """Exercise 7.1: return the restitution of a ball from the heights of its drop and bounce.
 
-    Both heights are in m, of the same point of the ball, above where it is when it touches. Speeds
-    go with the roots of heights, so it is the root of bounce_height / initial_height; the book
-    prints it without the root (E-10).
+    The restitution is the ratio of the speeds after and before the bounce. Speeds grow with the
+    square root of the height, so it is the square root of bounce_height / initial_height. Both
+    heights are in m, measured from where the ball is when it touches the ground.
 
     >>> restitution_of_drop(1.0, 0.64)
     0.8
 
-    Raises ValueError where the initial height is not positive, the bounce is negative or higher
-    than that, or one of them is not finite; TypeError for what is no number.
+    Raises:
+        ValueError: if the initial height is not positive, the bounce height is negative or greater
+            than it, or one of them is not finite.
+        TypeError: if a height is not a number.
     """
     raise NotImplementedError("Exercise 7.1: Measure some bounces")
 
 
 def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
-    """Exercise 7.1: return a row for each material: its name, how many drops, mean, standard error.
+    """Exercise 7.1: return a row (material, number of drops, mean, standard error) per material.
 
-    A drop is a tuple of its material, initial height and bounce height in m. The mean is that of
-    the drops' restitutions. Its standard error is s / sqrt(n), where s is their standard deviation,
-    with n - 1 below the root; one drop alone tells none, and has None there. The rows are in the
-    order in which the materials come first. No drops give no rows.
+    A drop is a tuple of material, initial height and bounce height, in m. The mean is the mean of
+    the drops' restitutions. Its standard error is s / sqrt(n), where s is the standard deviation
+    of the n restitutions, computed with n - 1. For a single drop it is None. The rows are in the
+    order in which the materials first appear.
 
-    Raises what restitution_of_drop raises.
+    Raises:
+        ValueError, TypeError: as restitution_of_drop does.
     """
     raise NotImplementedError("Exercise 7.1: Measure some bounces")
 
@@ -46,26 +49,30 @@ def top_ball_speed(
     pair_restitution: float,
     gravity: float = 10.0,
 ) -> float:
-    """Exercise 7.3: return how fast the upper one of two balls goes upwards, in m/s.
+    """Exercise 7.3: return the upward velocity in m/s of the upper of two balls after a drop.
 
-    One lies on the other, almost touching; both are dropped from a height in m, under a gravity in
-    m/s^2. The lower one meets the ground first, and then, at the same place, the upper one, which
-    is still on its way down. Masses are in kg. It is negative where the upper ball goes on
-    downwards.
+    Both balls are dropped from a height in m, the upper one almost touching the lower one. Gravity
+    is in m/s^2, masses are in kg. The lower ball bounces off the ground first. At the same height
+    it then hits the upper ball, which is still falling. The result is negative if the upper ball
+    keeps moving down.
 
-    Raises ValueError where height or gravity is negative, a mass is not positive, a restitution is
-    not from 0 to 1, or one of them is not finite; TypeError for what is no number.
+    Raises:
+        ValueError: if height or gravity is negative, a mass is not positive, a restitution is not
+            from 0 to 1, or an argument is not finite.
+        TypeError: if an argument is not a number.
     """
     raise NotImplementedError("Exercise 7.3: Two balls dropped at once")
 
 
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
-    """Exercise 7.4: return the force in N that does in a whole frame what another does in a part.
+    """Exercise 7.4: return the force in N that has the same effect when it acts for a whole frame.
 
-    ``force`` acts for ``contact_time`` s of a frame of ``frame`` s. A step keeps forces for all of
-    its frame, so a smaller one of the same impulse is wanted. It is a new vector.
+    ``force`` acts for only ``contact_time`` s of a frame of ``frame`` s. The engine applies a force
+    for the whole frame, so return a smaller force with the same impulse, as a new vector.
 
-    Raises ValueError where the contact time is negative or longer than the frame, the frame is not
-    positive, or something is not finite; TypeError for what is no number or no Vector3.
+    Raises:
+        ValueError: if the contact time is negative or longer than the frame, the frame is not
+            positive, or an argument is not finite.
+        TypeError: if an argument has the wrong type.
     """
-    raise NotImplementedError("Exercise 7.4: A push that is shorter than a frame")
+    raise NotImplementedError("Exercise 7.4: A push shorter than a frame")

@@ -1,15 +1,16 @@
-"""Going further: a resolver that does not look at all contacts again after each resolution.
+"""Going further, complete: a resolver that does not compare all contacts after each resolution.
 
-A resolution moves two particles, or changes their velocities, so only the contacts of these two
-change. They are looked up in a list for each particle, and the worst contact is found by a heap,
-the first of several that are equally bad, as ContactResolver finds it. So both resolve the same
-contacts in the same order, and give the same states, as long as both round alike: where many are
-equally bad, the last digit decides which is first. What differs is the work: for each resolution
-the plain scan asks all n contacts, the heap the few that changed, and log n of its entries. For ten
-contacts the scan is good enough; for 300 the heap is many times faster (`make bench`).
+A resolution changes two particles, so it changes only the contacts of these two. A list for each
+particle finds them, and a heap finds the worst contact. Of several equally bad contacts it takes
+the first, as ContactResolver does. So both resolve the same contacts in the same order and give the
+same results, apart from rounding: where many contacts are equally bad, the last digit may decide.
 
-With so little left to do, it has to be done in plain floats, on the particles' own vectors: what
-does not change in a frame is worked out once.
+For each resolution the plain scan compares all n contacts. The heap updates the few that changed,
+and goes through about log n of its entries. The scan is good enough for ten contacts. For 300 the
+heap is many times faster (`make bench`).
+
+To be that fast it works in plain floats on the particles' own vectors, and computes everything that
+does not change during a step only once.
 """
 
 from __future__ import annotations
@@ -29,15 +30,16 @@ Plan = tuple[float, float, float, float, list[Row]]
 
 
 class HeapResolver(ContactResolver):
-    """A ContactResolver with the same results, whose cost grows with n log n and not n^2.
+    """A ContactResolver with the same results, whose cost grows with n log n instead of n^2.
 
-    It has in it what Contact does: a contact of a class of your own is resolved like a plain one.
+    It contains the formulas of Contact. So a subclass of Contact with methods of its own is still
+    resolved like a plain Contact.
     """
 
     def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:
         """Resolve the velocity of the contact that closes fastest, up to ``limit`` times."""
         still = Vector3()
-        rows: list[Row] = []  # of each contact: number, both velocities, and the normal
+        rows: list[Row] = []  # for each contact: index, both velocities, and the normal
         for i, contact in enumerate(contacts):
             other = contact.other.velocity if contact.other is not None else still
             rows.append((i, contact.particle.velocity, other, *contact.normal))
@@ -53,7 +55,7 @@ class HeapResolver(ContactResolver):
         while heap and used < limit:
             velocity, i = heappop(heap)
             if velocity != closing[i]:
-                continue  # it has changed since, and if it still closes it is there again
+                continue  # outdated: a contact that still closes has a newer entry
             plan = plans[i]
             if plan is None:
                 contact = contacts[i]
@@ -124,7 +126,7 @@ class HeapResolver(ContactResolver):
 
 
 def _contacts_of(contacts: list[Contact]) -> dict[int, list[int]]:
-    """Return the numbers of the contacts of each particle that can move, by the particle's id."""
+    """Return the indices of the contacts of each movable particle, by the particle's id."""
     found: dict[int, list[int]] = {}
     for i, contact in enumerate(contacts):
         for particle in (contact.particle, contact.other):
@@ -134,14 +136,14 @@ def _contacts_of(contacts: list[Contact]) -> dict[int, list[int]]:
 
 
 def _built_up(contact: Contact, accelerations: dict[int, Vector3], duration: float) -> float:
-    """Return the velocity that a frame's acceleration explains, as Contact.velocity_after does."""
-    if not contact.restitution:  # without a bounce nothing is taken off it
+    """Return the velocity that a step's acceleration has built up, as in Contact.velocity_after."""
+    if not contact.restitution:  # without a bounce it does not matter
         return 0.0
     velocity, n = 0.0, contact.normal
     for particle, sign in ((contact.particle, duration), (contact.other, -duration)):
         if particle is not None and particle.inverse_mass:
             acceleration = accelerations.get(id(particle))
-            if acceleration is None:  # a property that makes vectors: asked for once a particle
+            if acceleration is None:  # the property makes vectors, so read it once per particle
                 acceleration = accelerations[id(particle)] = particle.last_acceleration
             a = acceleration
             velocity += (a.x * n.x + a.y * n.y + a.z * n.z) * sign

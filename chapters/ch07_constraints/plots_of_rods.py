@@ -1,4 +1,4 @@
-"""Pictures of chapter 7: a rope of rods by every method, how well rods hold, and a pendulum."""
+"""Pictures of chapter 7: a rope of rods by every method, the errors of rods, and a pendulum."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """How much a rope of rods gets too long that is let go at 30 degrees, by every method."""
+    """The error in length of a rope of rods that is released at 30 degrees, by every method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     frames = 120
     ten = by_resolver(20, HeapResolver)
@@ -59,7 +59,7 @@ def rope_by_method() -> Picture:
         if name not in found:
             continue
         run, worst = found[name]
-        # A rope of the right length, to rounding, has its place at the lower edge.
+        # A rope of the right length (apart from rounding) is drawn at the lower edge.
         off = [max(abs(value), 1e-10) for value in run.values]
         label = f"{name}: at most {max(off):.2g} m"
         axes.semilogy(run.times, off, color=color, lw=3.0 if name == "Rod" else 1.3, label=label)
@@ -68,21 +68,22 @@ def rope_by_method() -> Picture:
     last = {name: run.values[-1] for name, (run, _) in found.items()}
     words = [f"{name} {last[name]:.2g}" for name in ("Rod", "DirectChain") if name in last]
     axes.set_title(
-        f"{LINKS} links of {LINK:g} m, let go at 30$\\degree$: "
-        f"after {frames * FRAME:g} s too long by, in m: {', '.join(words)}",
+        f"{LINKS} links of {LINK:g} m, released at 30$\\degree$: "
+        f"error in length after {frames * FRAME:g} s, in m: {', '.join(words)}",
         fontsize=11,
     )
-    axes.set(xlabel="time, s", ylabel="how much the rope is off its length, m (60 Hz)")
+    axes.set(xlabel="time, s", ylabel="error in the length of the rope, m (60 Hz)")
     axes.grid(alpha=0.3)
     figure.legend(fontsize=8, ncols=3, loc="outside lower center")
     tell(figure, [f"{name}: {run.message}" for name, (run, _) in found.items() if run.message])
-    return Picture(figure, ("method", "time, s", "too long by, m", "worst rod off by, m"), rows)
+    columns = ("method", "time, s", "error of the rope, m", "largest error of a rod, m")
+    return Picture(figure, columns, rows)
 
 
 def rods_hold() -> Picture:
-    """How much the worst rod of a chain that hangs at rest is off, by iterations and substeps."""
+    """The largest error of a rod in a hanging chain at rest, by iterations and substeps."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.4), layout="constrained", sharey=True)
-    # Left out is what takes longer than the rest together.
+    # Cases that take longer than all the others together are left out.
     ways = {
         "default iterations": (None, 1, 30, RED),
         "x 10": (20, 1, 30, ORANGE),
@@ -108,11 +109,11 @@ def rods_hold() -> Picture:
             if seen:
                 style = "s--" if "substeps" in way else "o-"
                 n, off = [*seen.items()][-1]
-                label = f"{way}: {off:.2g} m of {n}"
+                label = f"{way}: {off:.2g} m for {n} rods"
                 axes.loglog(*zip(*seen.items(), strict=True), style, color=color, ms=5, label=label)
         at = [value for (k, _, n), (value, _) in found.items() if (k, n) == (kind, 10)]
         words = f"{min(at):.2g} to {max(at):.2g}" if at else "?"
-        axes.set_title(f"{kind}: the worst of 10 rods is off by {words} m", fontsize=10)
+        axes.set_title(f"{kind}: the largest error of 10 rods is {words} m", fontsize=10)
         axes.axhline(LINK, color=GREY, lw=1, ls=":")
         axes.set_xticks((1, 3, 10, 30), ("1", "3", "10", "30"))
         axes.set_xticks([], minor=True)
@@ -122,13 +123,13 @@ def rods_hold() -> Picture:
             axes.legend(fontsize=8)
         else:
             axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
-    panels[0].set_ylabel("worst rod off by, m, from 1.5 to 2 s (60 Hz; 1e-10 or less at the edge)")
+    panels[0].set_ylabel("largest error of a rod from 1.5 to 2 s, m (60 Hz; edge: 1e-10 or less)")
     tell(figure, [f"{key}: {message}" for key, (_, message) in found.items() if message])
-    return Picture(figure, ("link", "way", "rods", "worst rod off by, m"), rows)
+    return Picture(figure, ("link", "way", "rods", "largest error of a rod, m"), rows)
 
 
 def pendulum_energy() -> Picture:
-    """The energy of a pendulum of a rod, let go where it is horizontal, for ten seconds."""
+    """The energy of a pendulum on a rod for ten seconds after its release from horizontal."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     shown = [("explicit Euler", 60, RED), ("semi-implicit Euler", 60, SKY)]
     shown += [("semi-implicit Euler", 240, PINK), ("semi-implicit Euler", 960, BLACK)]
@@ -139,13 +140,13 @@ def pendulum_energy() -> Picture:
     for name, rate, color in shown:
         if (run := found.get((name, rate))) is None:
             continue
-        label = f"{name}, {rate} Hz: {run.values[-1]:.4g} J in the end"
+        label = f"{name}, {rate} Hz: {run.values[-1]:.4g} J at the end"
         axes.plot(run.times, run.values, color=color, lw=1.2, label=label)
         rows += [(name, rate, *row) for row in run.points]
         words.append(f"{100.0 * (run.values[-1] / run.values[0] - 1.0):+.3g} %")
     axes.set_title(
-        "A pendulum of 1 m and 1 kg, from horizontal: change of energy in 10 s, in the order of "
-        f"the legend:\n{', '.join(words)}",
+        "A pendulum of 1 m and 1 kg, released from horizontal: change of energy in 10 s, in the "
+        f"order of the legend:\n{', '.join(words)}",
         fontsize=11,
     )
     axes.set(xlabel="time, s", ylabel="energy, J, from the lowest point")
@@ -162,7 +163,7 @@ def pendulum_energy() -> Picture:
 def _hanging(
     link: Link, count: int, iterations: int | None, substeps: int
 ) -> Callable[[], tuple[float, str]]:
-    """Return what lets a chain hang for 2 s, and gives how much its worst rod is off."""
+    """Return a scene: a chain that hangs for 2 s. It returns the largest error of a rod."""
 
     def scene() -> tuple[float, str]:
         resolve = by_resolver(iterations, HeapResolver)

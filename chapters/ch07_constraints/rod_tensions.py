@@ -27,13 +27,14 @@ class RodTensions:
     particles may be immovable: it holds the other end.
 
     ``correction`` is in 1/s. It says how fast a rod that has become too long or too short returns
-    to its length. Every integrator makes such errors in each step. At 0 they add up; at 5 they
-    stay small. Values near the frame rate make the chain stiff, and lower the order of the
+    to its length. Every integrator makes such errors in each step. With 0 they add up, and with 5
+    they stay small. Values near the step rate make the chain stiff and lower the order of the
     integrator. Source: J. Baumgarte, Computer Methods in Applied Mechanics and Engineering 1
     (1972), pp. 1-16.
 
-    Raises ValueError where a rod has no length, another particle than the last is immovable, or
-    the correction is negative or not finite.
+    Raises:
+        ValueError: if a rod has no length, if a particle other than the last is immovable, or if
+            the correction is negative or not finite.
     """
 
     def __init__(
@@ -47,18 +48,18 @@ class RodTensions:
         for i, (start, end) in enumerate(pairwise(ends)):
             is_other_end = i and i == len(self.particles) - 1
             if not (self.particles[i].inverse_mass or is_other_end):
-                raise ValueError(f"particles[{i}] must be one that can move, got mass inf")
+                raise ValueError(f"particles[{i}] must have a finite mass, got inf")
             self.lengths.append(positive(f"the length of rod {i}", (end - start).magnitude()))
 
     def update_forces(self, duration: float = 0.0) -> None:
         """Add the tensions to the accumulators of the particles.
 
-        Call it after all other forces have been added, since the tensions depend on them. An
-        integrator takes this method as its ``apply_forces`` where there are no other forces. The
-        duration is not used.
+        Call it after all other forces have been added, since the tensions depend on them. Without
+        other forces, pass this method to an integrator as ``apply_forces``. The duration is unused.
 
-        Raises ArithmeticError where the tensions have no unique solution, as in a straight chain
-        between two immovable ends. The accumulators are then empty.
+        Raises:
+            ArithmeticError: if the tensions have no unique solution, as in a straight chain between
+                two immovable ends. The accumulators are then empty.
         """
         # Row i: (m0 + m1) r.r T[i] - m0 r.q T[i-1] - m1 r.s T[i+1] = wanted. The rods i - 1, i and
         # i + 1 are q, r and s, m0 and m1 are the inverse masses at the ends of r, and T is the

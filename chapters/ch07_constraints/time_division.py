@@ -1,8 +1,8 @@
-"""Time division: a frame that stops at each impact, so that every one happens when it is due (7.3).
+"""Time division: a time step that stops at each impact, so that all happen at the right time (7.3).
 
-Between impacts every particle is where constant acceleration takes it, without an error of steps.
-That is exact where bodies fly freely and bounce, as in billiards, and it takes the longer the more
-impacts there are. What lies on something has impacts without an end: that is for resolvers.
+Between impacts every particle moves exactly as its constant acceleration says. So the motion is
+exact as long as bodies fly freely and bounce, as in billiards. The cost grows with the number of
+impacts. A body at rest has endless impacts, so use a resolver for resting bodies.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from ch07_constraints.detectors import Detector
 
 
 class TooManyImpacts(ArithmeticError):  # noqa: N818
-    """A frame had more impacts than it may: something has come to rest, where they never end.
+    """Raised when a step has more impacts than allowed, as when a body has come to rest.
 
-    ``impacts`` is how many were resolved, ``time`` when in the frame that was, in s, ``contact``
-    the next one.
+    ``impacts`` is the number of impacts resolved. ``time`` is the time of the next impact, in s
+    since the start of the step, and ``contact`` is its contact.
     """
 
     def __init__(self, impacts: int, time: float, contact: Contact) -> None:
         super().__init__(
-            f"more than {impacts} impacts by {time:.6g} s in the frame, and another one at "
-            f"{contact.particle.position!r}: what rests impacts without an end, so give it a "
+            f"more than {impacts} impacts in the first {time:.6g} s of the step; the next one is "
+            f"at {contact.particle.position!r}. A body at rest has endless impacts: use a "
             "resolver, more restitution, or a larger max_impacts"
         )
         self.impacts, self.time, self.contact = impacts, time, contact
@@ -33,24 +33,28 @@ class TooManyImpacts(ArithmeticError):  # noqa: N818
 def time_division_step(
     particles: Sequence[Particle], detector: Detector, duration: float, max_impacts: int = 1000
 ) -> None:
-    """Move particles on by a frame of a duration in s, from impact to impact (7.3).
+    """Move particles by one step of a duration h in s, from impact to impact (7.3).
 
-    A particle's acceleration is the same throughout the frame: the constant one, and that of the
-    forces which were added before it, f / m. They are used up by the frame, as by a step of
-    Particle.integrate, and last_acceleration is this acceleration from the beginning of the frame
-    on: detectors look ahead by it. Between impacts the motion is exact, p + v t + a t^2 / 2. At
-    each impact that ``detector`` finds in what is left of the frame, the velocity of its contact is
-    resolved, for a duration of 0: nothing there was built up by a frame. Depths are not looked at.
-    Damping multiplies the velocities by d^h once, at the end. Immovable particles stay where they
-    are.
+    The acceleration of a particle is constant during the step: its own acceleration plus f / m,
+    where f is the sum of the forces added before the step. The step uses up the forces, as
+    Particle.integrate does. From its start on, last_acceleration is this acceleration, which
+    detectors use to look ahead.
 
-    Impacts at the same time are resolved one after the other, in the order of the detector: a ball
-    that hits a row of touching ones passes its motion on from one to the next. Where two balls hit
-    a third from both sides at once, the order decides, as it does for resolvers.
+    Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
+    in the rest of the step, resolve the velocity of its contact with a duration of 0. Penetrations
+    are not resolved. At the end multiply each velocity by d^h once, where d is the damping.
+    Immovable particles do not move.
 
-    ``particles`` has all that the detector knows, each once. Raises ValueError where the duration
-    is not positive and finite, or ``max_impacts`` is below 1, and TypeError where that is no whole
-    number; all is as it was then. Raises TooManyImpacts where there is another impact after
-    ``max_impacts`` of them: the particles are then where they are at its time, not yet damped.
+    Impacts at the same time are resolved one after the other, in the detector's order. So a ball
+    that hits a row of touching balls passes its motion on to the last one. If two balls hit a third
+    one from both sides at once, the result depends on that order.
+
+    ``particles`` contains every particle of the detector exactly once.
+
+    Raises:
+        ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.
+        TypeError: if ``max_impacts`` is not a whole number. Nothing is changed in these two cases.
+        TooManyImpacts: if there is another impact after ``max_impacts`` of them. The particles are
+            then at its time, with that impact unresolved and no damping applied.
     """
     raise NotImplementedError("Exercise B7.12: From impact to impact")

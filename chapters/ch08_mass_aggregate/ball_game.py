@@ -1,7 +1,7 @@
-"""A game: bounce a ball from plank to plank over the rope bridge (project 8.1).
+"""A game: bounce a ball from row to row over the rope bridge (project 8.1).
 
-The ball jumps by itself from every row that it lands on; the player steers it in the air. A row
-counts once. To land on all of them wins; to reach the ground costs a life.
+The ball jumps by itself from every row that it lands on, and the player steers it in the air. Each
+row counts once. Landing on all rows wins the game, and touching the ground costs a life.
 """
 
 from __future__ import annotations
@@ -17,19 +17,23 @@ from ch08_mass_aggregate.world import ParticleWorld
 
 LIVES = 3
 POINTS = 10  # for a row, the first time
-BONUS = 50  # for each life that is left when the game is won
-JUMP = 6.0  # m/s, upwards, from a row
-PUSH = 8.0  # m/s^2, to the side
-DROP = 2.0  # m above the first row, where the ball begins
+BONUS = 50  # for each life that is left in the end
+JUMP = 6.0  # m/s, upward, from a row
+PUSH = 8.0  # m/s^2, sideways
+DROP = 2.0  # m, from where the ball starts down to the bridge
 BALL_MASS = 1.0  # kg
-TOUCH = 1e-6  # m: what is no higher above the ground lies on it, however that was rounded
+TOUCH = 1e-6  # m: a ball this close to the ground touches it, whatever the rounding
 
 
 class Rules:
-    """What counts: ``score``, ``lives`` and ``visited``, the rows that were landed on.
+    """The rules of the game: the ``score``, the ``lives`` and the ``visited`` rows.
 
-    It knows nothing of particles, and is told what happens. ``rows`` is how many there are, 1 or
-    more: TypeError and ValueError name what is not.
+    The rules do not know about particles. The game tells them what happened. ``rows`` is the number
+    of rows.
+
+    Raises:
+        ValueError: if rows is less than 1.
+        TypeError: if rows is not a whole number.
     """
 
     def __init__(self, rows: int) -> None:
@@ -45,26 +49,31 @@ class Rules:
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost: nothing counts any more."""
+        """Whether the game is won or lost. Nothing counts any more then."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def landed(self, row: int) -> None:
-        """Count a landing on a row: POINTS the first time, and BONUS a life where it wins.
+        """Count a landing on a row, the first time it is visited.
 
-        Raises ValueError for a row that there is not, from 0 up.
+        A new row gives POINTS. If it wins the game, each life that is left gives BONUS in addition.
+        A row that was visited before changes nothing, and neither does any row after the game is
+        over.
+
+        Raises:
+            ValueError: if the row does not exist. Rows are numbered from 0.
         """
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def fell(self) -> None:
-        """Take a life: the ball has reached the ground."""
+        """Take a life, because the ball has touched the ground. Do nothing if the game is over."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
 
 class Landings:
-    """A contact generator that passes on a deck's contacts, and notes on which row the ball lands.
+    """A contact generator that passes on a deck's contacts and notes which row the ball lands on.
 
-    ``row`` is the nearest row where, in the last frame, the ball touched the deck on its way down,
-    and None where it did not. The world asks once a frame.
+    ``row`` is the row nearest to the ball if the ball touched the deck on its way down in the last
+    step, and None otherwise. The world calls contacts once per step.
     """
 
     def __init__(self, deck: Deck) -> None:
@@ -72,14 +81,14 @@ class Landings:
         self.row: int | None = None
 
     def contacts(self) -> list[Contact]:
-        """Return the deck's contacts, and note the row."""
+        """Return the deck's contacts, and set row."""
         raise NotImplementedError("Exercise P8.1b: A ball game: the play")
 
 
 class BallGame:
-    """The game: ``rules``, ``rows`` of planks, the ``ball``, and the ``world`` they are in.
+    """The game: its ``rules``, the ``rows`` of planks, the ``ball`` and their ``world``.
 
-    ``direction`` is where the player steers to: -1 for left, 1 for right, 0 for neither.
+    ``direction`` says where the player steers: -1 is left, 1 is right, 0 is neither.
     """
 
     def __init__(self) -> None:
@@ -96,18 +105,19 @@ class BallGame:
         self.start_ball()
 
     def start_ball(self) -> None:
-        """Put the ball over where the first row is, as high as at first, and at rest."""
+        """Put the ball at rest above the current position of the first row, DROP above HEIGHT."""
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass; nothing happens any more when the game is over.
+        """Make one time step of this duration in s. Do nothing if the game is over.
 
-        The ball is pushed by PUSH towards where the player steers. Where it lands on a row, that
-        counts, and it leaves upwards at JUMP; its speed along X stays. Otherwise, where its lowest
-        point is no more than TOUCH above the ground, that takes a life, and the ball starts anew,
-        unless it was the last one.
+        The ball is pushed in the player's direction with an acceleration of PUSH. If it lands on a
+        row, report this to the rules and set its vertical velocity to JUMP; its velocity along X
+        stays. Otherwise, if its lowest point is at most TOUCH above the ground, it loses a life and
+        starts again, unless that was the last life.
 
-        Raises ValueError if the duration is not positive and finite; all is then as it was.
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing has changed then.
         """
         raise NotImplementedError("Exercise P8.1b: A ball game: the play")

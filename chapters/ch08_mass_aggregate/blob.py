@@ -1,4 +1,4 @@
-"""A blob: particles that bonds pull together, which give way, break and heal (book 8.2)."""
+"""A blob of particles, held together by bonds that weaken, break and heal (book 8.2)."""
 
 from __future__ import annotations
 
@@ -25,15 +25,17 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 
 
 class Bond:
-    """A soft spring between two particles with a limit of elasticity, which breaks and heals.
+    """A soft spring between two particles that has an elastic limit, breaks and heals.
 
-    Up to a length of ``limit`` it is a spring of ``stiffness`` in N/m; beyond that the extra
-    extension counts with ``share`` of it (exercise 6.1). Longer than ``break_length`` it breaks: it
-    does nothing until its ends are ``rest_length`` or less apart, and then holds again. ``holds``
-    says whether it does. Lengths are in m. Register it for both particles.
+    Up to the length ``limit`` it is a spring of ``stiffness`` in N/m. Extra extension beyond the
+    limit counts with the fraction ``share`` of the stiffness (exercise 6.1). A bond that is longer
+    than ``break_length`` breaks: it exerts no force until its ends are ``rest_length`` or less
+    apart. Then it holds again. ``holds`` says whether it does. Lengths are in m. Register the bond
+    for both particles.
 
-    Raises ValueError where rest_length <= limit <= break_length does not hold, and what
-    ElasticLimitSpring raises.
+    Raises:
+        ValueError: if rest_length <= limit <= break_length does not hold, or ElasticLimitSpring
+            rejects an argument.
     """
 
     def __init__(
@@ -57,26 +59,34 @@ class Bond:
         self.holds = True
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Break or catch, as the length asks for, and pull at one of the two where it holds."""
+        """Break or heal the bond according to its length, and pull on the particle if it holds.
+
+        The bond is checked first, so a change has an effect at once, whichever end the particle is.
+        """
         raise NotImplementedError("Exercise B8.8: Bonds that break and heal")
 
 
 def spread(particles: Sequence[Particle]) -> float:
-    """Return how far particles are from their common centre of mass: the root of the mean square.
+    """Return the root mean square distance in m of the particles from their center of mass.
 
-    In m, and each counts by its mass. Raises ValueError where there are none, or one is immovable.
+    Each particle counts in proportion to its mass.
+
+    Raises:
+        ValueError: if there are no particles, or one of them is immovable.
     """
-    raise NotImplementedError("Exercise B8.9: How spread out is a blob?")
+    raise NotImplementedError("Exercise B8.9: The spread of a blob")
 
 
 class Blob:
-    """A blob that falls on the ground: ``particles``, ``bonds`` between all of them, and ``world``.
+    """A blob that falls on the ground: ``particles``, ``bonds`` between every two, and a ``world``.
 
-    It is flat: all is at z = 0. Its middle is at the height in m. With ``cables`` no bond gets
-    longer than its break_length: a cable holds it. Without them it breaks. ``push`` is the force in
-    N on each particle, a vector.
+    It is flat, with all particles at z = 0, and its middle starts at this height in m. With
+    ``cables``, a cable keeps each bond from getting longer than its break_length. Without them the
+    blob can break. ``push`` is a force in N on each particle, as a vector.
 
-    Raises ValueError where the height is not finite, or less than RADIUS, which is in the ground.
+    Raises:
+        ValueError: if the height is not finite, or is less than RADIUS, which would be in the
+            ground.
     """
 
     def __init__(self, height: float = 2.0, cables: bool = False) -> None:
@@ -103,10 +113,13 @@ class Blob:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass, with the push on every particle.
+        """Make one time step of this duration in s, with the push on every particle.
 
-        Raises ValueError if the duration is not positive and finite, and TypeError if it is not a
-        number; all is then as it was. A push that is not finite is refused when it is added.
+        A push that is not finite is rejected by add_force.
+
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing has changed then.
+            TypeError: if the duration is not a number. Nothing has changed then.
         """
         positive("duration", duration)
         self.world.start_frame()

@@ -1,7 +1,7 @@
-"""The plan of the rope bridge: how many planks, of what, and where. It is complete.
+"""The plan of the rope bridge: the number, size and position of its planks. This file is complete.
 
-The bridge runs along X, from the first row of planks to the last; up is Y. Its numbers are near the
-book's demo: planks of 1 kg at each side, 2 m apart, and cables that are too short at first (8.2).
+The bridge runs along X, and up is Y. Its numbers are close to those of the book's demo: planks with
+1 kg at each end, 2 m apart, and cables that are too short at first (8.2).
 """
 
 from __future__ import annotations
@@ -9,10 +9,10 @@ from __future__ import annotations
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 
-Row = tuple[Particle, Particle]  # the ends of a plank: at z < 0, and at z > 0
+Row = tuple[Particle, Particle]  # the ends of a plank at z < 0 and z > 0
 
 ROWS = 6
-SPACING = 2.0  # m, between two rows at the start
+SPACING = 2.0  # m, between neighboring rows at the start
 WIDTH = 2.0  # m, of a plank
 HEIGHT = 4.0  # m, of the planks at the start
 PLANK_MASS = 1.0  # kg, of each end
@@ -23,7 +23,7 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 
 
 def make_rows() -> list[Row]:
-    """Return the rows of planks at their places at the start, along X, with 0 in the middle."""
+    """Return the rows of planks at their start positions along X, centered at 0."""
 
     def end(row: int, z: float) -> Particle:
         place = Vector3(SPACING * (row - 0.5 * (ROWS - 1)), HEIGHT, z)
@@ -33,13 +33,13 @@ def make_rows() -> list[Row]:
 
 
 def support_length(row: int) -> float:
-    """Return how long in m the cables are on which a row hangs: 3 to 4, longest in the middle."""
+    """Return the length in m of the cables that hold a row: 3 to 4 m, longest in the middle."""
     return 3.0 + 0.5 * min(row, ROWS - 1 - row)
 
 
 def anchor_of(plank: Particle) -> Vector3:
-    """Return the place that a plank's end, at its place at the start, hangs from.
+    """Return the anchor from which the end of a plank hangs, given the end at its start position.
 
-    Along X it is 10 % further from the middle of the bridge, across it 20 % nearer.
+    The anchor is 10 % farther from the middle of the bridge along X, and 20 % nearer to it along Z.
     """
     return Vector3(1.1 * plank.position.x, ANCHOR_HEIGHT, 0.8 * plank.position.z)

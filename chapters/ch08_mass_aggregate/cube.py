@@ -1,4 +1,4 @@
-"""A cube of rods: how many does it take to be rigid, and which? (mini-project 8.2)."""
+"""A cube of rods: how many rods make it rigid, and which ones? (Mini-project 8.2.)"""
 
 from __future__ import annotations
 
@@ -9,42 +9,47 @@ from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.links import TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld
 
-# Corner 0 is at the origin; bit 0 of a corner's number says whether it is 1 m along X from there,
-# bit 1 along Y, bit 2 along Z: corner 6 is at (0, 1, 1).
+# The bits of a corner's index are its coordinates in m: bit 0 is x, bit 1 is y and bit 2 is z. So
+# corner 6 is at (0, 1, 1).
 CORNERS = [(float(i & 1), float(i >> 1 & 1), float(i >> 2 & 1)) for i in range(8)]
 DAMPING = 0.9
 GRAVITY = Vector3(0.0, -9.81, 0.0)
-ITERATIONS = 200  # a phase
+ITERATIONS = 200  # per phase
 
 
 def fewest_rods(count: int) -> int:
-    """Return how many rods ``count`` particles in space need at least to be rigid (8.2).
+    """Return the smallest number of rods that can make ``count`` particles in space rigid (8.2).
 
-    Each particle can move in three ways. What is rigid still moves in six: along three axes, and
-    about them. Two particles move in five, for a turn about their rod is none, and one in three.
+    Each particle can move in three independent ways. A rigid body can move in six: along three axes
+    and about them. Two particles with a rod have only five, because rotating about the rod changes
+    nothing, and a single particle has three.
 
-    Raises ValueError where count is below 1, and TypeError where it is no whole number.
+    Raises:
+        ValueError: if count is less than 1.
+        TypeError: if count is not a whole number.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
 
 
 def cube_rods() -> list[tuple[int, int]]:
-    """Return the rods that make a cube rigid, as pairs of numbers of CORNERS (8.2).
+    """Return rods that make the cube rigid, as pairs of indices of CORNERS (8.2).
 
-    Any set will do that leaves it no motion but those of a rigid body. As many as fewest_rods are
-    necessary, but not sufficient: it depends on where they are.
+    Every set of rods is right that allows no motion except that of a rigid body. You need at least
+    as many as fewest_rods(8), but that number alone is not enough: the rods must also be in the
+    right places.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
 
 
 class Cube:
-    """A cube that falls on one of its corners: ``particles``, ``rods`` and ``world``.
+    """A cube that falls on one of its corners: its ``particles``, ``rods`` and ``world``.
 
-    It is at rest at first, turned a little, with its lowest corner at the height in m. Rods are
-    given as pairs of numbers of its corners, or are those of cube_rods.
+    It starts at rest, slightly rotated, with its lowest corner at this height in m. ``rods`` are
+    pairs of indices of its corners. None stands for cube_rods().
 
-    Raises ValueError where the height is not positive and finite, or a rod joins a corner to
-    itself, and IndexError where there is no such corner.
+    Raises:
+        ValueError: if the height is not positive and finite, or a rod joins a corner to itself.
+        IndexError: if a rod names a corner that does not exist.
     """
 
     def __init__(self, height: float = 1.0, rods: list[tuple[int, int]] | None = None) -> None:
@@ -63,14 +68,15 @@ class Cube:
         self.world = ParticleWorld(self.particles, [*self.rods, ground], iterations=ITERATIONS)
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass."""
+        """Make one time step of this duration in s."""
         self.world.step(duration)
 
 
 def _turned(x: float, y: float, z: float) -> Vector3:
-    """Return a place turned by a quarter of a right angle about Z, and as much about X.
+    """Return the position rotated by pi / 8 about Z, and then by pi / 8 about X.
 
-    Without a turn it would land on all four lower corners at once, and nothing would tumble.
+    Without the rotation, the cube would land on all four lower corners at once and would not
+    tumble.
     """
     c, s = 0.9238795325112867, 0.3826834323650898  # of pi / 8
     x, y = c * x - s * y, s * x + c * y

@@ -1,8 +1,9 @@
-"""Frames of one length, however long the pictures take: a fixed step with an accumulator.
+"""Time steps of a fixed length, however long the pictures take to draw: a loop with an accumulator.
 
-A picture takes now 5 ms, now half a second, while a disc turns. In steps of those lengths bodies
-would fall through each other, or explode; the same step each time prevents that, and gives the same
-run on every machine. What is no number is a TypeError.
+One picture may take 5 ms and the next half a second, for example while the disk is busy. With time
+steps of those lengths, bodies would pass through each other or the simulation would explode. A
+fixed time step prevents this, and it gives the same run on every machine. Arguments of the wrong
+type raise TypeError.
 """
 
 from __future__ import annotations
@@ -11,27 +12,30 @@ from collections.abc import Callable
 
 from ch02_vectors.arguments import positive
 
-SHARE = 1e-9  # of a step: what lacks so little of one is due, and only rounding makes it late
+SHARE = 1e-9  # of a step: if less than this is missing, only rounding has made the step late
 
 
 class FixedStep:
-    """Makes a step of always the same duration as often as the time that has passed asks for.
+    """Calls a step function with a fixed duration, as often as the elapsed time requires.
 
-    ``step`` is what is called with the duration in s, such as ParticleWorld.step. ``left`` is the
-    time in s that has passed and is not simulated yet: less than a step, and no less than 0 but for
-    rounding. With ``max_steps`` there are at most so many steps in one call of advance, since a
-    machine that is too slow would fall behind more and more; ``dropped`` is the time in s that this
-    has cost so far. None means no limit.
+    ``step`` is any function of a duration in s, such as ParticleWorld.step. ``left`` is the time in
+    s that has passed but has not been simulated yet. It is less than one step, and never negative
+    except for rounding.
 
-    Raises ValueError where the duration is not positive and finite, or max_steps is below 1, and
-    TypeError where step cannot be called, or max_steps is no whole number.
+    A machine that is too slow for its own steps would fall further and further behind.
+    ``max_steps`` limits the steps of one call of advance, and ``dropped`` is the total time in s
+    that was skipped because of it. None means no limit.
+
+    Raises:
+        ValueError: if the duration is not positive and finite, or max_steps is less than 1.
+        TypeError: if step is not callable, or max_steps is not a whole number or None.
     """
 
     def __init__(
         self, step: Callable[[float], object], duration: float, max_steps: int | None = None
     ) -> None:
         if not callable(step):
-            raise TypeError(f"step must be something to call, got {step!r}")
+            raise TypeError(f"step must be callable, got {step!r}")
         if max_steps is not None:
             if not isinstance(max_steps, int) or isinstance(max_steps, bool):
                 raise TypeError(f"max_steps must be a whole number or None, got {max_steps!r}")
@@ -44,13 +48,17 @@ class FixedStep:
         self.dropped = 0.0
 
     def advance(self, elapsed: float) -> int:
-        """Let ``elapsed`` s pass: make the steps that are due, and return how many they were.
+        """Let ``elapsed`` seconds pass: make the steps that are due, and return how many were made.
 
-        What is left of a step waits for the next call. What lacks less than SHARE of a step counts
-        as a whole one: sixty frames of 1/60 s are sixty steps. Where more than max_steps are due,
-        the others are not made, and their time is added to dropped; less than a step is still left.
+        Time that is too short for a step is kept in left for the next call. If only SHARE of a step
+        or less is missing, the step is due, so that sixty frames of 1/60 s make exactly sixty
+        steps. If more than max_steps are due, the steps beyond the limit are not made. Their time
+        is subtracted from left and added to dropped.
 
-        Raises ValueError where elapsed is negative or not finite; nothing has passed then. What a
-        step raises comes out; that step, and those that were to follow, are still due.
+        If a step raises an exception, it is passed on. The time of that step has not been
+        subtracted from left, so the next call makes it again.
+
+        Raises:
+            ValueError: if elapsed is negative or not finite. Nothing has changed then.
         """
-        raise NotImplementedError("Exercise B8.3: Frames of one length")
+        raise NotImplementedError("Exercise B8.3: A fixed time step")

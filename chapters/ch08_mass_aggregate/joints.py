@@ -1,8 +1,8 @@
-"""Which particles hold on to each other in a world. It is complete.
+"""Finds out which particles of a world hold on to each other. This file is complete.
 
-Contacts name their particles. A force generator names the particles that its force depends on by
-public attributes, and those of chapters 6 and 8 do so already: they keep them under the names of
-their arguments.
+A contact names its particles. A force generator names the particles that its force depends on by
+public attributes. The generators of chapters 6 and 8 already do: they store such particles under
+the names of their arguments.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from ch07_constraints.contacts import Contact
 
 Pair = tuple[Particle, Particle]
 
-# A Spring has an other, a Connection or a Bond has a and b, a HomingBullet has a target, a RimDrive
-# has a hub, and an Overcrowding has particles.
+# A Spring has other, a Connection and a Bond have a and b, a HomingBullet has target, a RimDrive
+# has hub, and an Overcrowding has particles.
 PARTNERS = ("other", "a", "b", "target", "hub", "particles")
 
 
 def touching(contacts: Iterable[Contact]) -> list[Pair]:
-    """Return the pairs of particles that are in contact, and both can move."""
+    """Return the pairs of movable particles that are in contact."""
     return [
         (contact.particle, contact.other)
         for contact in contacts
@@ -32,7 +32,7 @@ def touching(contacts: Iterable[Contact]) -> list[Pair]:
 
 
 def joined(registry: ForceRegistry) -> list[Pair]:
-    """Return the pairs of particles that a force generator joins, and that both can move.
+    """Return the pairs of movable particles that a force generator joins.
 
     A generator joins the particle that it is registered for to each of its partners.
     """
@@ -45,12 +45,14 @@ def joined(registry: ForceRegistry) -> list[Pair]:
 
 
 def partners(generator: object) -> list[Particle]:
-    """Return the particles that a generator names by its attributes in PARTNERS.
+    """Return the particles that a generator names in the attributes listed in PARTNERS.
 
-    Such an attribute is a particle, or a list or tuple of particles; anything else is no partner.
-    A generator of your own takes part if it has one of them. A property `particles` will do, where
-    the particles are kept in some other way. A generator without them joins nothing. What it pushes
-    then sleeps without regard to other particles, and wakes when the push changes.
+    Such an attribute is a particle, or a list or tuple of particles. Anything else is ignored.
+
+    If a generator of your own depends on other particles, give it one of these attributes. A
+    property called `particles` is enough if it stores them in some other way. A generator without
+    such an attribute joins nothing. The particle that it pushes then sleeps independently of other
+    particles, and wakes when the push changes.
     """
     found: list[Particle] = []
     for name in PARTNERS:

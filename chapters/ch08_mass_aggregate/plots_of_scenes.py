@@ -14,29 +14,15 @@ from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.trebuchet import Design, my_design
 from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    PINK,
-    RED,
-    SKY,
-    Picture,
-    tell,
-    written,
-)
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, tell, written
 from studies.mass_aggregate import (
-    Release,
     bonds_of_blob,
     deformation_of_wheel,
-    jumps,
-    releases,
     sleepers,
     spin_of_wheel,
     spread_of_blob,
 )
+from studies.releases import Release, jumps, releases
 
 PLAIN = Design(400.0, 1.0, 4.0, 3.0, 45.0)  # what is drawn until my_design is written
 FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)

@@ -1,7 +1,8 @@
 """Going further: particles at rest fall asleep and cost almost nothing until something wakes them.
 
-A sleeping particle is immovable, and the whole engine leaves immovable particles alone already. The
-world keeps the inverse mass of each, and gives it back when the particle wakes.
+A sleeping particle is immovable, and the rest of the engine already ignores immovable particles.
+The world stores the inverse mass of each sleeping particle and gives it back when the particle
+wakes.
 """
 
 from __future__ import annotations
@@ -17,36 +18,37 @@ from ch07_constraints.contacts import Contact, ContactGenerator
 from ch08_mass_aggregate.joints import Pair
 from ch08_mass_aggregate.world import ParticleWorld
 
-LOOK_EVERY = 10  # frames: how often the generators of sleeping particles are asked
-# J/kg: a little more than a free fall through one frame of 1/60 s, (g h)^2 / 2 = 0.0134, since a
-# contact may be lost for a frame by rounding.
+LOOK_EVERY = 10  # steps between two checks of the forces on sleeping particles
+# J/kg. A body that loses contact for one step of 1/60 s by rounding falls freely and gets
+# (g h)^2 / 2 = 0.0134. It must still count as slow.
 SLEEP_ENERGY = 0.015
-SAME = 0.01  # a change by this fraction of the acceleration, or by less, wakes nothing
+SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothing
 
 
 @dataclass(frozen=True)
 class Sleep:
-    """What a particle is given back when it wakes, and what must stay the same until then."""
+    """What a particle gets back when it wakes, and what must not change until then."""
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
-    acceleration: Vector3  # m/s^2: its last_acceleration, so with its forces
-    neighbours: tuple[Particle, ...]  # those that it touched or was joined to
+    acceleration: Vector3  # m/s^2: its last_acceleration, which includes forces
+    neighbours: tuple[Particle, ...]  # particles that it touched or was joined to
 
 
 class SleepingWorld(ParticleWorld):
     """A ParticleWorld in which particles at rest fall asleep, together with all that they touch.
 
     A particle is slow if its kinetic energy per kg of its mass is ``sleep_energy`` in J/kg or less
-    at the end of a frame. It is tired after ``sleep_frames`` slow frames in a row. A sleeping
+    at the end of a step. It is tired after ``sleep_frames`` slow steps in a row. A sleeping
     particle has no velocity and a mass of math.inf. ``asleep`` is a dict from each sleeping
     particle to its Sleep.
 
-    Wake a sleeping particle first if you move the ground or an anchor under it, join something new
-    to it, or make it immovable.
+    Wake a sleeping particle yourself before you move the ground or an anchor under it, join
+    something new to it, or make it immovable.
 
-    Raises ValueError if sleep_energy is negative or not finite, or sleep_frames is below 1. Raises
-    TypeError if sleep_frames is not a whole number, and whatever ParticleWorld raises.
+    Raises:
+        ValueError: if sleep_energy is negative or not finite, or sleep_frames is less than 1.
+        TypeError: if sleep_frames is not a whole number.
     """
 
     def __init__(
@@ -65,65 +67,69 @@ class SleepingWorld(ParticleWorld):
         self.sleep_energy = not_negative("sleep_energy", sleep_energy)
         self.sleep_frames = whole("sleep_frames", sleep_frames)
         self.asleep: dict[Particle, Sleep] = {}
-        self._slow: dict[Particle, int] = {}  # for how many frames each has been slow
-        self._touched: dict[Pair, int] = {}  # in which frame two were last in contact
+        self._slow: dict[Particle, int] = {}  # the number of steps for which each has been slow
+        self._touched: dict[Pair, int] = {}  # the step in which two were last in contact
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle, its neighbours, their neighbours, and so on.
+        """Wake a particle, its neighbors, their neighbors, and so on.
 
-        So particles that fell asleep together wake together. Each gets its mass back, unless it has
-        been given another finite mass by hand. It has to be slow again for all of sleep_frames. A
-        particle that is awake stays awake, and its slow frames are counted anew.
+        Particles that fell asleep together therefore wake together. Each one gets its mass back,
+        unless it was given another finite mass by hand. The count of its slow steps starts again at
+        0, even if the particle was awake.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_moved(self) -> None:
-        """Wake the particles that were moved by hand since they fell asleep.
+        """Wake the sleeping particles that were changed by hand since they fell asleep.
 
-        Such a particle has a velocity, another position, a mass, or a force in its accumulator.
+        Such a particle has a velocity, a new position, a finite mass, or a force in its
+        accumulator.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_pushed(self, duration: float) -> None:
-        """Wake the particles that the generators push otherwise than when they fell asleep.
+        """Wake the sleeping particles whose force generators push in a new way.
 
-        The acceleration of now, a + f / m with the forces of the generators, is compared with the
-        one of then. A change of more than SAME of what acts wakes the particle. What acts is
-        |a| + |f / m| now, or the size of the acceleration of then, whichever is larger.
+        The acceleration now is a + f / m, where f is the sum of the generators' forces. Compare it
+        with the acceleration when the particle fell asleep. If the change is more than SAME times
+        the size of what acts, the particle wakes. This size is |a| + |f / m| now, or the magnitude
+        of the old acceleration if that is larger.
 
-        Only generators that are registered for sleeping particles are asked, and each particle has
-        its own mass for that time. The accumulators of sleeping particles are empty before and
-        afterwards.
+        Only generators that are registered for sleeping particles are called, and each particle has
+        its own mass during the call. The accumulators of sleeping particles are empty before and
+        after.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
         """Wake the sleeping particles that are in contact with a particle that can move.
 
-        Return whether there were any.
+        Return whether any particle woke.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Count a frame, and put every group to sleep in which all particles are tired.
+        """Count one step, and put every group to sleep in which all particles are tired.
 
-        Particles belong to one group if they were in contact in one of the last sleep_frames
-        frames, or if a generator of the registry joins them, directly or through others. All of a
-        group falls asleep, or none of it. Immovable particles join nothing, and neither slow down
-        nor sleep. A particle that falls asleep has no velocity and an inverse_mass of 0, and is in
-        asleep.
+        Two particles are in the same group if they were in contact in one of the last sleep_frames
+        steps, or if a generator of the registry joins them, directly or through other particles. A
+        group falls asleep as a whole or not at all. Immovable particles join nothing and never
+        sleep. A particle that falls asleep is added to asleep, and its velocity and inverse_mass
+        become 0.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def run_physics(self, duration: float) -> None:
-        """Move all particles that are awake on by a frame of a duration in s.
+        """Move all particles that are awake forward by one time step of this duration in s.
 
-        Particles that were moved by hand wake first, and in every LOOK_EVERY-th frame those that
-        their generators push otherwise. The integrator gets the particles that are awake, and no
-        others. Then contacts wake sleeping particles, and are found again, until they wake no more.
-        Once they are resolved, groups that are tired fall asleep.
+        - Wake the particles that were moved by hand, and in every LOOK_EVERY-th step also those
+          that are pushed in a new way.
+        - Call the integrator with the particles that are awake, and no others.
+        - Find the contacts. As long as they wake a sleeping particle, find them again.
+        - Resolve the contacts, and then let tired groups fall asleep.
 
-        Raises ValueError if the duration is not positive and finite; all is then as it was.
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing has changed then.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")

@@ -1,8 +1,8 @@
-"""A platform that tilts on a pivot, and a weight that tips it (book 8.2.2; mini-project 8.1).
+"""A platform that tilts on a pivot, and a weight that tips it (book 8.2.2, mini-project 8.1).
 
-Seen from the side it is a V of rods: a pivot at the ground, and two ends above it, of which the
-right one is further away. All of it is there twice, at z = -1 and z = 1, joined by rods. What is no
-number is a TypeError.
+Seen from the side, the platform is a V made of rods. Its tip is a pivot on the ground, and the
+right end is farther from the pivot than the left one. The V exists twice, at z = -1 and z = 1, and
+rods join the two. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations
@@ -25,37 +25,40 @@ PLACES = (
     (4.0, 2.0, 1.0),
 )
 LEFT, RIGHT = -3.0, 4.0  # m
-MASS = 1.0  # kg, of each particle without the weight
+MASS = 1.0  # kg, of each particle, without the weight
 DAMPING = 0.9
 GRAVITY = Vector3(0.0, -9.81, 0.0)
-ITERATIONS = 100  # a phase
+ITERATIONS = 100  # per phase
 
 
 def rods_of(particles: Sequence[Particle]) -> list[Rod]:
-    """Return rods between particles at PLACES that leave the platform no motion but the tilt.
+    """Return rods between the particles that let the platform tilt, but not move in any other way.
 
-    Each is as long as its ends are apart now. The pivot's two particles, the first ones, are
-    immovable. Which rods there are is yours to choose, and there may be more than are needed.
+    The particles are in the order of PLACES. The first two, the pivot, are immovable. Each rod is
+    as long as the current distance between its ends. You choose the rods, and more than necessary
+    are fine.
     """
-    raise NotImplementedError("Exercise B8.6: A platform that only tilts")
+    raise NotImplementedError("Exercise B8.6: A platform that can only tilt")
 
 
 def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
-    """Return the mass in kg which, put at x, balances others on a pivot at 0.
+    """Return the mass in kg that balances the others on a pivot at 0 if it is placed at x.
 
-    ``masses`` are in kg, ``places`` where they are in m along the platform. What is left of 0 turns
-    it one way, what is right of 0 the other, each by mass times distance.
+    ``masses`` are in kg, and ``places`` are their positions in m along the platform, negative on
+    the left of the pivot. Each mass turns the platform with a torque proportional to mass times
+    position, and the torques must add up to zero.
 
-    Raises ValueError where one of the numbers is not finite, a mass is negative, there are not as
-    many places as masses, or no mass that is 0 or more would do.
+    Raises:
+        ValueError: if a number is not finite, a mass is negative, places and masses differ in
+            length, or no mass of 0 or more at x balances the platform.
     """
     raise NotImplementedError("Exercise B8.7: What tips a platform")
 
 
 class TiltingPlatform:
-    """The platform over the ground, with an immovable pivot: ``particles``, ``rods``, ``world``.
+    """A platform on an immovable pivot: its ``particles``, its ``rods`` and its ``world``.
 
-    The particles stand in the order of PLACES, where they are at first.
+    The particles are in the order of PLACES, where they start.
     """
 
     def __init__(self) -> None:
@@ -71,29 +74,32 @@ class TiltingPlatform:
         )
 
     def free_pivot(self) -> None:
-        """Free the pivot: its particles have MASS from now on, and only stand on the ground (8.1).
+        """Free the pivot: give its two particles MASS, so that they only stand on the ground (8.1).
 
-        The platform stays rigid: if it was only by being immovable that the two kept apart, a rod
-        of self.rods and of the world has to do so from now on. There is no friction. Called once.
+        The platform must stay rigid. If no rod joins the two particles of the pivot yet, add one to
+        self.rods and to the generators of the world. There is no friction. This is called only
+        once.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
 
     def put_weight(self, mass: float, x: float) -> None:
-        """Put a weight of a mass in kg on the platform, at x from LEFT to RIGHT, and no other.
+        """Put a weight of this mass in kg at x, from LEFT to RIGHT, in place of the old weight.
 
-        It is carried by the ends, shared so that it turns the platform as much as it would at x;
-        both particles of an end carry half of its share, beside their own MASS.
+        The two ends carry the weight, divided between them so that their torque about the pivot is
+        that of the weight at x. Each of the two particles of an end carries half of the end's part,
+        in addition to its own MASS.
 
-        Raises ValueError where the mass is negative or not finite, or x is not between the ends;
-        the weight that was there stays then.
+        Raises:
+            ValueError: if the mass is negative or not finite, or x is not between the ends. The old
+                weight stays then.
         """
         raise NotImplementedError("Exercise B8.7: What tips a platform")
 
     def tilt(self) -> float:
-        """Return how far it is turned, in radians: 0 at first, positive with the right end up."""
+        """Return the tilt in radians: 0 at the start, and positive when the right end is higher."""
         across = self.particles[4].position - self.particles[2].position
         return math.atan2(across.y, across.x)
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass."""
+        """Make one time step of this duration in s."""
         self.world.step(duration)

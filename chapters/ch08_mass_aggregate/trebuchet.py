@@ -1,8 +1,8 @@
 """A trebuchet: a heavy counterweight throws a projectile from a sling (project 8.2).
 
-All is in the X-Y plane, and the projectile flies towards positive X. A beam turns on an immovable
-pivot. It is bent there, so that three rods make it rigid: its short arm carries the counterweight,
-its long arm ends in a tip, from which the sling hangs.
+Everything is in the X-Y plane, and the projectile flies toward positive X. A beam rotates on an
+immovable pivot. The beam is bent at the pivot, so that three rods make it rigid. Its short arm
+carries the counterweight, and the sling hangs from the tip of its long arm.
 """
 
 from __future__ import annotations
@@ -20,22 +20,25 @@ from ch08_mass_aggregate.world import ParticleWorld
 G = 9.81  # m/s^2
 PIVOT_HEIGHT = 5.0  # m above the ground
 PROJECTILE_MASS = 5.0  # kg
-TIP_MASS = 5.0  # kg, what the beam counts for at its tip
-START = math.radians(200.0)  # where the long arm points to at the start, from X towards Y
-BEND = math.radians(120.0)  # from the long arm back to the short one, which stands up at the start
+TIP_MASS = 5.0  # kg, stands for the mass of the beam
+START = math.radians(200.0)  # direction of the long arm at the start, from X toward Y
+BEND = math.radians(120.0)  # from the long arm back to the short one, which points up at the start
 STEP = 1.0 / 250.0  # s
-TIME_LIMIT = 4.0  # s: what has not let go until then throws nothing
-ITERATIONS = 100  # a phase
-MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg and m: what my_design may have, its arms together
+TIME_LIMIT = 4.0  # s: a sling that has not let go by then throws nothing
+ITERATIONS = 100  # per phase
+MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of my_design
 
 
 @dataclass(frozen=True)
 class Design:
-    """What may be chosen of a trebuchet: kg, m and degrees.
+    """The choices in the design of a trebuchet, in kg, m and degrees.
 
-    The sling lets go when the projectile flies forwards at ``release_angle`` above the horizon, or
-    lower. Raises ValueError where a number is not finite, a mass or length is not positive, the
-    release angle is not above -90 and below 90, or the projectile would not hang above the ground.
+    The sling lets go when the projectile flies forward at ``release_angle`` above the horizontal,
+    or lower.
+
+    Raises:
+        ValueError: if a number is not finite, a mass or length is not positive, the release angle
+            is not between -90 and 90, or the projectile would not hang above the ground.
     """
 
     counterweight: float
@@ -50,18 +53,18 @@ class Design:
         positive("long_arm", self.long_arm)
         positive("sling", self.sling)
         if not -90.0 < finite("release_angle", self.release_angle) < 90.0:
-            raise ValueError(f"release_angle must be in (-90, 90), got {self.release_angle!r}")
+            raise ValueError(f"release_angle must be between -90 and 90, got {self.release_angle}")
         if PIVOT_HEIGHT + self.long_arm * math.sin(START) <= self.sling:
             raise ValueError(f"sling must not reach the ground, got {self.sling!r}")
 
 
 @dataclass(frozen=True)
 class Throw:
-    """What a throw came to: the range in m from below the pivot, and the share of the energy.
+    """The result of a throw: the range in m, measured from the pivot, and the share of the energy.
 
-    The share is the energy that the projectile gained, kinetic and by its height, divided by what
-    the counterweight lost by its height, both until the sling let go. Both numbers are 0 where it
-    never did.
+    The share is the energy that the projectile gained (kinetic and potential), divided by the
+    potential energy that the counterweight lost, both until the sling let go. Both numbers are 0 if
+    the sling never let go.
     """
 
     range: float
@@ -69,19 +72,20 @@ class Throw:
 
 
 def my_design() -> Design:
-    """Return a trebuchet of your own (P8.2b): at most MOST_WEIGHT, and arms of LONGEST_BEAM in all.
+    """Return a trebuchet of your own (P8.2b).
 
-    It is graded for its range, and for the share of the energy that reaches the projectile, both
-    from its numbers alone: 60 m and 40 % are good, 80 m and 50 % are better.
+    The counterweight may be at most MOST_WEIGHT, and the two arms together at most LONGEST_BEAM.
+    The design is graded for its range and for the share of the energy that reaches the projectile,
+    both computed from its numbers alone: 60 m and 40 % are good, 80 m and 50 % are better.
     """
     raise NotImplementedError("Exercise P8.2b: Your own trebuchet")
 
 
 class Trebuchet:
-    """A trebuchet of a design: its particles, and the ``world`` in which they move.
+    """A trebuchet of a given design: its particles, and the ``world`` in which they move.
 
-    ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile`` are at rest at first, and
-    ``flies`` is False until the sling has let go.
+    ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile`` start at rest. ``flies``
+    is False until the sling has let go.
     """
 
     def __init__(self, design: Design) -> None:
@@ -102,23 +106,24 @@ class Trebuchet:
         self.world = ParticleWorld(particles, [*self.beam(), self.sling], iterations=ITERATIONS)
 
     def beam(self) -> list[ContactGenerator]:
-        """Return rods that make pivot, counterweight and tip a rigid beam, as long as they are now.
+        """Return rods that make pivot, counterweight and tip a rigid beam as they are now.
 
-        Any that do will do.
+        Every set of rods that does this is right.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 
     def lets_go(self) -> bool:
-        """Say whether the projectile flies forwards, at the release angle or lower by now.
+        """Return whether the projectile flies forward at the release angle or lower.
 
-        It also has to be above the pivot, for it swings forwards once before it is thrown.
+        It must also be above the pivot, because it swings forward once before it is thrown.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass; at its end the sling lets go, if it is to.
+        """Make one time step of this duration in s. At its end the sling lets go, if it should.
 
-        Then its cable is no longer a generator of the world's, and the projectile flies.
+        Then the sling's cable is removed from the generators of the world, and the projectile
+        flies.
         """
         self.world.step(duration)
         if not self.flies and self.lets_go():
@@ -126,10 +131,11 @@ class Trebuchet:
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Throw, in frames of STEP, until the sling lets go, and return what that comes to (P8.2a).
+        """Throw in steps of STEP until the sling lets go, and return range and share (P8.2a).
 
-        From there the range is that of a shot without drag, down to the ground at a height of 0.
-        What reaches the ground on the sling, or has not let go within TIME_LIMIT, has not been
-        thrown. The trebuchet is to be a new one.
+        From the moment of release, the range is that of a shot without drag, down to the ground at
+        a height of 0. Return Throw(0.0, 0.0) if the projectile reaches the ground while it is still
+        on the sling, or if the sling has not let go within TIME_LIMIT. The trebuchet must be a new
+        one.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")

@@ -1,6 +1,7 @@
-"""The world: particles, forces and contacts, put together frame by frame (book 8.1).
+"""The particle world, which runs forces, integrator and contacts in the right order (book 8.1).
 
-Lengths are in m, masses in kg, times in s, energies in J. What is no number is a TypeError.
+Lengths are in m, masses in kg, times in s, energies in J. Arguments of the wrong type raise
+TypeError.
 """
 
 from __future__ import annotations
@@ -15,15 +16,18 @@ from ch07_constraints.detectors import some_particles
 
 
 class ParticleWorld:
-    """Particles that a frame moves on: by forces, an integrator, and the contacts that follow.
+    """A set of particles with the forces, the integrator and the contacts that move them.
 
-    ``particles``, each of which stands there once, and ``contact_generators`` are lists of its own,
-    which may be appended to. ``registry`` is an empty ForceRegistry, ``resolver`` a ContactResolver
-    of so many ``iterations``, and ``integrator`` any step of chapter 6. There may be any number of
-    contacts in a frame: the book's world has a maximum, and drops what is above it in silence.
+    ``particles`` and ``contact_generators`` are copied into new lists, to which you may append
+    later. A particle may be listed only once. ``registry`` is an empty ForceRegistry,
+    ``integrator`` can be any integrator of chapter 6, and ``resolver`` is a ContactResolver with
+    this number of ``iterations``. The number of contacts in a step is not limited. The book's world
+    has a maximum and silently drops the contacts beyond it.
 
-    TypeError names what is no Particle, has no contacts(), or cannot be called; ValueError a
-    particle that is there twice. The resolver raises what is wrong with ``iterations``.
+    Raises:
+        ValueError: if a particle is listed twice, or the resolver rejects iterations.
+        TypeError: if one of the particles is not a Particle, a generator has no contacts(), or the
+            integrator is not callable.
     """
 
     def __init__(
@@ -36,49 +40,62 @@ class ParticleWorld:
     ) -> None:
         self.particles = [*some_particles([*particles])]
         if len(set(map(id, self.particles))) < len(self.particles):
-            raise ValueError("particles must be different ones, got one of them twice")
+            raise ValueError("particles must all be different, got one of them twice")
         self.contact_generators = [*contact_generators]
         for i, generator in enumerate(self.contact_generators):
             if not callable(getattr(generator, "contacts", None)):
                 wanted = f"contact_generators[{i}] must have contacts()"
                 raise TypeError(f"{wanted}, got {generator!r}")
         if not callable(integrator):
-            raise TypeError(f"integrator must be a step of chapter 6, got {integrator!r}")
+            raise TypeError(
+                f"integrator must be a callable such as semi_implicit_euler, got {integrator!r}"
+            )
         self.registry = ForceRegistry()
         self.resolver = ContactResolver(iterations)
         self.integrator = integrator
 
     def start_frame(self) -> None:
-        """Clear the force accumulators of all particles: what is added from now on counts (8.1)."""
-        raise NotImplementedError("Exercise B8.2: A frame of the world")
+        """Clear the force accumulators of all particles, before forces are added by hand.
+
+        Book 8.1.
+        """
+        raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of now, of one generator after the other; none is left out."""
-        raise NotImplementedError("Exercise B8.2: A frame of the world")
+        """Return the current contacts of all generators in one list, in the generators' order.
+
+        No contact is left out.
+        """
+        raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def run_physics(self, duration: float) -> None:
-        """Move all on by a frame of a duration in s (8.1).
+        """Move the world forward by one time step of this duration in s.
 
-        The integrator moves the particles, by the forces of the registry and those that were added
-        by hand since start_frame. Then the contacts of their new places are resolved, all at once:
-        each generator is asked once a frame. Where there are none, the resolver is not asked.
+        First the integrator moves the particles. The forces on them are those of the registry and
+        those that were added by hand since start_frame. Then every generator is asked once for the
+        contacts at the new positions, and the resolver gets all contacts in one call. If there are
+        no contacts, the resolver is not called. Book 8.1.
 
-        Raises ValueError where the duration is not positive and finite; all is then as it was.
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing has changed then.
         """
-        raise NotImplementedError("Exercise B8.2: A frame of the world")
+        raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def step(self, duration: float) -> None:
-        """Start a frame and run its physics: forces that were added before it do not count.
+        """Start a frame and run its physics.
 
-        Raises ValueError where the duration is not positive and finite; all is then as it was.
+        Forces that were added before the call are cleared, so they have no effect.
+
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing has changed then.
         """
-        raise NotImplementedError("Exercise B8.2: A frame of the world")
+        raise NotImplementedError("Exercise B8.2: One time step of the world")
 
 
 def mechanical_energy(particles: Iterable[Particle]) -> float:
-    """Return the energy of particles in J: m v^2 / 2 - m a . p, where a is their own acceleration.
+    """Return the mechanical energy of the particles in J: the sum of m v^2 / 2 - m a . p.
 
-    For a = (0, -g, 0) that is m v^2 / 2 + m g y. Forces have no part in it; immovable particles
-    have none.
+    Here a is the particle's own acceleration and p its position. For a = (0, -g, 0) the energy is m
+    v^2 / 2 + m g y. Forces and immovable particles do not contribute.
     """
-    raise NotImplementedError("Exercise B8.1: Energy")
+    raise NotImplementedError("Exercise B8.1: Mechanical energy")

@@ -38,8 +38,8 @@ def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vect
     angular_velocity in rad/s, in axes of the world.
 
     Raises ValueError in gimbal lock, where |cos y|, the determinant of the rate map, is not above
-    SINGULAR of matrix.py: no rates make a turn about the axis that is lost. Close to it they are as
-    large as you like. Matrix3.inverse alone would not refuse all of these: at z = 0, say, a row of
-    the map is as short as the determinant is small.
+    SINGULAR of matrix3.py: no rates make a turn about the axis that is lost. Close to it they are
+    as large as you like. Matrix3.inverse alone would not refuse all of these: at z = 0, say, a row
+    of the map is as short as the determinant is small.
     """
     raise NotImplementedError("Exercise B9.17: Three angles, and where they fail")

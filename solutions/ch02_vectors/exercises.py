@@ -1,6 +1,6 @@
 """The exercises of the book's chapter 2 and exercise B2.11, as functions of their data.
 
-None of them changes the vectors it is given. Angles are in radians.
+No function here changes the vectors that it is given. Angles are in radians.
 """
 
 from __future__ import annotations
@@ -9,14 +9,14 @@ import math
 
 from ch02_vectors.vector import Vector3
 
-# How far the length of a vector that must be a unit vector may be from 1.
+# How far the length of a unit vector may be from 1.
 _UNIT_TOLERANCE = 1e-6
 
 
 def split(v: Vector3) -> tuple[float, Vector3]:
     """Exercise 2.1: return the magnitude of v and its direction, a new unit vector.
 
-    The zero vector has magnitude 0 and, for want of a better one, the direction zero.
+    For the zero vector the magnitude is 0 and the direction is the zero vector.
 
     >>> magnitude, direction = split(Vector3(2, -2, -2))
     >>> round(magnitude, 6), [round(component, 6) for component in direction]
@@ -26,10 +26,11 @@ def split(v: Vector3) -> tuple[float, Vector3]:
 
 
 def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
-    """Exercise 2.2a: return a . b and what its sign says of the angle between a and b.
+    """Exercise 2.2a: return a . b and what its sign says about the angle between a and b.
 
-    The word is "acute" (less than a right angle), "right" or "obtuse" (more). The numbers
-    of the example are ours. Raises ValueError where the product is NaN, which says nothing.
+    The word is "acute" (less than a right angle), "right", or "obtuse" (more than a right angle).
+    The numbers of the example are ours. Raises ValueError if the product is NaN, since NaN has no
+    sign.
 
     >>> scalar_product_and_angle(Vector3(1, 2, 3), Vector3(4, -5, 1))
     (-3.0, 'obtuse')
@@ -45,7 +46,7 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
 def make_perpendicular(a: Vector3, x: float, y: float) -> float:
     """Exercise 2.4: return the z that makes (x, y, z) perpendicular to a.
 
-    Raises ValueError where a.z is zero: then no z will do, or every z.
+    Raises ValueError if a.z is zero. Then either no z works or every z does.
 
     >>> make_perpendicular(Vector3(1, 2, 3), 7, -2)
     -1.0
@@ -58,7 +59,8 @@ def make_perpendicular(a: Vector3, x: float, y: float) -> float:
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
     """Exercise 2.5: return the angle between a and b, from 0 to pi, by their scalar product.
 
-    NaN gives NaN. Raises ValueError where a or b is zero and has no direction.
+    If a component is NaN, the angle is NaN. Raises ValueError if a or b is zero, because a zero
+    vector has no direction.
 
     >>> round(angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0)), 6)  # 135 degrees
     2.356194
@@ -66,14 +68,15 @@ def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
     if a.magnitude() == 0.0 or b.magnitude() == 0.0:
         raise ValueError(f"a and b must not be zero, got {a!r} and {b!r}")
     cosine = a.normalized().dot(b.normalized())
-    return math.acos(max(min(cosine, 1.0), -1.0))  # rounding may leave it just outside -1..1
+    return math.acos(max(min(cosine, 1.0), -1.0))  # rounding may put it just outside -1..1
 
 
 def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
-    """Exercise 2.5: return the two angles that |a x b| leaves possible, the smaller one first.
+    """Exercise 2.5: return the two possible angles for |a x b|, the smaller one first.
 
     Two angles that add up to pi have the same sine, so the vector product cannot tell them apart.
-    NaN gives NaN. Raises ValueError where a or b is zero and has no direction.
+    If a component is NaN, both angles are NaN. Raises ValueError if a or b is zero, because a zero
+    vector has no direction.
 
     >>> angles = angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))
     >>> [round(angle, 6) for angle in angles]  # 45 and 135 degrees
@@ -82,18 +85,19 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
     if a.magnitude() == 0.0 or b.magnitude() == 0.0:
         raise ValueError(f"a and b must not be zero, got {a!r} and {b!r}")
     sine = a.normalized().cross(b.normalized()).magnitude()
-    smaller = math.asin(min(sine, 1.0))  # rounding may leave it just above 1
+    smaller = math.asin(min(sine, 1.0))  # rounding may put it just above 1
     return smaller, math.pi - smaller
 
 
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     """Exercise 2.6: return c = a . b, the vector d = b - c a, and the angle between a and d.
 
-    a and b are unit vectors. d is what is left of b without its part along a. The numbers
-    of the example are ours.
+    a and b are unit vectors, and d is b without its part along a. The numbers of the example are
+    ours.
 
-    Raises ValueError where a or b is not of unit length within 1e-6, as NaN never is, or where
-    nothing is left because they are parallel (d shorter than 1e-6).
+    Raises:
+        ValueError: if the length of a or b differs from 1 by more than 1e-6 or is NaN, or if d is
+            shorter than 1e-6, which means that a and b are parallel.
 
     >>> c, d, angle = remove_projection(Vector3(1, 0, 0), Vector3(0.6, 0.8, 0))
     >>> c, d, round(angle, 6)  # 90 degrees
@@ -113,8 +117,8 @@ def checked_duration(duration: float) -> float:
     """Exercise B2.11: return a duration in s as a float, or refuse one that no step can use.
 
     A step needs a duration that is positive and finite. Check it before you compute anything, so
-    that a refused call changes nothing. The message of the error says which argument is wrong, what
-    it must be, and which value came: ``duration must be positive and finite, got -1.5``.
+    that a refused call changes nothing. The error message says which argument is wrong, what it
+    must be, and which value came: ``duration must be positive and finite, got -1.5``.
 
     Raises:
         ValueError: for zero, a negative number, an infinity or NaN.
@@ -125,7 +129,7 @@ def checked_duration(duration: float) -> float:
     """
     if not isinstance(duration, (int, float)):
         raise TypeError(f"duration must be a number, got {duration!r}")
-    # NaN compares false with everything, so ask for what is wanted and refuse the rest.
+    # Every comparison with NaN is False, so test for what is allowed and refuse everything else.
     if not 0.0 < duration < math.inf:
         raise ValueError(f"duration must be positive and finite, got {duration!r}")
     return float(duration)
@@ -134,9 +138,9 @@ def checked_duration(duration: float) -> float:
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
     """Exercise 2.7: return the position after moving with a constant velocity (Eq. 2.7).
 
-    position in m, velocity in m/s, duration in s. The start of the example is ours.
+    position is in m, velocity in m/s and duration in s. The start position of the example is ours.
 
-    Raises ValueError where the duration is not positive and finite.
+    Raises ValueError if the duration is not positive and finite.
 
     >>> position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     Vector3(13.0, -5.0, 16.0)

@@ -1,9 +1,9 @@
-"""The two equations for damping that the book compares; the engine's own form is in particle.py.
+"""The two equations for damping that the book compares. The engine's own form is in particle.py.
 
-Both return the velocity after a frame, as new, and change nothing. velocity in m/s, acceleration in
-m/s^2, duration in s. They differ in what the damping d means: the share of the velocity that is
-kept in each frame, however long it is, or in each second. What is no number where one is wanted is
-a TypeError.
+Both return the velocity after a step as a new vector and change nothing. The velocity is in m/s,
+the acceleration in m/s^2 and the duration in s. The damping d is the fraction of the velocity that
+is kept. In one equation d belongs to each step, however long the step is. In the other it belongs
+to each second. Both raise TypeError for a damping or a duration that is not a number.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from ch02_vectors.vector import Vector3
 def damp_per_frame(
     velocity: Vector3, acceleration: Vector3, damping: float, duration: float
 ) -> Vector3:
-    """Return v' = v d + a h, where d is the share kept per frame (Eq. 3.5).
+    """Return v' = v d + a h, where d is the fraction kept per step (Eq. 3.5).
 
-    Raises ValueError where the damping is negative or not finite, or the duration is not positive
+    Raises ValueError if the damping is negative or not finite, or if the duration is not positive
     and finite.
     """
     not_negative("damping", damping)
@@ -27,11 +27,11 @@ def damp_per_frame(
 def damp_per_second(
     velocity: Vector3, acceleration: Vector3, damping: float, duration: float
 ) -> Vector3:
-    """Return v' = v d^h + a h, where d is the share kept per second (Eq. 3.6).
+    """Return v' = v d^h + a h, where d is the fraction kept per second (Eq. 3.6).
 
-    Particle.integrate has the form of the book's listing instead, (v + a h) d^h (E-16).
+    Particle.kick uses the form of the book's listing instead, (v + a h) d^h (E-16).
 
-    Raises ValueError where the damping is negative or not finite, or the duration is not positive
+    Raises ValueError if the damping is negative or not finite, or if the duration is not positive
     and finite.
     """
     not_negative("damping", damping)

@@ -1,9 +1,9 @@
-"""Contacts between particles, or of a particle with the world, and the resolver that ends them.
+"""Contacts between two particles or a particle and the world, and the resolver for them.
 
-A contact says that two things touch: along which normal, how deep in each other they are, and how
-much of their speed a bounce returns. A resolver gives impulses, changes of momentum in N s (E-24),
-and moves things apart. Momentum is kept whatever the restitution is; only at restitution 1 kinetic
-energy is as well (E-7).
+A contact describes two things that touch: the normal, how deep they overlap, and how much of their
+speed a bounce returns. Resolving it applies an impulse, a change of momentum in N s (E-24), and
+pushes the two apart. Impulses conserve momentum at every restitution, but kinetic energy only at
+restitution 1 (E-7).
 
 Lengths are in m, velocities in m/s.
 """
@@ -19,22 +19,23 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 
 UNIT_TOLERANCE = 1e-6  # how far from 1 the length of a normal may be
-VELOCITY_TOLERANCE = 1e-12  # m/s: what closes more slowly is rounding
-DEPTH_TOLERANCE = 1e-9  # m: what is less deep counts as touching
+VELOCITY_TOLERANCE = 1e-12  # m/s: a slower closing speed is only rounding
+DEPTH_TOLERANCE = 1e-9  # m: a smaller depth counts as touching
 
 
 class Contact:
-    """Two particles that touch, or a particle that touches what nothing moves (``other`` None).
+    """A contact of a particle with another one, or with the immovable world if ``other`` is None.
 
-    ``normal`` is the unit vector along which ``particle`` leaves, seen from the other. That makes
-    it (pa - pb)^ for two balls, and (0, 1, 0) on the ground (Eq. 7.2, 7.4). ``restitution`` is the
-    share of the closing speed that a bounce returns. ``penetration`` is how deep they are in each
-    other: 0 where they touch, negative where they are apart.
+    ``normal`` is the unit vector that points from the other to the particle. For two balls it is
+    the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4). It is copied.
+    ``restitution`` is the ratio of the separating speed after a bounce to the closing speed before
+    it. ``penetration`` is the depth of the overlap. It is 0 when the two just touch, and negative
+    when there is a gap. The attributes may be changed later, and are not checked then.
 
-    Raises ValueError where the normal is not of unit length, to 1e-6, the restitution is not from
-    0 to 1, the penetration is not finite, or both particles are the same one. What is no Particle,
-    no Vector3 or no number is a TypeError. The normal is copied. All of them may be changed later,
-    and are then yours to keep right.
+    Raises:
+        ValueError: if the length of the normal differs from 1 by more than 1e-6, the restitution
+            is not from 0 to 1, the penetration is not finite, or both particles are the same.
+        TypeError: if an argument has the wrong type.
     """
 
     __slots__ = ("normal", "other", "particle", "penetration", "restitution")
@@ -47,16 +48,17 @@ class Contact:
         restitution: float = 0.0,
         penetration: float = 0.0,
     ) -> None:
-        # Contacts are made anew in every frame. So each number is compared here, and only one that
-        # looks wrong is passed on to the function that names it.
+        # Contacts are made in every step, so speed matters here. The functions of arguments.py are
+        # called only for a value that looks wrong.
         self.particle = instance_of("particle", particle, Particle)
         self.other = None if other is None else instance_of("other", other, Particle)
         if other is particle:
-            raise ValueError(f"other must be another particle than particle, got {other!r} twice")
+            wanted = "particle and other must be two different particles"
+            raise ValueError(f"{wanted}, got {other!r} twice")
         if not (isinstance(normal, Vector3) and abs(normal.magnitude() - 1.0) <= UNIT_TOLERANCE):
             normal = finite_vector("normal", normal)
             if abs(normal.magnitude() - 1.0) > UNIT_TOLERANCE:
-                wanted = f"normal must have length 1, to {UNIT_TOLERANCE:g}"
+                wanted = f"normal must be a unit vector (within {UNIT_TOLERANCE:g})"
                 raise ValueError(f"{wanted}, got {normal!r}")
         self.normal = normal.copy()
         if not (type(restitution) is float and 0.0 <= restitution <= 1.0):
@@ -67,9 +69,9 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        """Return how fast the two part, (va - vb) . n in m/s: negative while they close (Eq. 7.2).
+        """Return the separating velocity (va - vb) . n in m/s. It is negative while the two close.
 
-        vb is zero where there is no other.
+        Without an other, vb is zero. Book 7.1.1, Eq. 7.2.
         """
         velocity = self.particle.velocity
         if self.other is not None:
@@ -77,20 +79,24 @@ class Contact:
         return velocity.dot(self.normal)
 
     def velocity_after(self, duration: float = 0.0) -> float:
-        """Return the separating velocity in m/s that the contact should have once it is resolved.
+        """Return the separating velocity in m/s that the contact must have after it is resolved.
 
-        What parts already, or neither closes nor parts, keeps its own. What closes at v_s < 0
-        bounces: -c v_s (Eq. 7.3; the book's text has c v_s in one place, E-25).
+        A contact with a separating velocity v_s >= 0 keeps it. A contact that closes (v_s < 0)
+        bounces with the restitution c: the result is -c v_s (Eq. 7.3).
 
-        But a body that rests closes too, by what a frame of a duration h in s has just accelerated
-        it; a bounce of that would make it jitter. So where the frame's acceleration closes the
-        contact, (aa - ab) . n < 0, the bounce is c (-v_s + (aa - ab) . n h), and never below 0
-        (7.2.3). Each acceleration is the last_acceleration of the particle, all of the frame's:
-        the book counts the constant one only, and then gravity by a generator shakes what rests
-        (E-26). What is immovable, or not there, has none.
+        A body at rest on the ground closes too, because gravity has just accelerated it for one
+        time step. If that bounced, the body would jitter. So if the acceleration closes the
+        contact, (aa - ab) . n < 0, return c (-v_s + (aa - ab) . n h) instead, but never less than
+        0. Here h is the duration of the time step in s, and aa and ab are the last_acceleration of
+        the particles, which includes forces. Use 0 for an immovable or missing particle. The book
+        counts only the constant acceleration, so a body under a gravity generator would jitter
+        (7.2.3, E-26).
 
-        A duration of 0 is that of an impact at a point of time: nothing has accelerated it. Raises
-        ValueError where the duration is negative or not finite.
+        A duration of 0 stands for an impact at one instant, before which no step has accelerated
+        the particles.
+
+        Raises:
+            ValueError: if the duration is negative or not finite, in every case.
         """
         if not (type(duration) is float and 0.0 <= duration < math.inf):
             not_negative("duration", duration)
@@ -106,13 +112,14 @@ class Contact:
         return max(0.0, self.restitution * (built_up - closing))
 
     def resolve_velocity(self, duration: float = 0.0) -> None:
-        """Give what closes the impulse that makes it part as velocity_after says (7.1.4, 7.2.1).
+        """Apply the impulse that changes the separating velocity to velocity_after(duration).
 
-        The impulse g in N s acts along the normal, on the other with the opposite sign: va' = va +
-        n g / ma, vb' = vb - n g / mb. So what changes is shared by inverse mass, and momentum is
-        kept. What parts already stays as it is, and so do two that are both immovable.
+        The impulse g in N s acts along the normal n, and with the opposite sign on the other:
+        va' = va + n g / ma and vb' = vb - n g / mb. This conserves momentum. Nothing changes if the
+        contact is not closing, or if neither particle can move. Book 7.1.4 and 7.2.1.
 
-        Raises ValueError as velocity_after does.
+        Raises:
+            ValueError: if the duration is negative or not finite, in every case.
         """
         wanted = self.velocity_after(duration)
         closing = self.separating_velocity()
@@ -125,13 +132,16 @@ class Contact:
             self.other.velocity.add_scaled(self.normal, -impulse * self.other.inverse_mass)
 
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
-        """Move the two apart along the normal, so that they touch, and return how each was moved.
+        """Move the two particles apart along the normal until they touch, and return both moves.
 
-        The depth d is shared by inverse mass, as the impulse is: the particle moves by n d times
-        mb / (ma + mb), the other by -n d times ma / (ma + mb) (7.2.2), or one of them all the way
-        where the other is immovable. The penetration is 0 afterwards. What only touches, is apart
-        or cannot be moved stays as it is. Both moves are new vectors in m, and zero for what did
-        not move, so that no older move is left to be counted twice (E-27).
+        The depth d is divided by inverse mass. The particle moves by n d mb / (ma + mb) and the
+        other by -n d ma / (ma + mb). If one of them cannot move, the other one moves by the whole
+        depth. Afterwards the penetration is 0. If the penetration is 0 or negative, or neither
+        particle can move, nothing changes. Book 7.2.2.
+
+        Returns:
+            The moves of the particle and of the other in m, as two new vectors. The move of a
+            particle that did not move is zero, so no earlier move is applied again (E-27).
         """
         move, other_move = Vector3(), Vector3()
         total = self._total_inverse_mass()
@@ -147,36 +157,39 @@ class Contact:
         return move, other_move
 
     def resolve(self, duration: float) -> None:
-        """Resolve the velocity, for a frame of a duration in s, and then the penetration.
+        """Resolve the velocity and then the penetration, after a time step of a duration in s.
 
-        Raises ValueError where the duration is not positive and finite; nothing is moved then.
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing is changed then.
         """
         positive("duration", duration)
         self.resolve_velocity(duration)
         self.resolve_penetration()
 
     def _total_inverse_mass(self) -> float:
-        """Return 1 / ma + 1 / mb: 0 where nothing can be moved."""
+        """Return 1 / ma + 1 / mb, which is 0 if neither particle can move."""
         other = 0.0 if self.other is None else self.other.inverse_mass
         return self.particle.inverse_mass + other
 
 
 class ContactGenerator(Protocol):
-    """Whatever has this method generates contacts: no class needs to derive from this one."""
+    """Any object with this method generates contacts. It need not inherit from this class."""
 
     def contacts(self) -> Iterable[Contact]:
-        """Return the contacts of now."""
+        """Return the current contacts."""
 
 
 class ContactResolver:
-    """Resolves the contacts of a frame in two phases, velocities and then depths (7.3.1).
+    """Resolves the contacts of a time step in two phases: velocities, then penetrations (7.3.1).
 
-    Each phase takes the worst contact first, and the first of several that are equally bad. To
-    resolve one may make others better or worse, so each phase looks at all of them again after each
-    one. ``iterations`` is how often each phase may resolve a contact; None stands for twice as many
-    as there are contacts. ``iterations_used`` is how many both phases have used in the last frame.
+    Each phase resolves the worst contact first, and the first of several equally bad ones. This can
+    make other contacts better or worse, so each phase compares all contacts again after every
+    resolution. ``iterations`` limits the resolutions of each phase; None means twice the number of
+    contacts. ``iterations_used`` is the number that both phases used in the last step.
 
-    Raises ValueError where ``iterations`` is below 1, TypeError where it is no whole number.
+    Raises:
+        ValueError: if ``iterations`` is less than 1.
+        TypeError: if ``iterations`` is not a whole number or None.
     """
 
     def __init__(self, iterations: int | None = None) -> None:
@@ -189,12 +202,13 @@ class ContactResolver:
         self.iterations_used = 0
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
-        """Resolve the contacts of a frame of a duration in s: all velocities, then all depths.
+        """Resolve the contacts after a time step of a duration in s: velocities, then penetrations.
 
-        Contacts in which nothing can be moved are left out, and do not count. Their particles'
-        velocities and positions are what changes, and the penetrations of the contacts.
+        This changes the particles' velocities and positions, and the contacts' penetrations.
+        Contacts in which neither particle can move are left out, and do not count.
 
-        Raises ValueError where the duration is not positive and finite; nothing is moved then.
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing is changed then.
         """
         positive("duration", duration)
         movable = [contact for contact in contacts if contact._total_inverse_mass()]
@@ -203,16 +217,19 @@ class ContactResolver:
         self.iterations_used = used + self.resolve_penetrations(movable, limit)
 
     def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:
-        """Resolve the velocity of the contact that closes fastest, again and again.
+        """Repeatedly resolve the velocity of the contact that closes fastest.
 
-        Ends after ``limit`` of them, or when none closes faster than VELOCITY_TOLERANCE. Return how
-        many it has resolved. In each of ``contacts`` something can be moved; how deep they are does
-        not matter here.
+        Stop after ``limit`` resolutions, or when no contact closes faster than VELOCITY_TOLERANCE.
+        Of several equally fast contacts take the first. Penetrations do not matter here, and in
+        every contact at least one particle can move.
+
+        Returns:
+            The number of resolutions.
         """
         for used in range(limit):
             worst, lowest = None, -VELOCITY_TOLERANCE
             for contact in contacts:
-                # Contact.separating_velocity in plain floats: each impulse asks every contact.
+                # This is separating_velocity in plain floats. Every impulse compares all contacts.
                 v, n = contact.particle.velocity, contact.normal
                 if contact.other is None:
                     velocity = v.x * n.x + v.y * n.y + v.z * n.z
@@ -227,14 +244,18 @@ class ContactResolver:
         return limit
 
     def resolve_penetrations(self, contacts: list[Contact], limit: int) -> int:
-        """Resolve the penetration of the deepest contact, again and again.
+        """Repeatedly resolve the penetration of the deepest contact.
 
-        In each of ``contacts`` something can be moved. Each move changes how deep all the other
-        contacts of the particles that moved are: one is deeper by how far its other moved along its
-        normal, and less deep by how far its particle did. The listing leaves that out (E-8).
+        Every resolution moves particles, so update the penetration of their other contacts.
+        Subtract the distance that a contact's particle moved along the contact's normal, and add
+        the distance that its other moved along it. The book's listing omits this (E-8).
 
-        Ends after ``limit`` of them, or when none is deeper than DEPTH_TOLERANCE. Return how many
-        it has resolved.
+        Stop after ``limit`` resolutions, or when no contact is deeper than DEPTH_TOLERANCE. Of
+        several equally deep contacts take the first. In every contact at least one particle can
+        move.
+
+        Returns:
+            The number of resolutions.
         """
         for used in range(limit):
             worst, deepest = None, DEPTH_TOLERANCE
@@ -260,13 +281,13 @@ class ContactResolver:
 
 
 def a_restitution(name: str, value: float) -> float:
-    """Return a restitution; ValueError for a number that is not from 0 to 1."""
+    """Return a restitution as a float, or raise ValueError if it is not from 0 to 1."""
     if not_negative(name, value) > 1.0:
         raise ValueError(f"{name} must be from 0 to 1, got {value!r}")
     return float(value)
 
 
 def direction_of(offset: Vector3) -> Vector3:
-    """Return the direction of an offset, as new, and +Y where it has none."""
+    """Return the unit vector along an offset, or +Y if the offset is zero, as a new vector."""
     direction = offset.normalized()
     return direction if direction.squared_magnitude() else Vector3(0.0, 1.0, 0.0)

@@ -1,6 +1,6 @@
-"""A rope bridge: planks on cables, and a heavy ball that walks over them (book 8.2).
+"""A rope bridge made of planks and cables, and a heavy ball that rolls over it (book 8.2).
 
-bridge_plan.py has the numbers and places of what it is made of.
+The numbers and positions of its parts are in bridge_plan.py.
 """
 
 from __future__ import annotations
@@ -29,15 +29,18 @@ from ch08_mass_aggregate.bridge_plan import (
 from ch08_mass_aggregate.world import ParticleWorld
 
 RADIUS = 0.5  # m, of the ball
-ITERATIONS = 200  # a phase; with twice the contacts a bridge at 30 frames a second never lies still
+# Per phase. With the default, a bridge at 30 steps per second never comes to rest.
+ITERATIONS = 200
 
 
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
-    """Return what holds the rows, which are at their places at the start.
+    """Return the links that hold the rows of planks, which are at their start positions.
 
-    A Rod of WIDTH joins both ends of each row; a Cable of CABLE_LENGTH each end to that of the next
-    row on its side; and each end hangs on an AnchoredCable of support_length(row) from
-    anchor_of(it). No cable bounces.
+    - A Rod of length WIDTH joins the two ends of each row.
+    - A Cable of CABLE_LENGTH joins each end to the end of the next row on the same side.
+    - An AnchoredCable of support_length(row number) joins each end to its anchor, anchor_of(end).
+
+    The restitution of all cables is 0.
     """
     links: list[ContactGenerator] = [Rod(a, b, WIDTH) for a, b in rows]
     for row, following in pairwise(rows):
@@ -50,10 +53,11 @@ def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
 
 
 class Deck:
-    """Generates the contacts of a ball with the rows of planks, which are in order along X.
+    """Generates the contacts of a ball with rows of planks, which are given in order along X.
 
-    ValueError where the radius is not positive and finite, the restitution is not from 0 to 1, or
-    there are no rows.
+    Raises:
+        ValueError: if the radius is not positive and finite, the restitution is not from 0 to 1, or
+            there are no rows.
     """
 
     def __init__(
@@ -62,17 +66,17 @@ class Deck:
         self.ball = ball
         self.radius = positive("radius", radius)
         if not rows:
-            raise ValueError("rows must be one or more, got none")
+            raise ValueError("rows must have at least one row, got none")
         self.rows = rows
         self.restitution = a_restitution("restitution", restitution)
 
     def nearest(self) -> tuple[int, float] | None:
-        """Return the number of the row that is nearest to the ball along X, and the deck's height.
+        """Return the index of the row nearest to the ball along X, and the height of the deck in m.
 
-        A row is where the middle of its ends is. The height in m is that below the ball, on the
-        straight line from row to row; before the first row and after the last it is that row's. Of
-        two rows that are equally near it is the first. None where the ball is further than half a
-        SPACING beyond the rows.
+        The position of a row is the midpoint of its two ends. The deck runs in straight lines from
+        row to row, and its height is taken below the ball. Before the first row and after the last
+        one, the deck is level. If two rows are equally near, the first one counts. Return None if
+        the ball is more than half a SPACING beyond the first or last row.
         """
         x = self.ball.position.x
         places = [(a.position + b.position) * 0.5 for a, b in self.rows]
@@ -86,11 +90,12 @@ class Deck:
         return row, height
 
     def contacts(self) -> list[Contact]:
-        """Return a contact of the ball with each end of the nearest row, where it touches the deck.
+        """Return the ball's contacts with both ends of the nearest row, if it touches the deck.
 
-        The ball is the particle, the normal is +Y, and the penetration is how far the ball's lowest
-        point is below the deck. There is none where it is above, beyond the bridge, or deeper than
-        it is high: then it is below.
+        The ball is the particle of the contact, the end of the row is the other, and the normal is
+        +Y. The penetration is the depth of the ball's lowest point below the deck. Return an empty
+        list if the ball is above the deck or beyond the bridge, or if its penetration is more than
+        its diameter, because it has fallen through then.
         """
         found = self.nearest()
         if found is None:
@@ -104,10 +109,12 @@ class Deck:
 
 
 class Bridge:
-    """The bridge with its ball over the ground: ``rows`` of planks, ``ball`` and ``world``.
+    """A rope bridge above the ground: ``rows`` of planks, a ``ball`` and their ``world``.
 
-    ``pace`` is how fast in m/s the ball walks along X. Raises ValueError where the ball's mass is
-    not positive and finite, or its place is not finite.
+    ``pace`` is the speed of the ball along X in m/s.
+
+    Raises:
+        ValueError: if the ball's mass is not positive and finite, or x is not finite.
     """
 
     def __init__(self, ball_mass: float = 5.0, x: float = 0.0) -> None:
@@ -126,10 +133,11 @@ class Bridge:
         )
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass, with the ball at its pace.
+        """Make one time step of this duration in s, with the ball moving at its pace.
 
-        Raises ValueError where the duration is not positive and finite, or the pace not finite; all
-        is then as it was.
+        Raises:
+            ValueError: if the duration is not positive and finite, or the pace is not finite.
+                Nothing has changed then.
         """
         positive("duration", duration)
         pace = finite("pace", self.pace)

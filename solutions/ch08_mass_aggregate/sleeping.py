@@ -1,7 +1,8 @@
 """Going further: particles at rest fall asleep and cost almost nothing until something wakes them.
 
-A sleeping particle is immovable, and the whole engine leaves immovable particles alone already. The
-world keeps the inverse mass of each, and gives it back when the particle wakes.
+A sleeping particle is immovable, and the rest of the engine already ignores immovable particles.
+The world stores the inverse mass of each sleeping particle and gives it back when the particle
+wakes.
 """
 
 from __future__ import annotations
@@ -17,36 +18,37 @@ from ch07_constraints.contacts import Contact, ContactGenerator
 from ch08_mass_aggregate.joints import Pair, joined, touching
 from ch08_mass_aggregate.world import ParticleWorld
 
-LOOK_EVERY = 10  # frames: how often the generators of sleeping particles are asked
-# J/kg: a little more than a free fall through one frame of 1/60 s, (g h)^2 / 2 = 0.0134, since a
-# contact may be lost for a frame by rounding.
+LOOK_EVERY = 10  # steps between two checks of the forces on sleeping particles
+# J/kg. A body that loses contact for one step of 1/60 s by rounding falls freely and gets
+# (g h)^2 / 2 = 0.0134. It must still count as slow.
 SLEEP_ENERGY = 0.015
-SAME = 0.01  # a change by this fraction of the acceleration, or by less, wakes nothing
+SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothing
 
 
 @dataclass(frozen=True)
 class Sleep:
-    """What a particle is given back when it wakes, and what must stay the same until then."""
+    """What a particle gets back when it wakes, and what must not change until then."""
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
-    acceleration: Vector3  # m/s^2: its last_acceleration, so with its forces
-    neighbours: tuple[Particle, ...]  # those that it touched or was joined to
+    acceleration: Vector3  # m/s^2: its last_acceleration, which includes forces
+    neighbours: tuple[Particle, ...]  # particles that it touched or was joined to
 
 
 class SleepingWorld(ParticleWorld):
     """A ParticleWorld in which particles at rest fall asleep, together with all that they touch.
 
     A particle is slow if its kinetic energy per kg of its mass is ``sleep_energy`` in J/kg or less
-    at the end of a frame. It is tired after ``sleep_frames`` slow frames in a row. A sleeping
+    at the end of a step. It is tired after ``sleep_frames`` slow steps in a row. A sleeping
     particle has no velocity and a mass of math.inf. ``asleep`` is a dict from each sleeping
     particle to its Sleep.
 
-    Wake a sleeping particle first if you move the ground or an anchor under it, join something new
-    to it, or make it immovable.
+    Wake a sleeping particle yourself before you move the ground or an anchor under it, join
+    something new to it, or make it immovable.
 
-    Raises ValueError if sleep_energy is negative or not finite, or sleep_frames is below 1. Raises
-    TypeError if sleep_frames is not a whole number, and whatever ParticleWorld raises.
+    Raises:
+        ValueError: if sleep_energy is negative or not finite, or sleep_frames is less than 1.
+        TypeError: if sleep_frames is not a whole number.
     """
 
     def __init__(
@@ -65,16 +67,16 @@ class SleepingWorld(ParticleWorld):
         self.sleep_energy = not_negative("sleep_energy", sleep_energy)
         self.sleep_frames = whole("sleep_frames", sleep_frames)
         self.asleep: dict[Particle, Sleep] = {}
-        self._slow: dict[Particle, int] = {}  # for how many frames each has been slow
-        self._touched: dict[Pair, int] = {}  # in which frame two were last in contact
+        self._slow: dict[Particle, int] = {}  # the number of steps for which each has been slow
+        self._touched: dict[Pair, int] = {}  # the step in which two were last in contact
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle, its neighbours, their neighbours, and so on.
+        """Wake a particle, its neighbors, their neighbors, and so on.
 
-        So particles that fell asleep together wake together. Each gets its mass back, unless it has
-        been given another finite mass by hand. It has to be slow again for all of sleep_frames. A
-        particle that is awake stays awake, and its slow frames are counted anew.
+        Particles that fell asleep together therefore wake together. Each one gets its mass back,
+        unless it was given another finite mass by hand. The count of its slow steps starts again at
+        0, even if the particle was awake.
         """
         waking = [particle]
         while waking:
@@ -87,24 +89,26 @@ class SleepingWorld(ParticleWorld):
                 waking += [other for other in sleep.neighbours if other in self.asleep]
 
     def wake_moved(self) -> None:
-        """Wake the particles that were moved by hand since they fell asleep.
+        """Wake the sleeping particles that were changed by hand since they fell asleep.
 
-        Such a particle has a velocity, another position, a mass, or a force in its accumulator.
+        Such a particle has a velocity, a new position, a finite mass, or a force in its
+        accumulator.
         """
         for particle, sleep in [*self.asleep.items()]:
             if _was_moved(particle, sleep):
                 self.wake(particle)
 
     def wake_pushed(self, duration: float) -> None:
-        """Wake the particles that the generators push otherwise than when they fell asleep.
+        """Wake the sleeping particles whose force generators push in a new way.
 
-        The acceleration of now, a + f / m with the forces of the generators, is compared with the
-        one of then. A change of more than SAME of what acts wakes the particle. What acts is
-        |a| + |f / m| now, or the size of the acceleration of then, whichever is larger.
+        The acceleration now is a + f / m, where f is the sum of the generators' forces. Compare it
+        with the acceleration when the particle fell asleep. If the change is more than SAME times
+        the size of what acts, the particle wakes. This size is |a| + |f / m| now, or the magnitude
+        of the old acceleration if that is larger.
 
-        Only generators that are registered for sleeping particles are asked, and each particle has
-        its own mass for that time. The accumulators of sleeping particles are empty before and
-        afterwards.
+        Only generators that are registered for sleeping particles are called, and each particle has
+        its own mass during the call. The accumulators of sleeping particles are empty before and
+        after.
         """
         self._ask_for_sleepers(duration)
         for particle, sleep in [*self.asleep.items()]:
@@ -116,7 +120,7 @@ class SleepingWorld(ParticleWorld):
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
         """Wake the sleeping particles that are in contact with a particle that can move.
 
-        Return whether there were any.
+        Return whether any particle woke.
         """
         woken = False
         for contact in contacts:
@@ -130,13 +134,13 @@ class SleepingWorld(ParticleWorld):
         return woken
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Count a frame, and put every group to sleep in which all particles are tired.
+        """Count one step, and put every group to sleep in which all particles are tired.
 
-        Particles belong to one group if they were in contact in one of the last sleep_frames
-        frames, or if a generator of the registry joins them, directly or through others. All of a
-        group falls asleep, or none of it. Immovable particles join nothing, and neither slow down
-        nor sleep. A particle that falls asleep has no velocity and an inverse_mass of 0, and is in
-        asleep.
+        Two particles are in the same group if they were in contact in one of the last sleep_frames
+        steps, or if a generator of the registry joins them, directly or through other particles. A
+        group falls asleep as a whole or not at all. Immovable particles join nothing and never
+        sleep. A particle that falls asleep is added to asleep, and its velocity and inverse_mass
+        become 0.
         """
         awake = [particle for particle in self.particles if particle.inverse_mass]
         self._count_slow_frames(awake)
@@ -151,14 +155,16 @@ class SleepingWorld(ParticleWorld):
                 self._put_to_sleep(particle, neighbours.get(particle, []))
 
     def run_physics(self, duration: float) -> None:
-        """Move all particles that are awake on by a frame of a duration in s.
+        """Move all particles that are awake forward by one time step of this duration in s.
 
-        Particles that were moved by hand wake first, and in every LOOK_EVERY-th frame those that
-        their generators push otherwise. The integrator gets the particles that are awake, and no
-        others. Then contacts wake sleeping particles, and are found again, until they wake no more.
-        Once they are resolved, groups that are tired fall asleep.
+        - Wake the particles that were moved by hand, and in every LOOK_EVERY-th step also those
+          that are pushed in a new way.
+        - Call the integrator with the particles that are awake, and no others.
+        - Find the contacts. As long as they wake a sleeping particle, find them again.
+        - Resolve the contacts, and then let tired groups fall asleep.
 
-        Raises ValueError if the duration is not positive and finite; all is then as it was.
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing has changed then.
         """
         positive("duration", duration)
         self._frame += 1
@@ -175,15 +181,15 @@ class SleepingWorld(ParticleWorld):
         self.fall_asleep(contacts)
 
     def _count_slow_frames(self, awake: Iterable[Particle]) -> None:
-        """Count for how many frames in a row each particle has been slow."""
+        """Count for how many steps in a row each particle has been slow."""
         for particle in awake:
             slow = particle.kinetic_energy() <= self.sleep_energy * particle.mass
             self._slow[particle] = self._slow.get(particle, 0) + 1 if slow else 0
 
     def _note_contacts(self, contacts: Iterable[Contact]) -> None:
-        """Remember who touches whom in this frame, and forget what is sleep_frames ago.
+        """Remember which particles touch in this step, and forget old contacts.
 
-        A body that lies on another loses contact for a frame now and then, by rounding.
+        A body that lies on another one loses contact for a step now and then because of rounding.
         """
         for pair in touching(contacts):
             self._touched[pair] = self._frame
@@ -191,7 +197,7 @@ class SleepingWorld(ParticleWorld):
         self._touched = {pair: last for pair, last in self._touched.items() if last > since}
 
     def _put_to_sleep(self, particle: Particle, neighbours: Iterable[Particle]) -> None:
-        """Stop a particle, make it immovable, and keep what it needs to wake."""
+        """Stop a particle, make it immovable, and store what it needs to wake."""
         x, y, z = particle.position
         acceleration = particle.last_acceleration
         sleep = Sleep(particle.inverse_mass, (x, y, z), acceleration, tuple(neighbours))
@@ -200,7 +206,7 @@ class SleepingWorld(ParticleWorld):
         particle.inverse_mass = 0.0
 
     def _ask_for_sleepers(self, duration: float) -> None:
-        """Ask the generators of sleeping particles for their forces, each with its own mass."""
+        """Call the generators of sleeping particles, each particle with its own mass."""
         for particle, generator in self.registry.pairs():
             sleep = self.asleep.get(particle)
             if sleep is not None:
@@ -210,7 +216,7 @@ class SleepingWorld(ParticleWorld):
 
 
 def _was_moved(particle: Particle, sleep: Sleep) -> bool:
-    """Return whether a sleeping particle was moved by hand."""
+    """Return whether a sleeping particle was changed by hand."""
     v, p = particle.velocity, particle.position
     return bool(
         v.x
@@ -223,14 +229,14 @@ def _was_moved(particle: Particle, sleep: Sleep) -> bool:
 
 
 def _is_pushed_otherwise(particle: Particle, push: Vector3, sleep: Sleep) -> bool:
-    """Return whether a + push, in m/s^2, differs from the acceleration of then by over SAME."""
+    """Return whether a + push, in m/s^2, differs from the old acceleration by more than SAME."""
     change = particle.acceleration + push - sleep.acceleration
     acts = particle.acceleration.magnitude() + push.magnitude()
     return change.magnitude() > SAME * max(acts, sleep.acceleration.magnitude())
 
 
 def _neighbours(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
-    """Return the neighbours of each particle that is in a pair."""
+    """Return the neighbors of each particle that is in a pair."""
     neighbours: dict[Particle, list[Particle]] = {}
     for a, b in pairs:
         neighbours.setdefault(a, []).append(b)
@@ -241,7 +247,7 @@ def _neighbours(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
 def _connected(
     starts: Iterable[Particle], neighbours: Mapping[Particle, Iterable[Particle]]
 ) -> set[Particle]:
-    """Return the particles that hang together with one of the starts, directly or not."""
+    """Return the particles that are connected to one of the starts, directly or through others."""
     found = set(starts)
     waiting = [*found]
     while waiting:

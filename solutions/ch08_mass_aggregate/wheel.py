@@ -1,6 +1,6 @@
-"""A wheel of rods about an immovable hub, driven at its rim (mini-project 8.3).
+"""A wheel of rods around an immovable hub, driven at its rim (mini-project 8.3).
 
-It turns in the X-Y plane, counter-clockwise where its spin is positive.
+It rotates in the X-Y plane. A positive spin is counter-clockwise.
 """
 
 from __future__ import annotations
@@ -17,14 +17,15 @@ from ch08_mass_aggregate.world import ParticleWorld
 COUNT = 8  # particles of the rim
 RADIUS = 1.0  # m
 MASS = 1.0  # kg, of each of them
-ITERATIONS = 200  # a phase
+ITERATIONS = 200  # per phase
 
 
 def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
-    """Return the rods of a wheel: a spoke to each particle of the rim, and from each to the next.
+    """Return the rods of a wheel: its spokes, and the rods from each rim particle to the next.
 
-    The rim, of three or more, is given in order, and its last particle is joined to the first. Each
-    rod is as long as its ends are apart now (8.3a).
+    A spoke joins the hub to each particle of the rim. The rim has three or more particles, given in
+    order, and the last one is joined to the first. Each rod is as long as the current distance
+    between its ends (8.3a).
     """
     ends = [(hub, particle) for particle in rim]
     ends += [(particle, rim[(i + 1) % len(rim)]) for i, particle in enumerate(rim)]
@@ -32,16 +33,17 @@ def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
 
 
 class RimDrive:
-    """A force generator that drives a rim: a force of one size in N, round the hub (8.3b)."""
+    """A force generator that drives a rim around its hub, with a constant force in N (8.3b)."""
 
     def __init__(self, hub: Particle, force: float) -> None:
         self.hub = hub
         self.force = finite("force", force)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force in N, at a right angle to the spoke, in the X-Y plane.
+        """Add the force in N at a right angle to the spoke, in the X-Y plane.
 
-        A positive force is one that turns the wheel counter-clockwise. At the hub there is none.
+        A positive force turns the wheel counter-clockwise. The size of the force does not depend on
+        the distance from the hub. At the hub there is no direction, so no force is added.
         """
         spoke = particle.position - self.hub.position
         length = math.hypot(spoke.x, spoke.y)
@@ -51,11 +53,11 @@ class RimDrive:
 
 
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
-    """Return how fast a wheel turns about its hub, in rad/s: angular momentum by moment of inertia.
+    """Return the angular velocity of a wheel about its hub in rad/s.
 
-    That is the sum of m (x v_y - y v_x), divided by that of m (x^2 + y^2), with places and
-    velocities as they are seen from the hub, should that move. 0 where the rim has no moment of
-    inertia.
+    It is the angular momentum divided by the moment of inertia: the sum of m (x v_y - y v_x),
+    divided by the sum of m (x^2 + y^2). Positions and velocities are relative to the hub, which may
+    move. Return 0 if the moment of inertia is zero.
     """
     turning, inertia = 0.0, 0.0
     for particle in rim:
@@ -67,9 +69,9 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
 
 
 def deformation(rods: Sequence[Rod]) -> float:
-    """Return by which share of its length the worst of some rods is too long or too short (8.3c).
+    """Return by what fraction of its length the worst of the rods is too long or too short (8.3c).
 
-    0 where there are none.
+    Return 0 if there are no rods.
     """
     return max(
         (abs((rod.b.position - rod.a.position).magnitude() / rod.length - 1.0) for rod in rods),
@@ -80,8 +82,10 @@ def deformation(rods: Sequence[Rod]) -> float:
 class Wheel:
     """A wheel: its ``hub``, ``rim``, ``rods`` and ``world``.
 
-    The first ``driven`` particles of the rim are driven by a ``drive`` of a ``force`` in N each.
-    ValueError where the force is not finite, or driven not from 0 to COUNT.
+    A ``drive`` pushes each of the first ``driven`` particles of the rim with a ``force`` in N.
+
+    Raises:
+        ValueError: if the force is not finite, or driven is not from 0 to COUNT.
     """
 
     def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:
@@ -100,5 +104,5 @@ class Wheel:
             self.world.registry.add(particle, self.drive)
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass."""
+        """Make one time step of this duration in s."""
         self.world.step(duration)

@@ -79,6 +79,6 @@ def test_a_hostile_name_is_one_line_without_control_characters(tmp_path: Path) -
     table = rows(tmp_path, hostile('a\r\nb,"c\x1b[31m\x00\ud800'), report_of())
     assert len(table) == 4
     assert {len(row) for row in table} == {11}
-    assert table[2][0] == 'a b,"c\\x00\\ud800'
+    assert table[2][0] == 'a b,"c\\x1b[31m\\x00\\ud800'
     text = (tmp_path / "gradebook.csv").read_text(encoding="utf-8")
     assert {c for c in text if unicodedata.category(c) in ("Cc", "Cs")} <= {"\r", "\n"}

@@ -10,7 +10,7 @@ from typing import Any
 import jsonschema
 import pytest
 
-from autograder.reports.gradescope import gradescope_results, write_gradescope
+from autograder.reports.gradescope import as_text, gradescope_results, write_gradescope
 from autograder.reports.marks import Mark, apply_marks
 from autograder.reports.report import StudentReport
 from autograder.submissions.find import file_name
@@ -19,6 +19,11 @@ from graded import SHOUT, check, failed_run, hostile, nothing_done, report_of, w
 SCHEMA = json.loads(Path(__file__).with_name("gradescope.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 MARKED = apply_marks(report_of(), {("ada", "2.3"): Mark(2.5, "Say why.")})
+
+
+def results_of(report: StudentReport) -> dict[str, Any]:
+    """Return the results as Gradescope reads them."""
+    return dict(json.loads(as_text(gradescope_results(report))))
 
 
 def by_number(results: dict[str, Any]) -> dict[str, dict[str, Any]]:
@@ -63,7 +68,7 @@ def test_the_form_is_a_strict_one(wrong: dict[str, Any]) -> None:
 
 
 def test_an_exercise_is_a_test_with_its_own_points_and_what_was_lost() -> None:
-    results = gradescope_results(report_of())
+    results = results_of(report_of())
     copy, angles, _, mass = results["tests"]
     assert (copy["number"], copy["name"], copy["visibility"]) == ("B2.1", "Copy", "visible")
     assert (copy["score"], copy["max_score"], copy["status"]) == (2.0, 2, "passed")
@@ -79,18 +84,18 @@ def test_an_exercise_is_a_test_with_its_own_points_and_what_was_lost() -> None:
 
 
 def test_a_hidden_check_shows_its_rationale_and_not_its_name() -> None:
-    results = gradescope_results(report_of())
+    results = results_of(report_of())
     assert "failed: a hidden check\nAngles turn once round." in by_number(results)["2.2"]["output"]
     assert "far away" not in json.dumps(results).replace("_", " ")
     assert "secret plan" not in json.dumps(results).replace("_", " ")
 
 
 def test_a_written_exercise_waits_without_a_score_until_a_person_marks_it() -> None:
-    waiting = by_number(gradescope_results(report_of()))["2.3"]
+    waiting = by_number(results_of(report_of()))["2.3"]
     assert waiting["max_score"] == 3
     assert "waits for a person" in waiting["output"]
     assert waiting.keys().isdisjoint({"score", "status"})
-    results = gradescope_results(MARKED)
+    results = results_of(MARKED)
     marked = by_number(results)["2.3"]
     assert (marked["score"], marked["max_score"]) == (2.5, 3)
     assert "Say why." in marked["output"]
@@ -100,7 +105,7 @@ def test_a_written_exercise_waits_without_a_score_until_a_person_marks_it() -> N
 
 def test_where_the_grader_failed_there_is_no_number_at_all() -> None:
     failed = apply_marks(failed_run("ada"), {("ada", "2.3"): Mark(3, "")})
-    results = gradescope_results(failed)
+    results = results_of(failed)
     assert "score" not in results, "its parts would add up to a mark that nobody earned"
     assert "error of the grader, retry" in results["output"]
     tests = by_number(results)
@@ -114,13 +119,13 @@ def test_an_error_with_numbers_left_in_it_gives_none_of_them() -> None:
     report = report_of(status="error, retry")
     lost = [check("test_mass", "error", "killed")]
     report = with_exercise(report, 3, status="error", score=5.0, checks=lost)
-    results = gradescope_results(report)
+    results = results_of(report)
     assert "score" not in results
     assert "score" not in by_number(results)["B3.1"]
 
 
 def test_a_zero_is_a_score() -> None:
-    results = gradescope_results(nothing_done())
+    results = results_of(nothing_done())
     assert results["score"] == 0
     assert [test.get("score") for test in results["tests"]] == [0, 0, None, 0]
 

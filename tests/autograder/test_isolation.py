@@ -15,8 +15,8 @@ from typing import Any, NoReturn
 
 import pytest
 
-from autograder.faults import CheckEnded
-from autograder.isolation.handles import Session, StudentLeft, WorkerFailure
+from autograder.faults import CheckEnded, StudentLeft
+from autograder.isolation.handles import Session, WorkerFailure
 from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template, TemplateError

@@ -141,7 +141,7 @@ def test_names_on_a_chart_are_text_and_gradescope_says_the_place_in_words(tmp_pa
     page = write_index(tmp_path, CHAPTERS, [report]).read_text(encoding="utf-8")
     assert "<script>" not in page
     assert page.count("&lt;script&gt;") >= 2
-    told = gradescope_results(report)["tests"][1]["output"]
+    told = gradescope_results(report).tests[1].output
     assert "your work: 100 evaluations, error of the result: 0.01" in told
     nobody = report_of("ada")
     assert "<circle" not in write_feedback(tmp_path, nobody).read_text(encoding="utf-8")

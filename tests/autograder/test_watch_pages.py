@@ -92,7 +92,8 @@ def tiers(root: Path) -> Iterator[Terminal]:
     chapter, tests = root / "chapters/ch90_small", root / "tests"
     (chapter / "chapter.toml").write_text(TIERS_MANIFEST, encoding="utf-8")
     (tests / "ch90_small/test_small.py").write_text(TIERS_CHECKS, encoding="utf-8")
-    shutil.copyfile(ROOT / "tests/expect.py", tests / "expect.py")
+    (tests / "shared").mkdir()
+    shutil.copyfile(ROOT / "tests/shared/expect.py", tests / "shared/expect.py")
     save(root, re.sub("return . [*] x", UNWRITTEN, TIERS))
     terminal = Terminal(root)
     yield terminal

@@ -1,4 +1,4 @@
-"""What must run beside the student's code: loops. Each function takes and returns plain numbers."""
+"""Long loops, which must run beside the student's code. They take and return plain numbers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ Components = tuple[float, float, float]
 
 
 def walk(start: Components, velocity: Components, frame: float, frames: int) -> Components:
-    """Move a position by p' = p + v h, frame after frame, and return where it ends."""
+    """Move a position by p' = p + v h in every frame, and return the last position."""
     position, step = Vector3(*start), Vector3(*velocity)
     for _ in range(frames):
         position.add_scaled(step, frame)

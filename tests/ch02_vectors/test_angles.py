@@ -24,12 +24,12 @@ from expect import (
 
 
 def two_at_an_angle(rng: Random, angle: float) -> tuple[Components, Components]:
-    """Draw two vectors that enclose this angle: one along u, one at the angle from u towards w."""
+    """Draw two vectors with this angle between them, in the plane of u and w."""
     u, v = direction(rng), direction(rng)
     along = dot(u, v)
     rest = [q - along * p for p, q in zip(u, v, strict=True)]
     length = math.hypot(*rest)
-    if length < 0.1:  # nearly parallel: rounding would turn the angle
+    if length < 0.1:  # nearly parallel, so rounding would change the angle
         return two_at_an_angle(rng, angle)
     w = [number / length for number in rest]
     first, second = rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
@@ -54,16 +54,16 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
     about.read = "book 2.1.7, Eq. 2.4"
     for a in (long, (0.01 * long[0], 0.01 * long[1], 0.01 * long[2])):
         about.call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
-        about.cause = "a pair is wanted: a . b and a word"
+        about.cause = "Return a pair: the number a . b, and then the word."
         product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
         name = f"{about.call}, the first"
         cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
-        divided = "that is the cosine: a . b is wanted as it is, not divided by the lengths"
+        divided = "This is the cosine of the angle. Return a . b without dividing by the lengths."
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
-        about.cause = "a positive product means an acute angle, a negative one an obtuse angle"
+        about.cause = "A positive product means an acute angle. A negative one means an obtuse one."
         if got == "right":
-            about.cause = "a small product is not zero: its sign still says what the angle is"
+            about.cause = "A small product is not zero. Its sign still decides the angle."
         expect_exactly(got, word, then=", the second")
 
 
@@ -72,7 +72,7 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     # Powers of 2: unit vectors of these are at right angles as well, to the last digit.
     x, y = rng.choice((1.0, 2.0, 4.0, 8.0)), rng.choice((1.0, 2.0, 4.0, 8.0))
     about.call = f"scalar_product_and_angle(Vector3({x}, {y}, 0), Vector3({-y}, {x}, 3))"
-    about.cause = "a . b = 0, neither positive nor negative: cos t = 0 at a right angle"
+    about.cause = "The cosine of a right angle is 0, so the word for a . b = 0 is right."
     about.read = "book 2.1.7, Eq. 2.4"
     a, b = Vector3(x, y, 0.0), Vector3(-y, x, 3.0)
     product, got = exercises.scalar_product_and_angle(a, b)
@@ -84,8 +84,7 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
     about.call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
-    about.cause = "NaN is neither positive nor negative nor zero: raise ValueError, do not say a "
-    about.cause += "word"
+    about.cause = "NaN has no sign, so there is no word for this angle. Raise ValueError."
     about.read = "the docstring of scalar_product_and_angle"
     good = Vector3(1.0, 2.0, 3.0)
     expect_error(
@@ -102,35 +101,33 @@ def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
 def test_the_angles_of_the_book() -> None:
     a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
     about.call = "angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
-    about.cause = "135 degrees, in radians: divide by both lengths, and keep the sign of the "
-    about.cause += "product"
+    about.cause = "The cosine is a . b divided by both lengths. Return math.acos of it, in radians."
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(a, b)
     mistakes = [
-        (135.0, "that is in degrees: radians are wanted, as math.acos gives them"),
-        (math.pi, "a . b is not yet the cosine: divide it by both lengths"),
-        (-math.sqrt(0.5), "that is the cosine: its angle is math.acos of it"),
-        (0.25 * math.pi, "the sign of a . b is lost: below 0 the angle is more than a right one"),
-        (-0.25 * math.pi, "that is math.asin of the cosine: take math.acos"),
+        (135.0, "This is in degrees. Return radians, as math.acos does."),
+        (math.pi, "a . b is not the cosine yet. Divide it by both lengths."),
+        (-math.sqrt(0.5), "This is the cosine. Return its angle, math.acos(cosine)."),
+        (0.25 * math.pi, "The sign of a . b was lost. A negative product means an obtuse angle."),
+        (-0.25 * math.pi, "This is math.asin of the cosine. Use math.acos."),
     ]
     blame(got, mistakes)
     expect_close(got, 0.75 * math.pi)
     about.call = "angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
-    about.cause = "45 and 135 degrees have the same sine: a pair of both, in radians, the smaller "
-    about.cause += "first"
-    about.read = "book 2.1.8, Eq. 2.6, and errata.md"
+    about.cause = "Two angles have the same sine: t and pi - t. Return both, the smaller one first."
+    about.read = "book 2.1.8, Eq. 2.6"
     angles = exercises.angles_by_vector_product(a, b)
     wanted = (0.25 * math.pi, 0.75 * math.pi)
     mistakes = [
         (
             (0.0, math.pi),
-            "0 and pi come of the book's root of 1 - (a . b)^2, which is the sine for unit vectors "
-            "only (E-15): divide |a x b| by both lengths, or normalise a and b first",
+            "The root of 1 - (a . b)^2 is the sine for unit vectors only. Normalize a and b first, "
+            "or divide |a x b| by both lengths.",
         ),
-        ((0.5 * math.pi, 0.5 * math.pi), "|a x b| is not yet the sine: divide by both lengths"),
-        ((45.0, 135.0), "that is in degrees: radians are wanted, as math.asin gives them"),
-        (wanted[::-1], "the smaller one comes first"),
-        (wanted[0], "one angle only: pi minus that one has the same sine, and a pair is wanted"),
+        ((0.5 * math.pi, 0.5 * math.pi), "|a x b| is not the sine yet. Divide by both lengths."),
+        ((45.0, 135.0), "These angles are in degrees. Return radians, as math.asin does."),
+        (wanted[::-1], "The angles are in the wrong order. Return the smaller one first."),
+        (wanted[0], "This is only one angle. pi minus this angle has the same sine: return both."),
     ]
     blame(angles, mistakes)
     expect_close(angles, wanted)
@@ -143,12 +140,12 @@ def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
     a, b = two_at_an_angle(rng, angle)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angle_by_scalar_product(v, w)"
-    about.cause = "cos t is the product divided by both lengths; the angle is in radians"
+    about.cause = "The cosine is v . w divided by both lengths. Return math.acos of it, in radians."
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(v, w)
-    other = "that is pi minus the angle: the sign of a . b is lost, or turned round"
+    other = "This is pi minus the angle. The sign of a . b was lost or reversed."
     blame(got, [(math.pi - angle, other)])
-    # Rounding is divided by sin t, 0.3 at the least, and drawing the vectors adds its own.
+    # Rounding errors are divided by sin t, at least 0.3, and drawing the vectors adds its own.
     expect_close(got, angle, tolerance=1e-12)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
@@ -161,13 +158,12 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
     a, b = two_at_an_angle(rng, angle)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angles_by_vector_product(v, w)"
-    about.cause = "sin t is |v x w| divided by both lengths, t and pi - t share it, and both are "
-    about.cause += "wanted in radians; the root of 1 - (v . w)^2 is right for unit vectors only "
-    about.cause += "(E-15)"
-    about.read = "book 2.1.8, Eq. 2.6, and errata.md"
+    about.cause = "The sine is |v x w| divided by both lengths. Return t and pi - t, in radians. "
+    about.cause += "The root of 1 - (v . w)^2 is the sine for unit vectors only."
+    about.read = "book 2.1.8, Eq. 2.6"
     got = exercises.angles_by_vector_product(v, w)
     wanted = (min(angle, math.pi - angle), max(angle, math.pi - angle))
-    # Rounding is divided by |cos t|, 0.12 at the least, and drawing the vectors adds its own.
+    # Rounding errors are divided by |cos t|, at least 0.12, and drawing the vectors adds its own.
     expect_close(got, wanted, tolerance=1e-11)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
@@ -175,9 +171,10 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
 
 @pytest.mark.exercise("2.5")
 def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None:
-    # 40 pairs: for many of them rounding leaves a cosine, or a sine, of just more than 1.
-    about.cause = "rounding can leave a cosine or a sine just beyond 1, which math.acos and "
-    about.cause += "math.asin refuse: take what is above 1 for 1, and what is below -1 for -1"
+    # In many of the 40 pairs, rounding leaves a cosine or a sine slightly above 1.
+    about.cause = "Rounding can leave a cosine or a sine slightly above 1 or below -1. math.acos "
+    about.cause += "and math.asin refuse such numbers, so clamp them to the range from -1 to 1 "
+    about.cause += "first."
     about.read = "the hints of exercise 2.5"
     for _ in range(40):
         a, scale = components(rng), rng.uniform(0.1, 9.0)
@@ -185,7 +182,7 @@ def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None
             b = (a[0] * size, a[1] * size, a[2] * size)
             about.call = f"angle_by_scalar_product(Vector3{a}, Vector3{b})"
             got = exercises.angle_by_scalar_product(Vector3(*a), Vector3(*b))
-            # Near 0 and pi acos turns a rounding of 1e-16 into its root, 1e-8.
+            # Near 0 and pi, acos turns a rounding error of 1e-16 into its square root, 1e-8.
             expect_close(got, angle, tolerance=1e-7)
         c = (a[1], -a[0], 0.0)
         about.call = f"angles_by_vector_product(Vector3{a}, Vector3{c})"
@@ -205,7 +202,7 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
     def right_angle() -> object:
         return function(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0))
 
-    about.cause = "a zero vector points nowhere: raise ValueError, do not return some angle"
+    about.cause = "A zero vector has no direction and so no angle. Raise ValueError."
     about.read = f"the docstring of {name}"
     for call, attempt in (
         (f"{name}(Vector3{a}, Vector3(0, 0, 0))", lambda: function(Vector3(*a), zero)),
@@ -220,14 +217,14 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
 def test_nan_has_no_angle() -> None:
     lost, good = Vector3(math.nan, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)
     about.call = "angle_by_scalar_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
-    about.cause = "min and max give their first argument where the other is NaN: clamp with NaN in "
-    about.cause += "mind"
+    about.cause = "A clamp can hide NaN: min(1.0, nan) is 1.0, but min(nan, 1.0) is nan. Put the "
+    about.cause += "number to clamp first."
     about.read = "the docstring of angle_by_scalar_product"
     got = exercises.angle_by_scalar_product(lost, good)
     expect_nan(got)
     about.call = "angles_by_vector_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     about.read = "the docstring of angles_by_vector_product"
     angles = exercises.angles_by_vector_product(lost, good)
-    expect_exactly(len(angles), 2, call=f"len({about.call})", cause="two angles, NaN both")
+    expect_exactly(len(angles), 2, call=f"len({about.call})", cause="Return a pair of two NaNs.")
     for angle in angles:
         expect_nan(angle)

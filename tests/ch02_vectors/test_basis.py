@@ -1,4 +1,4 @@
-"""The orthonormal basis, build task B2.10. Tolerances: rounding of unit vectors, 1e-12."""
+"""The orthonormal basis, build task B2.10. The tolerance for rounding of unit vectors is 1e-12."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ X_AXIS, Y_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 
 @scoped
 def basis_of(
-    a: Components, b: Components, cause: str = "three vectors are wanted"
+    a: Components, b: Components, cause: str = "Return three vectors."
 ) -> list[Components]:
-    """Return the three vectors as plain numbers."""
+    """Return the three vectors of the basis as plain numbers."""
     about(f"make_orthonormal_basis(Vector3{a}, Vector3{b})", cause=cause)
     about.read = "the docstring of make_orthonormal_basis"
     first, second, third = make_orthonormal_basis(Vector3(*a), Vector3(*b))
@@ -43,14 +43,13 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
     for i in range(3):
         for j in range(i, 3):
             name = f"{about.call}; the scalar product of vectors {i + 1} and {j + 1}"
-            about.cause = "they are at right angles: vector 2 is made from the other two, c x a"
+            about.cause = "The three vectors must be perpendicular. Make vector 2 as c x a."
             if i == j:
-                about.cause = f"vector {i + 1} is of unit length; its product with itself is the "
-                about.cause += "square"
+                about.cause = f"Vector {i + 1} must have length 1, but this is its squared length."
             along = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
             mistakes = [
-                (along, "vector 2 is b itself, normalised: make it anew, at right angles to a"),
-                (1.0 - along**2, "a x b is as long as the sine of their angle: normalise it"),
+                (along, "Vector 2 is b, only normalized. Make a vector perpendicular to a: c x a."),
+                (1.0 - along**2, "The length of a x b is the sine of the angle. Normalize it."),
             ]
             got = dot(basis[i], basis[j])
             blame(got, mistakes)
@@ -61,25 +60,25 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
 @pytest.mark.exercise("B2.10")
 def test_the_first_keeps_the_direction_of_a_and_the_second_leans_to_b(rng: Random) -> None:
     about.read = "book 2.1.9"
-    for _ in range(4):  # a wrong second vector leans to some b by chance
+    for _ in range(4):  # by chance, a wrong second vector may lean toward one b
         a, b = components(rng), components(rng)
         about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
-        about.cause = "the first vector is a, normalised: only b may be turned"
+        about.cause = "Vector 1 must be a, normalized. Only b may change its direction."
         first, second, _ = basis_of(a, b)
         length = math.sqrt(dot(a, a))
         wanted = (a[0] / length, a[1] / length, a[2] / length)
         expect_close(first, wanted, then=", vector 1", tolerance=1e-12)
-        about.cause = "vector 2 points away from b: it is c x a, with c = a x b"
+        about.cause = "Vector 2 points away from b. Compute it as c x a, with c = a x b."
         leans = dot(second, b) > 0.0
-        expect_exactly(leans, True, then="; does vector 2 lean to b?")
+        expect_exactly(leans, True, then="; (vector 2) . b > 0")
 
 
 @pytest.mark.exercise("B2.10")
 def test_the_basis_is_right_handed(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
-    about.cause = "vector 3 is vector 1 x vector 2; turned round, the basis is left-handed: c = a "
-    about.cause += "x b, and then b = c x a, each in this order"
+    about.cause = "The basis is left-handed. First compute c = a x b, and then b = c x a. The "
+    about.cause += "order of the factors matters."
     about.read = "book 2.1.9"
     (ax, ay, az), (bx, by, bz), third = basis_of(a, b)
     wanted = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
@@ -91,24 +90,24 @@ def test_the_arguments_stay_as_they_were(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; make_orthonormal_basis(v, w)"
-    about.cause = "three new vectors are wanted: normalize changes a vector, normalized makes a "
-    about.cause += "new one (the book's function does change its arguments)"
+    about.cause = "An argument was changed, as in the book's function. normalize changes a vector "
+    about.cause += "in place. Use normalized, which makes a new one."
     about.read = "the docstring of make_orthonormal_basis"
     first, _, _ = make_orthonormal_basis(v, w)
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
     first.x = 99.0
-    about.call = f"{about.call}; then vector 1 is changed"
+    about.call = f"{about.call}[0].x = 99.0"
     expect_unchanged("v", xyz(v), a)
 
 
 @scoped
 def expect_same_basis(a: Components, b: Components, scale: float) -> None:
-    """Expect the basis of a and b from a made longer by a scale and b made shorter."""
+    """Expect the same basis from a longer a and a shorter b."""
     long = (a[0] * scale, a[1] * scale, a[2] * scale)
     short = (b[0] / scale, b[1] / scale, b[2] / scale)
     about.call = f"make_orthonormal_basis(Vector3{long}, Vector3{short})"
-    about.cause = "normalise b as well, before the vector product"
+    about.cause = "The lengths of a and b must not matter. Normalize both before you multiply them."
     about.read = "the docstring of make_orthonormal_basis"
     wanted, got = basis_of(a, b), basis_of(long, short, about.cause)
     for i in range(3):
@@ -128,11 +127,11 @@ def test_huge_and_tiny_lengths_do_not_matter(rng: Random) -> None:
 
 @scoped
 def expect_refusal(a: Components, b: Components) -> None:
-    """Expect no basis of these two."""
+    """Expect make_orthonormal_basis to refuse these two vectors."""
     about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
     about.read = "the docstring of make_orthonormal_basis"
 
-    def attempt() -> None:  # three vectors of rounding would say nothing
+    def attempt() -> None:  # without a return: three vectors of rounding errors explain nothing
         make_orthonormal_basis(Vector3(*a), Vector3(*b))
 
     expect_error(attempt, ValueError, allowed=lambda: basis_of(X_AXIS, Y_AXIS))
@@ -141,7 +140,7 @@ def expect_refusal(a: Components, b: Components) -> None:
 @pytest.mark.exercise("B2.10")
 @pytest.mark.robust
 def test_vectors_along_one_axis_are_refused() -> None:
-    about.cause = "parallel vectors span no plane, whether they point the same way or not"
+    about.cause = "Parallel vectors span no plane, even if they point in opposite directions."
     for scale in (2.0, -3.0):
         expect_refusal(Y_AXIS, (0.0, scale, 0.0))
 
@@ -149,9 +148,9 @@ def test_vectors_along_one_axis_are_refused() -> None:
 @pytest.mark.exercise("B2.10")
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
-    about.cause = "rounding leaves 1e-16 of the vector product: compare with a small limit, not "
-    about.cause += "with 0"
-    # 40 pairs: for nearly all of them rounding leaves a vector product that is not quite zero.
+    about.cause = "Rounding leaves a vector product of about 1e-16. Compare its length with a "
+    about.cause += "small limit, not with 0."
+    # In nearly all of the 40 pairs, rounding leaves a vector product that is not exactly zero.
     for _ in range(40):
         a, scale = components(rng), rng.choice((-1.0, 1.0)) * rng.uniform(0.1, 9.0)
         expect_refusal(a, (a[0] * scale, a[1] * scale, a[2] * scale))
@@ -160,9 +159,9 @@ def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
 @pytest.mark.exercise("B2.10")
 def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
     x, y, z = components(rng)
-    about.cause = "the angle is small, but its sine is far above 1e-12: these are not parallel"
+    about.cause = "The sine of this angle is far above 1e-12, so the vectors are not parallel."
     about.read = "the docstring of make_orthonormal_basis"
-    # Rounding of 1e-16 is divided by the angle, 1/30 of the change at the least.
+    # Rounding errors of 1e-16 are divided by the angle, which is at least 1/30 of the change.
     for change, tolerance in ((1e-6, 1e-7), (1e-9, 1e-4)):
         b = (x, y * (1.0 + change), z)
         about.call = f"make_orthonormal_basis(Vector3{(x, y, z)}, Vector3{b})"
@@ -174,7 +173,7 @@ def test_nearly_parallel_vectors_still_give_a_basis(rng: Random) -> None:
 @pytest.mark.exercise("B2.10")
 @pytest.mark.robust
 def test_the_zero_vector_is_refused() -> None:
-    about.cause = "zero has no direction, so there is no plane: raise ValueError"
+    about.cause = "A zero vector has no direction, so there is no plane. Raise ValueError."
     expect_refusal((0.0, 0.0, 0.0), Y_AXIS)
     expect_refusal(X_AXIS, (0.0, 0.0, 0.0))
 
@@ -183,6 +182,6 @@ def test_the_zero_vector_is_refused() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_vectors_that_are_not_finite_are_refused(bad: float) -> None:
-    about.cause = "an infinite vector has a length, but no direction that a float can hold"
+    about.cause = "A vector with an infinite component has no direction. Raise ValueError."
     expect_refusal((bad, 0.0, 0.0), Y_AXIS)
     expect_refusal(X_AXIS, (0.0, bad, 0.0))

@@ -1,4 +1,4 @@
-"""Exercises 2.1, 2.4, 2.6 and 2.7; those on angles are in test_angles.py."""
+"""Exercises 2.1, 2.4, 2.6 and 2.7. The exercises on angles are in test_angles.py."""
 
 from __future__ import annotations
 
@@ -30,18 +30,18 @@ ZERO = (0.0, 0.0, 0.0)
 @pytest.mark.exercise("2.1")
 def test_split_the_vector_of_the_book() -> None:
     about.call = "split(Vector3(2, -2, -2))"
-    about.cause = "a pair is wanted: the length, and a new unit vector of the same direction"
+    about.cause = "Return a pair: the length of v, and a new unit vector in the same direction."
     about.read = "book 2.1"
     magnitude, unit = exercises.split(Vector3(2.0, -2.0, -2.0))
     if not is_plain(magnitude):
-        about.cause = "the pair is the other way round: first the length, then the direction"
-    blame(magnitude, [(12.0, "that is the squared length")])
+        about.cause = "The pair is in the wrong order. Return the length first, then the direction."
+    blame(magnitude, [(12.0, "This is the squared length. Return v.magnitude().")])
     third = 1.0 / math.sqrt(3.0)
     expect_close(magnitude, math.sqrt(12.0), then=", the first")
     wanted = (third, -third, -third)
     mistakes = [
-        ((2.0, -2.0, -2.0), "that is v itself: the direction has the length 1"),
-        ((1.0 / 6.0, -1.0 / 6.0, -1.0 / 6.0), "it was divided by the squared length"),
+        ((2.0, -2.0, -2.0), "This is v itself. Return its direction, which has length 1."),
+        ((1.0 / 6.0, -1.0 / 6.0, -1.0 / 6.0), "This was divided by the squared length."),
     ]
     blame(xyz(unit), mistakes)
     expect_close(xyz(unit), wanted, then=", the second")
@@ -52,22 +52,23 @@ def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; split(v)"
-    about.cause = "a pair is wanted: the length, and a new unit vector of the same direction"
+    about.cause = "Return a pair: the length of v, and a new unit vector in the same direction."
     about.read = "book 2.1"
     magnitude, unit = exercises.split(v)
     length = math.sqrt(dot(a, a))
     expect_close(magnitude, length, then=", the first")
     wanted = (a[0] / length, a[1] / length, a[2] / length)
     expect_close(xyz(unit), wanted, then=", the second")
-    about.cause = "v belongs to the caller: normalize changes v itself, normalized makes a new "
-    about.cause += "vector"
+    about.cause = "v was changed: normalize works in place. Use normalized, which makes a new "
+    about.cause += "vector."
     expect_unchanged("v", xyz(v), a, read="the docstring of split")
 
 
 @pytest.mark.exercise("2.1")
 def test_split_the_zero_vector() -> None:
     about.call = "split(Vector3(0, 0, 0))"
-    about.cause = "zero has no direction: nothing may be divided by its length"
+    about.cause = "The length of this vector is 0, so do not divide by it. The direction stays "
+    about.cause += "zero."
     about.read = "the docstring of split"
     magnitude, unit = exercises.split(Vector3(0.0, 0.0, 0.0))
     expect_close(magnitude, 0.0, then=", the first")
@@ -80,11 +81,11 @@ def test_split_the_zero_vector() -> None:
 @pytest.mark.exercise("2.4")
 def test_the_perpendicular_vector_of_the_book() -> None:
     about.call = "make_perpendicular(Vector3(1, 2, 3), 7, -2)"
-    about(cause="solve 1 * 7 + 2 * (-2) + 3 z = 0 for z", read="book 2.1.7")
+    about(cause="Solve 1 * 7 + 2 * (-2) + 3 z = 0 for z.", read="book 2.1.7")
     got = exercises.make_perpendicular(Vector3(1.0, 2.0, 3.0), 7.0, -2.0)
     mistakes = [
-        (1.0, "the sign was lost: 3 z = -(1 * 7 + 2 * (-2))"),
-        (-3.0, "that is 3 z: divide by a.z"),
+        (1.0, "The sign is wrong. Move both terms to the other side: 3 z = -(1 * 7 + 2 * (-2))."),
+        (-3.0, "This is 3 z. Divide by a.z to get z."),
     ]
     blame(got, mistakes)
     expect_close(got, -1.0)
@@ -93,11 +94,13 @@ def test_the_perpendicular_vector_of_the_book() -> None:
 @pytest.mark.exercise("2.4")
 def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
     (ax, ay, az), x, y = components(rng), number(rng), number(rng)
-    about(cause="solve a.x x + a.y y + a.z z = 0 for z, however small a.z is", read="book 2.1.7")
+    about(
+        cause="Solve a.x x + a.y y + a.z z = 0 for z. A small a.z is not zero.", read="book 2.1.7"
+    )
     for z in (az, -az, az * 1e-12, az * -1e-12):
         about.call = f"make_perpendicular(Vector3{(ax, ay, z)}, {x}, {y})"
         got = exercises.make_perpendicular(Vector3(ax, ay, z), x, y)
-        # Rounding of two terms up to 100 that may cancel, divided by z.
+        # The rounding errors of two terms of up to 100, which may cancel, are divided by z.
         tolerance = 1e-12 / abs(z)
         wanted = -(ax * x + ay * y) / z
         expect_close(got, wanted, tolerance=tolerance)
@@ -108,7 +111,7 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
 def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
     x, y, _ = components(rng)
     about.call = f"make_perpendicular(Vector3({x}, {y}, 0), 1, 2)"
-    about.cause = "with a.z = 0 the new component has no effect: say so with a ValueError"
+    about.cause = "If a.z is 0, z has no effect on the scalar product. Raise ValueError."
     about.read = "the docstring of make_perpendicular"
     expect_error(
         lambda: exercises.make_perpendicular(Vector3(x, y, 0.0), 1.0, 2.0),
@@ -117,62 +120,62 @@ def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
     )
 
 
-# 2.6 What is left without the projection
+# 2.6 The rest of a vector after a projection
 
 
 @pytest.mark.exercise("2.6", weight=2)
 def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
-    # Of length 1 to rounding, and never just 1.
+    # Their length is 1 within rounding, but not exactly.
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; remove_projection(v, w)"
-    about.cause = "these are unit vectors, to rounding: compare with the tolerance of 1e-6, not "
-    about.cause += "with =="
+    about.cause = "These are unit vectors within rounding. Compare their lengths to 1 with the "
+    about.cause += "tolerance 1e-6, not with ==."
     about.read = "book 2.1.7"
     c, d, angle = exercises.remove_projection(v, w)
-    about.cause = "three results are wanted: a . b, the vector b - (a . b) a, and a right angle in "
-    about.cause += "radians"
+    about.cause = "Return c = a . b, the vector d = b - c a, and the angle between a and d in "
+    about.cause += "radians."
     along = dot(a, b)
     name = f"{about.call}, the first"
     expect_close(c, along, call=name, tolerance=1e-12)
     wanted = (b[0] - along * a[0], b[1] - along * a[1], b[2] - along * a[2])
     name = f"{about.call}, the second"
     mistakes = [
-        (tuple(along * n for n in a), "that is c a, the projection itself: take it away from b"),
-        (tuple(-n for n in wanted), "that is c a - b: d is b - c a"),
-        (tuple(b[i] + along * a[i] for i in range(3)), "that is b + c a: d is b - c a"),
-        (tuple(a[i] - along * b[i] for i in range(3)), "that is a - c b: d is b - c a"),
+        (tuple(along * n for n in a), "This is c a, the projection itself. Subtract it from b."),
+        (tuple(-n for n in wanted), "This is c a - b. Return d = b - c a."),
+        (tuple(b[i] + along * a[i] for i in range(3)), "This is b + c a. Return d = b - c a."),
+        (tuple(a[i] - along * b[i] for i in range(3)), "This is a - c b. Return d = b - c a."),
     ]
     expect_close(
         xyz(d), wanted, call=name, cause=cause_of(xyz(d), mistakes, about.cause), tolerance=1e-12
     )
-    # By its sine, a right angle is known to the root of a rounding only: of 1e-15, 5e-8.
+    # A sine gives a right angle only to the root of a rounding error: 5e-8 for 1e-15.
     name = f"{about.call}, the third"
     mistakes = [
-        (90.0, "that is in degrees: radians are wanted"),
-        (math.acos(max(-1.0, min(along, 1.0))), "that is the angle between a and b, not a and d"),
+        (90.0, "This is in degrees. Return radians."),
+        (math.acos(max(-1.0, min(along, 1.0))), "This is the angle between a and b, not a and d."),
     ]
-    about.cause = cause_of(angle, mistakes, "the angle between a and d, in radians: a right one")
+    about.cause = cause_of(angle, mistakes, "d is perpendicular to a, so the angle is pi / 2.")
     expect_close(angle, math.pi / 2.0, call=name, tolerance=1e-7)
-    about.cause = "add_scaled, -= and *= change the caller's vector: b - a * c makes a new one"
+    about.cause = "add_scaled, -= and *= change the caller's vector. b - a * c makes a new one."
     expect_unchanged("v", xyz(v), a, read="the docstring of remove_projection")
     expect_unchanged("w", xyz(w), b, read="the docstring of remove_projection")
 
 
 def remove_projection_of_length(length: float) -> object:
-    """Call remove_projection with vectors that are not parallel, one of this length."""
+    """Call remove_projection with vectors that are not parallel, one of them of this length."""
     return exercises.remove_projection(Vector3(0.0, length, 0.0), Vector3(0.6, 0.8, 0.0))
 
 
 @pytest.mark.exercise("2.6")
 @pytest.mark.robust
 def test_what_is_not_a_unit_vector_is_refused() -> None:
-    about.cause = "a length within 1e-6 of 1 is rounding: compare with that tolerance, not with =="
+    about.cause = "A difference of 5e-7 from 1 is within the tolerance of 1e-6. Do not use ==."
     about.read = "the docstring of remove_projection"
     for length in (1.0 - 5e-7, 1.0 + 5e-7):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         remove_projection_of_length(length)
-    about.cause = "c a is the projection for unit vectors only: look at both lengths first"
+    about.cause = "c a is the projection for unit vectors only. Check the lengths of a and b first."
     for length in (0.0, 3.0, 1.0 + 2e-6, 1.0 - 2e-6):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         expect_error(
@@ -192,7 +195,7 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
 @pytest.mark.robust
 def test_nan_is_not_a_unit_vector() -> None:
     about.call = "remove_projection(Vector3(0, nan, 0), Vector3(0.6, 0.8, 0))"
-    about(cause="its length is NaN, which is not 1", read="the docstring of remove_projection")
+    about(cause="Its length is NaN, not 1.", read="the docstring of remove_projection")
     expect_error(
         lambda: remove_projection_of_length(math.nan),
         ValueError,
@@ -204,7 +207,7 @@ def test_nan_is_not_a_unit_vector() -> None:
 @pytest.mark.robust
 def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
     a = direction(rng)
-    about.cause = "d is zero but for rounding, and has no direction to measure: raise ValueError"
+    about.cause = "Only rounding is left in d, so it has no direction. Raise ValueError."
     about.read = "the docstring of remove_projection"
     for b in (a, (-a[0], -a[1], -a[2])):
         about.call = f"remove_projection(Vector3{a}, Vector3{b})"
@@ -213,10 +216,9 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
             ValueError,
             allowed=lambda: remove_projection_of_length(1.0),
         )
-    about.cause = "what is left counts as nothing where d is shorter than 1e-6, not only where it "
-    about.cause += "is 0"
+    about.cause = "If d is shorter than 1e-6, a and b count as parallel. Do not test for exactly 0."
     x = Vector3(1.0, 0.0, 0.0)
-    # Both are 1 long to the last digit, and d is what they have along Y.
+    # Both have length 1 to the last digit, and d is their Y component.
     short, enough = (Vector3(math.sqrt(1.0 - y * y), y, 0.0) for y in (5e-7, 1.5e-6))
     expect_error(
         lambda: exercises.remove_projection(x, short),
@@ -232,12 +234,12 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
 @pytest.mark.exercise("2.7")
 def test_ten_seconds_with_the_velocity_of_the_book() -> None:
     about.call = "position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)"
-    about(cause="p' = p + v t, as a new vector", read="book 2.2, Eq. 2.7")
+    about(cause="Return a new vector p' = p + v t.", read="book 2.2, Eq. 2.7")
     got = exercises.position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     mistakes = [
-        ((4, 4, -2), "the velocity was added once, as if one second had passed: multiply it by t"),
-        ((10, -10, 20), "that is v t, the way alone: add it to p"),
-        ((40, 40, -20), "that is (p + v) t: the position is not multiplied"),
+        ((4, 4, -2), "The velocity was added as if one second had passed. Multiply it by t."),
+        ((10, -10, 20), "This is the displacement v t alone. Add it to p."),
+        ((40, 40, -20), "This is (p + v) t. Multiply only the velocity by t."),
     ]
     blame(xyz(got), mistakes)
     expect_close(xyz(got), (13.0, -5.0, 16.0))
@@ -248,13 +250,13 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
     start, velocity, duration = components(rng), components(rng), rng.uniform(0.1, 20.0)
     p, v = Vector3(*start), Vector3(*velocity)
     about.call = f"p, v = Vector3{start}, Vector3{velocity}; position_after(p, v, {duration})"
-    about(cause="p' = p + v t, as a new vector", read="book 2.2, Eq. 2.7")
+    about(cause="Return a new vector p' = p + v t.", read="book 2.2, Eq. 2.7")
     got = exercises.position_after(p, v, duration)
     wanted = tuple(x + step * duration for x, step in zip(start, velocity, strict=True))
     # Rounding of numbers up to 200.
     expect_close(xyz(got), wanted, tolerance=1e-12)
     about.read = "the docstring of position_after"
-    about.cause = "add_scaled, += and *= change the caller's vector: p + v * t makes a new one"
+    about.cause = "add_scaled, += and *= change the caller's vector. p + v * t makes a new one."
     expect_unchanged("p", xyz(p), start)
     expect_unchanged("v", xyz(v), velocity)
 
@@ -264,7 +266,8 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
 @pytest.mark.parametrize("duration", [0.0, -1.0, math.inf, math.nan])
 def test_a_duration_must_be_positive_and_finite(duration: float) -> None:
     about.call = f"position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), {duration})"
-    about.cause = "refuse it with ValueError: no time passes in it, or time runs back or for ever"
+    about.cause = "A duration must be positive and finite. Pass it to checked_duration before you "
+    about.cause += "use it."
     about.read = "the docstring of position_after"
     expect_error(
         lambda: exercises.position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), duration),

@@ -31,10 +31,10 @@ from expect import (
 def expect_vectors_only(
     rng: Random, expression: str, attempt: Callable[[Any, Any], object]
 ) -> None:
-    """Expect a method, or an operator, to take a vector and to refuse a number."""
+    """Expect a method or an operator to accept a vector and to refuse a number."""
     a, b = components(rng), components(rng)
     about.call = f"v = Vector3{a}; {expression}"
-    about.cause = "ask isinstance(v, Vector3) first, and raise TypeError where it is not"
+    about.cause = "Check isinstance(v, Vector3) first. Raise TypeError if it is false."
     about.read = "the docstring of the method"
     expect_error(
         lambda: attempt(Vector3(*a), 3.0),
@@ -52,25 +52,26 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] + b[0] * scale, a[1] + b[1] * scale, a[2] + b[2] * scale)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.add_scaled(w, {scale})"
-    about(cause="v itself grows by w times the number; w stays as it is", read="book 2.1.4")
+    about(cause="Add scale times w to v itself. w must not change.", read="book 2.1.4")
     v.add_scaled(w, scale)
     mistakes = [
         (a, LOST),
         (
             tuple(a[i] * scale + b[i] for i in range(3)),
-            "v was multiplied, and w was not: the number goes with w",
+            "v was multiplied by the number, but w should be. Add w times the number to v.",
         ),
         (
             tuple((a[i] + b[i]) * scale for i in range(3)),
-            "the sum was multiplied: the number goes with w alone",
+            "The whole sum was multiplied. Multiply only w by the number.",
         ),
-        (tuple(a[i] + b[i] for i in range(3)), "w was added without the number"),
-        (tuple(b[i] * scale for i in range(3)), "that is w times the number alone: v is missing"),
+        (tuple(a[i] + b[i] for i in range(3)), "w was added without the number. Multiply w by it."),
+        (tuple(b[i] * scale for i in range(3)), "This is w times the number. Add it to v."),
     ]
     blame(xyz(v), mistakes)
-    # Rounding of numbers up to 100.
+    # The rounding errors of numbers up to 100.
     expect_close(xyz(v), wanted, tolerance=1e-12)
-    about.cause = "w is the caller's: w *= number would change it, w * number makes a new vector"
+    about.cause = "w was changed, and it belongs to the caller. w *= number changes w in place, "
+    about.cause += "but w * number makes a new vector."
     expect_unchanged("w", xyz(w), b)
 
 
@@ -79,7 +80,7 @@ def test_add_scaled_with_itself(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.add_scaled(v, 2)"
-    about.cause = "the argument is v itself: do not change it before you have read it"
+    about.cause = "v is both vectors here. Read all of the argument before you change self."
     about.read = "the docstring of Vector3.add_scaled"
     v.add_scaled(v, 2.0)
     expect_close(xyz(v), (3.0 * a[0], 3.0 * a[1], 3.0 * a[2]))
@@ -90,7 +91,7 @@ def test_add_scaled_frame_after_frame(rng: Random) -> None:
     start, velocity = components(rng), components(rng)
     wanted = tuple(p + 10.0 * v for p, v in zip(start, velocity, strict=True))
     about.call = f"p, v = Vector3{start}, Vector3{velocity}; 600 times p.add_scaled(v, 1 / 60)"
-    about(cause="600 frames of 1/60 s are 10 s: p' = p + v h in each", read="book 2.2, Eq. 2.7")
+    about(cause="Each call adds v times 1/60 s: p' = p + v h.", read="book 2.2, Eq. 2.7")
     got = walk(start, velocity, 1.0 / 60.0, 600)
     # 600 roundings of numbers up to 100.
     expect_close(got, wanted, tolerance=1e-10)
@@ -111,17 +112,17 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product(w)"
-    about.cause = "a new vector: x times x, y times y, z times z, and nothing added up"
+    about.cause = "Return a new vector of three products: x times x, y times y and z times z."
     about.read = "book 2.1.6"
     got = xyz(v.component_product(w))
-    scalar = "that is the scalar product, one number: here the three products stay apart"
+    scalar = "This is the scalar product, a number. Do not add the three products up."
     mistakes = [
         (dot(a, b), scalar),
-        (tuple(a[i] + b[i] for i in range(3)), "that is v + w: multiply the components"),
+        (tuple(a[i] + b[i] for i in range(3)), "This is v + w. Multiply the components."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted)
-    about.cause = "it makes a new vector; component_product_update is the one that changes v"
+    about.cause = "This method must not change v or w. Only component_product_update changes v."
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
 
@@ -132,7 +133,7 @@ def test_the_component_product_in_place(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product_update(w)"
-    about(cause="the three products are stored in v itself", read="book 2.1.6")
+    about(cause="Store the three products in v itself.", read="book 2.1.6")
     v.component_product_update(w)
     blame(xyz(v), [(a, LOST)])
     expect_close(xyz(v), wanted)
@@ -145,7 +146,7 @@ def test_the_component_product_with_itself(rng: Random) -> None:
     v = Vector3(*a)
     wanted = (a[0] * a[0], a[1] * a[1], a[2] * a[2])
     about.call = f"v = Vector3{a}; v.component_product_update(v)"
-    about.cause = "the argument is v itself: do not change it before you have read it"
+    about.cause = "v is both vectors here. Read each component before you change it."
     about.read = "book 2.1.6"
     v.component_product_update(v)
     expect_close(xyz(v), wanted)
@@ -171,16 +172,17 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
-    about(cause="a number: the three products of components, added up", read="book 2.1.7, Eq. 2.4")
+    about(cause="Multiply matching components and add up the three products.")
+    about.read = "book 2.1.7, Eq. 2.4"
     # The terms may cancel, so rounding is measured by the terms: at most 100 each.
     got = v.dot(w)
     mistakes = [
         (
             wanted / (math.hypot(*a) * math.hypot(*b)),
-            "that is the cosine of the angle: the product is not divided by the lengths",
+            "This is the cosine of the angle. Do not divide by the lengths.",
         ),
-        (a[0] * b[0] + a[1] * b[1], "the product of the z components is missing"),
-        (math.hypot(*a) * math.hypot(*b), "that is |v| |w|, without the cosine of their angle"),
+        (a[0] * b[0] + a[1] * b[1], "The product of the z components is missing."),
+        (math.hypot(*a) * math.hypot(*b), "This is |v| |w|. The cosine of the angle is missing."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
@@ -193,7 +195,7 @@ def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     a, b = components(rng), components(rng)
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v @ w"
-    about(cause="@ is another spelling of dot: return self.dot(v)", read="book 2.1.7, Eq. 2.4")
+    about(cause="v @ w means v.dot(w): return self.dot(v).", read="book 2.1.7, Eq. 2.4")
     got = Vector3(*a) @ Vector3(*b)
     expect_close(got, wanted, tolerance=1e-12)
 
@@ -205,7 +207,8 @@ def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None
     b = (second * math.sin(angle), second * math.cos(angle), 0.0)
     wanted = first * second * math.cos(angle)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
-    about.cause = "these enclose an obtuse angle, so the product is negative; all digits are wanted"
+    about.cause = "The angle between v and w is obtuse, so the product is negative. Do not round "
+    about.cause += "it."
     about.read = "book 2.1.7, Eq. 2.4"
     got = Vector3(*a).dot(Vector3(*b))
     expect_close(got, wanted, tolerance=1e-12)
@@ -215,10 +218,10 @@ def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None
 @pytest.mark.robust
 def test_nan_and_infinity_stay_visible_in_the_scalar_product() -> None:
     w = Vector3(1.0, 1.0, 1.0)
-    about("Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))", cause="a NaN must come out as NaN")
+    about("Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))", cause="A NaN component must give NaN.")
     about.read = "the docstring of Vector3"
     expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))
-    about("Vector3(inf, 1, 1).dot(Vector3(1, 1, 1))", cause="an infinity must come out as one")
+    about("Vector3(inf, 1, 1).dot(Vector3(1, 1, 1))", cause="1 * inf + 1 + 1 is infinity.")
     got = Vector3(math.inf, 1.0, 1.0).dot(w)
     expect_exactly(got, math.inf)
 
@@ -234,7 +237,7 @@ def test_the_scalar_product_refuses_what_is_no_vector(rng: Random) -> None:
 
 
 def vector_product(a: Components, b: Components) -> Components:
-    """Return a x b, by its definition."""
+    """Return a x b, computed from its definition."""
     return (
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -245,7 +248,8 @@ def vector_product(a: Components, b: Components) -> Components:
 @pytest.mark.exercise("B2.9")
 def test_x_cross_y_is_z_and_so_on_round() -> None:
     axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    about(cause="X x Y = Z, Y x Z = X, Z x X = Y in right-handed axes", read="book 2.1.8, Eq. 2.6")
+    about(cause="In right-handed axes X x Y = Z, Y x Z = X and Z x X = Y.")
+    about.read = "book 2.1.8, Eq. 2.6"
     products = []
     for i in range(3):
         a, b = axes[i], axes[(i + 1) % 3]
@@ -255,10 +259,9 @@ def test_x_cross_y_is_z_and_so_on_round() -> None:
     for i, (call, got, wanted) in enumerate(products):
         about.call = call
         if all(turned):
-            about.cause = "all three signs are turned round: that is b x a, and -(a x b)"
+            about.cause = "All three signs are reversed. This is b x a, which is -(a x b)."
         elif turned[i]:
-            about.cause = f"the two terms of {'zxy'[i]} are the wrong way round, which turns its "
-            about.cause += "sign"
+            about.cause = f"The sign of {'zxy'[i]} is reversed. Swap the two terms of {'zxy'[i]}."
         expect_close(got, wanted)
 
 
@@ -267,7 +270,7 @@ def test_the_vector_product_is_a_new_vector(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross(w)"
-    about.cause = "a new vector: x is made of y and z, y of z and x, z of x and y"
+    about.cause = "Return a new vector. Compute x from y and z, y from z and x, and z from x and y."
     about.read = "book 2.1.8, Eq. 2.6"
     wanted = vector_product(a, b)
     # The two terms of a component may cancel, so rounding is measured by the terms.
@@ -283,7 +286,7 @@ def test_the_vector_product_is_the_lengths_times_the_sine(rng: Random) -> None:
     b = (second * math.sin(angle), 0.0, second * math.cos(angle))
     wanted = (0.0, first * second * math.sin(angle), 0.0)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross(w)"
-    about.cause = "y is z of v times x of w minus x of v times z of w: z comes before x"
+    about.cause = "The y component is v.z * w.x - v.x * w.z, with z before x."
     about.read = "book 2.1.8, Eq. 2.6"
     got = Vector3(*a).cross(Vector3(*b))
     expect_close(xyz(got), wanted, tolerance=1e-12)
@@ -294,14 +297,15 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross_update(w)"
-    about(cause="v becomes v x w, as cross gives it", read="the docstring of Vector3.cross_update")
+    about.cause = "v must become v x w, as cross returns it."
+    about.read = "the docstring of Vector3.cross_update"
     v.cross_update(w)
     wanted = vector_product(a, b)
     x = wanted[0]
     y = a[2] * b[0] - x * b[2]
     mistakes = [
         (a, LOST),
-        ((x, y, x * b[1] - y * b[0]), "y was made from the new x: work all three out, then store"),
+        ((x, y, x * b[1] - y * b[0]), "y was computed from the new x. Store all three at the end."),
     ]
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-12)
@@ -313,7 +317,8 @@ def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.cross_update(v)"
-    about.cause = "parallel vectors have the product zero, and v is both of them here"
+    about.cause = "The vector product of a vector with itself is zero. v is both vectors here, so "
+    about.cause += "read all components before you change one."
     about.read = "book 2.1.8"
     v.cross_update(v)
     expect_close(xyz(v), (0.0, 0.0, 0.0), tolerance=1e-12)

@@ -1,4 +1,4 @@
-"""Exercise B2.11: check an argument before it is used, and refuse what makes no sense."""
+"""Exercise B2.11: check an argument before you use it, and refuse what makes no sense."""
 
 from __future__ import annotations
 
@@ -33,28 +33,26 @@ def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
     about.read = READ
     for duration in (round(rng.uniform(0.1, 5.0), 3), 1e-300, 1e300, rng.randint(1, 9)):
         about.call = f"checked_duration({duration!r})"
-        about.cause = "Every positive, finite number is a good duration. Return it as "
-        about.cause += "float(duration)."
+        about.cause = "Every positive, finite number is a valid duration. Return float(duration)."
         got = exercises.checked_duration(duration)
         expect_close(got, float(duration), tolerance=0.0)
-        about.cause = "An int must come back as a float: return float(duration)."
+        about.cause = "A whole number must come back as a float. Return float(duration)."
         expect_exactly(got, float(duration))
 
 
 @pytest.mark.exercise("B2.11")
 def test_zero_and_negative_durations_are_refused(rng: Random) -> None:
     for value in (0.0, -round(rng.uniform(0.1, 5.0), 3), -1e-300, 0):
-        about.cause = "No time passes in such a step, or time runs backwards. Raise ValueError "
-        about.cause += "where the duration is not above 0."
+        about.cause = "A step needs time to pass. Raise ValueError unless the duration is above 0."
         expect_refusal(value, ValueError, about.cause)
 
 
 @pytest.mark.exercise("B2.11")
 def test_infinite_durations_and_nan_are_refused() -> None:
-    infinite = "An infinite step moves everything to infinity. Raise ValueError for it too."
+    infinite = "An infinite step would move everything to infinity. Raise ValueError."
     nan = (
-        "NaN compares false with everything, so a test such as duration <= 0 does not catch it. "
-        "Test for what you want, 0.0 < duration < math.inf, and refuse the rest."
+        "Every comparison with NaN is False, so a test such as duration <= 0 does not catch it. "
+        "Test for what you want, 0.0 < duration < math.inf, and refuse everything else."
     )
     expect_refusal(math.inf, ValueError, infinite)
     expect_refusal(-math.inf, ValueError, infinite)
@@ -64,16 +62,15 @@ def test_infinite_durations_and_nan_are_refused() -> None:
 @pytest.mark.exercise("B2.11")
 @pytest.mark.parametrize("value", ["0.5", None, [0.5]], ids=["text", "none", "list"])
 def test_what_is_not_a_number_is_refused(value: Any) -> None:
-    about.cause = "This is another type of value, not a bad number, so the error is a TypeError. "
-    about.cause += "Check isinstance(duration, (int, float)) first; float() alone would accept a "
-    about.cause += "text."
+    about.cause = "This value is not a number at all, so raise TypeError. Check "
+    about.cause += "isinstance(duration, (int, float)) first, because float() also accepts a text."
     expect_refusal(value, TypeError, about.cause)
 
 
 @pytest.mark.exercise("B2.11")
 @pytest.mark.parametrize("value", [-1.5, "soon"], ids=["number", "text"])
 def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
-    about("checked_duration(0.5)", cause="Every positive, finite number is a good duration.")
+    about("checked_duration(0.5)", cause="Every positive, finite number is a valid duration.")
     about.read = READ
     exercises.checked_duration(0.5)
     message = "no error"
@@ -81,10 +78,10 @@ def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
         exercises.checked_duration(value)
     except (ValueError, TypeError) as error:
         message = str(error)
-    about.call = f"the message of the error of checked_duration({value!r})"
+    about.call = f"the error message of checked_duration({value!r})"
     about.cause = (
-        "The message must say which argument is wrong and what came. Put the name "
-        'and the value into it: f"duration must be positive and finite, got {duration!r}"'
+        "The message must name the argument and show the value that came: "
+        'f"duration must be positive and finite, got {duration!r}".'
     )
     wanted = ("duration", str(value))
     got = tuple(word for word in wanted if word in message)

@@ -30,9 +30,9 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] + b[0], a[1] + b[1], a[2] + b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v + w"
-    about(cause="a new vector: x with x, y with y, z with z", read="book 2.1.4")
+    about(cause="Return a new vector of three sums: x + x, y + y and z + z.", read="book 2.1.4")
     expect_close(xyz(v + w), wanted)
-    about.cause = "v + w makes a new vector and only reads both; v += w is the one that changes v"
+    about.cause = "v + w must make a new vector and leave v and w alone. Only v += w changes v."
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
 
@@ -43,16 +43,16 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] - b[0], a[1] - b[1], a[2] - b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v - w"
-    about.cause = "a new vector: the first minus the second, component by component"
+    about.cause = "Return a new vector of three differences: v.x - w.x, and so on."
     about.read = "book 2.1.4"
     got = xyz(v - w)
     mistakes = [
-        (tuple(-n for n in wanted), "that is w - v: the other way round"),
-        ((a[0] + b[0], a[1] + b[1], a[2] + b[2]), "that is v + w"),
+        (tuple(-n for n in wanted), "This is w - v. Swap the operands."),
+        ((a[0] + b[0], a[1] + b[1], a[2] + b[2]), "This is v + w. Subtract the components."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-14)
-    about.cause = "v - w makes a new vector and only reads both; v -= w is the one that changes v"
+    about.cause = "v - w must make a new vector and leave v and w alone. Only v -= w changes v."
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
 
@@ -68,18 +68,19 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     wanted = (a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2])
     made, step = f"v, other = Vector3{a}, Vector3{b}", f"v {operator} other"
     about.call = f"{made}; {step}"
-    about.cause = "self changes, component by component; what the method returns becomes v: return "
-    about.cause += "self"
+    about.cause = "Change the components of self, and end with return self. Python assigns what "
+    about.cause += "the method returns to v."
     about.read = "book 2.1.4"
     if operator == "+=":
         v += w
     else:
         v -= w
     opposite = (a[0] - sign * b[0], a[1] - sign * b[1], a[2] - sign * b[2])
-    mistakes = [(opposite, f"that is v {'-' if sign > 0.0 else '+'} other")]
+    wrong_sign = "-" if sign > 0.0 else "+"
+    mistakes = [(opposite, f"This is v {wrong_sign} other. The sign is wrong.")]
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-14)
-    about.cause = "the other vector is only read: it is self that changes"
+    about.cause = "Only self may change. The other vector was changed as well."
     expect_unchanged("other", xyz(w), b)
     expect_same_object(made, step, v, before)
 
@@ -88,7 +89,7 @@ def test_plus_and_minus_equals_change_the_vector_itself(
 def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v, w = Vector3(*a), Vector3(*a)
-    about.cause = "the argument is v itself: do not change it before you have read it"
+    about.cause = "v is both vectors here. Read each component before you change it."
     about(f"v = Vector3{a}; v -= v", read="book 2.1.4")
     v -= v
     expect_close(xyz(v), ZERO)
@@ -102,7 +103,8 @@ def test_a_vector_minus_itself_in_place(rng: Random) -> None:
 def test_a_vector_plus_a_number_is_refused(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    about.cause = "return NotImplemented where the other is no Vector3, and Python raises TypeError"
+    about.cause = "Return NotImplemented if the other operand is not a Vector3. Python then raises "
+    about.cause += "the TypeError."
     about.read = "the docstring of Vector3.__add__"
     for call, attempt, allowed in (
         (f"Vector3{a} + 1.0", lambda: v + 1.0, lambda: v + v),

@@ -27,7 +27,7 @@ ZERO = (0.0, 0.0, 0.0)
 
 
 def whole_length(rng: Random) -> tuple[Components, float]:
-    """Draw whole components, none of them 0, whose length is whole too, as Lebesgue's formula."""
+    """Draw whole components, none of them 0, with a whole length by Lebesgue's formula."""
     x = z = 0
     while not x or not z:
         m, n, p, q = (rng.randint(1, 6) for _ in range(4))
@@ -47,13 +47,14 @@ def test_a_copy_has_the_components_and_a_life_of_its_own(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.copy()"
-    about.cause = "a new Vector3 is wanted, made of the same x, y and z: three numbers"
+    about.cause = "Return a new Vector3 with the same x, y and z."
     about.read = "the docstring of Vector3.copy"
     copied = v.copy()
     expect_close(xyz(copied), a)
     copied.x = 99.0
     about.call = f"v = Vector3{a}; w = v.copy(); w.x = 99"
-    about.cause = "v and w are one and the same vector: copy makes a new Vector3, which self is not"
+    about.cause = "copy() returned the vector itself. Return a new Vector3 with the same "
+    about.cause += "components."
     expect_unchanged("v", xyz(v), a)
 
 
@@ -61,10 +62,10 @@ def test_a_copy_has_the_components_and_a_life_of_its_own(rng: Random) -> None:
 def test_clear_leaves_zero(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    about(f"v = Vector3{a}; v.clear()", cause="all three components of v itself become zero")
+    about(f"v = Vector3{a}; v.clear()", cause="Set all three components of self to zero.")
     about.read = "the docstring of Vector3.clear"
     v.clear()
-    blame(xyz(v), [(a, f"{LOST}; self = Vector3() does not reach v")])
+    blame(xyz(v), [(a, f"{LOST} self = Vector3() does not change v.")])
     expect_close(xyz(v), ZERO)
 
 
@@ -73,10 +74,10 @@ def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.invert()"
-    about.cause = "in v itself each component changes its sign: x from x, y from y, z from z"
+    about.cause = "Change the sign of every component of self: self.x = -self.x, and so on."
     about.read = "book 2.1, and errata.md"
     v.invert()
-    printed = "the book's listing is wrong here: it sets x from z and leaves z as it is (E-14)"
+    printed = "This is the book's listing, which sets x from z and never changes z (E-14)."
     blame(xyz(v), [(a, LOST), ((-a[2], -a[1], a[2]), printed)])
     expect_close(xyz(v), scaled(a, -1.0))
 
@@ -85,10 +86,10 @@ def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
 def test_minus_v_is_a_new_vector_turned_round(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    about(f"v = Vector3{a}; -v", cause="a new vector with all three signs changed")
+    about(f"v = Vector3{a}; -v", cause="Return a new vector with all three signs reversed.")
     about.read = "the docstring of Vector3.__neg__"
     expect_close(xyz(-v), scaled(a, -1.0))
-    about.cause = "-v makes a new vector and only reads v; invert is the one that changes v"
+    about.cause = "-v must return a new vector and leave v alone. Only invert changes v itself."
     expect_unchanged("v", xyz(v), a)
 
 
@@ -98,13 +99,13 @@ def test_minus_v_is_a_new_vector_turned_round(rng: Random) -> None:
 @pytest.mark.exercise("B2.2")
 def test_magnitude_is_the_length(rng: Random) -> None:
     a, length = whole_length(rng)
-    about(f"Vector3{a}.magnitude()", cause="the root of the sum of the three squared components")
+    about(f"Vector3{a}.magnitude()", cause="The magnitude is sqrt(x^2 + y^2 + z^2).")
     about.read = "book 2.1"
     got = Vector3(*a).magnitude()
     mistakes = [
-        (length**2, "that is the squared length: its root is missing"),
-        (math.hypot(a[0], a[1]), "that is the length without z: three terms are under the root"),
-        (sum(a), "the components themselves were added up: square each of them first"),
+        (length**2, "This is the squared length. Take its square root."),
+        (math.hypot(a[0], a[1]), "This is the length without z. Add the square of z, too."),
+        (sum(a), "This is the sum of the components. Square each of them first."),
     ]
     blame(got, mistakes)
     expect_close(got, length)
@@ -113,12 +114,12 @@ def test_magnitude_is_the_length(rng: Random) -> None:
 @pytest.mark.exercise("B2.2")
 def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
     a, length = whole_length(rng)
-    about(f"Vector3{a}.squared_magnitude()", cause="the sum of the three squares, without the root")
+    about(f"Vector3{a}.squared_magnitude()", cause="The squared magnitude is x^2 + y^2 + z^2.")
     about.read = "book 2.1"
     got = Vector3(*a).squared_magnitude()
     mistakes = [
-        (length, "that is the length itself: the squares are added up, and no root is taken"),
-        (a[0] ** 2 + a[1] ** 2, "that is the sum without z: there are three squares"),
+        (length, "This is the length itself. Leave out the square root."),
+        (a[0] ** 2 + a[1] ** 2, "This is x^2 + y^2. The square of z is missing."),
     ]
     blame(got, mistakes)
     expect_close(got, length**2)
@@ -128,8 +129,8 @@ def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
 @pytest.mark.robust
 def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
     a, length = whole_length(rng)
-    about.cause = "the square of 1e200 is above the largest float, that of 1e-200 below the "
-    about.cause += "smallest; math.hypot finds the length without them"
+    about.cause = "The square of 1e200 is too large for a float, and the square of 1e-200 is too "
+    about.cause += "small. math.hypot computes the length without overflow."
     about.read = "the docstring of Vector3.magnitude"
     for scale in (HUGE, TINY):
         b = scaled(a, scale)
@@ -139,7 +140,7 @@ def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
 
 @pytest.mark.exercise("B2.2")
 def test_the_zero_vector_has_the_length_zero() -> None:
-    about("Vector3(0, 0, 0).magnitude()", cause="zero is a vector like any other, of length zero")
+    about("Vector3(0, 0, 0).magnitude()", cause="The zero vector has length zero.")
     about.read = "book 2.1"
     expect_close(Vector3(0.0, 0.0, 0.0).magnitude(), 0.0)
 
@@ -150,8 +151,7 @@ def test_nan_stays_visible_in_a_length() -> None:
     about.read = "the docstrings of Vector3 and Vector3.magnitude"
     lost = Vector3(1.0, math.nan, 2.0)
     about.call = "Vector3(1, nan, 2).magnitude()"
-    about.cause = "NaN, not a number, must stay visible: no max or min, and no test that it slips "
-    about.cause += "through"
+    about.cause = "The length of a vector with a NaN is NaN. max, min and comparisons can hide it."
     expect_nan(lost.magnitude())
     about.call = "Vector3(1, nan, 2).squared_magnitude()"
     expect_nan(lost.squared_magnitude())
@@ -164,13 +164,13 @@ def test_nan_stays_visible_in_a_length() -> None:
 def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = Vector3(*a)
-    about.cause = "a new vector, each component multiplied once, by any number: 2 as well as 2.0"
+    about.cause = "Return a new vector with each component multiplied by the number, int or float."
     about.read = "book 2.1.3"
     for factor in (scale, 2):
         wanted = scaled(a, factor)
         about.call = f"v = Vector3{a}; v * {factor}"
         expect_close(xyz(v * factor), wanted)
-        reads = f"v * {factor} makes a new vector and only reads v; *= is the one that changes v"
+        reads = f"v * {factor} must return a new vector and leave v alone. Only v *= changes v."
         expect_unchanged("v", xyz(v), a, cause=reads)
         about.call = f"v = Vector3{a}; {factor} * v"
         expect_close(xyz(factor * v), wanted)
@@ -182,8 +182,8 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     v = before = Vector3(*a)
     made, step = f"v = Vector3{a}", f"v *= {scale}"
     about.call = f"{made}; {step}"
-    about.cause = "each component is multiplied in self; what the method returns becomes v: return "
-    about.cause += "self"
+    about.cause = "Multiply each component of self, and end with return self. Python assigns what "
+    about.cause += "the method returns to v."
     about.read = "book 2.1.3, and the docstring of Vector3.__imul__"
     v *= scale
     expect_close(xyz(v), scaled(a, scale))
@@ -197,19 +197,19 @@ def test_division_by_a_number(rng: Random) -> None:
     w = before = Vector3(*a)
     wanted = (a[0] / divisor, a[1] / divisor, a[2] / divisor)
     mistakes = [
-        (tuple(n // divisor for n in a), "// rounds down to a whole number: a division is /"),
-        (scaled(a, divisor), "that is v times the number"),
+        (tuple(n // divisor for n in a), "// rounds down to a whole number. Divide with /."),
+        (scaled(a, divisor), "This is v times the number. Divide by it."),
     ]
     made, step = f"v = Vector3{a}", f"v /= {divisor}"
-    about(f"{made}; v / {divisor}", cause="a new vector, each component divided once")
+    about(f"{made}; v / {divisor}", cause="Return a new vector with each component divided once.")
     about.read = "the docstring of Vector3.__truediv__"
     got = xyz(v / divisor)
     expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
-    reads = f"v / {divisor} makes a new vector and only reads v; /= is the one that changes v"
+    reads = f"v / {divisor} must return a new vector and leave v alone. Only v /= changes v."
     expect_unchanged("v", xyz(v), a, cause=reads)
     about.call = f"{made}; {step}"
-    about.cause = "each component is divided in self; what the method returns becomes v: return "
-    about.cause += "self"
+    about.cause = "Divide each component of self, and end with return self. Python assigns what "
+    about.cause += "the method returns to v."
     about.read = "the docstring of Vector3.__itruediv__"
     w /= divisor
     got = xyz(w)
@@ -228,7 +228,7 @@ def divide_in_place(a: Components, divisor: object) -> object:
 def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    about.cause = "no vector is right here: let Python's own ZeroDivisionError through"
+    about.cause = "Dividing by zero has no result. Do not catch Python's ZeroDivisionError."
     about.read = "the docstring of Vector3.__truediv__"
     for call, attempt, allowed in (
         (f"v = Vector3{a}; v / 0.0", lambda: v / 0.0, lambda: v / 2.0),
@@ -253,8 +253,8 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
         changed *= factor
         return changed
 
-    asked = "ask isinstance(..., Vector3) first, and raise TypeError"
-    product = f"it could be dot, cross or component_product, so * takes numbers only: {asked}"
+    asked = "Check isinstance(..., Vector3) first, and raise TypeError."
+    product = f"v * w could mean three different products, so * takes only numbers. {asked}"
     about.read = "the docstring of Vector3.__mul__"
     for call, attempt, allowed, cause in (
         (f"Vector3{a} * Vector3{b}", lambda: v * w, lambda: v * 2.0, product),
@@ -268,14 +268,14 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
             f"Vector3{a} / Vector3{b}",
             lambda: v / w,
             lambda: v / 2.0,
-            f"nothing is divided by a vector: {asked}",
+            f"A vector cannot be divided by a vector. {asked}",
         ),
     ):
         about(call, cause=cause)
         expect_error(attempt, TypeError, allowed=allowed)
 
 
-# B2.4 Normalise
+# B2.4 Normalize
 
 
 @pytest.mark.exercise("B2.4")
@@ -283,17 +283,17 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
     a, length = whole_length(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.normalize()"
-    about.cause = "v itself changes: each of the three components is divided by the length"
+    about.cause = "Divide each of the three components of self by the length."
     about.read = "book 2.1.3"
     v.normalize()
     x = a[0] / length
     y = a[1] / math.hypot(x, a[1], a[2])
     mistakes = [
         (a, LOST),
-        (scaled(a, length**-2), "divided by the squared length: take magnitude()"),
+        (scaled(a, length**-2), "This was divided by the squared length. Use magnitude()."),
         (
             (x, y, a[2] / math.hypot(x, y, a[2])),
-            "the length was worked out again after x had changed: keep it in a name first",
+            "The length was computed again after x had changed. Store it in a name first.",
         ),
     ]
     blame(xyz(v), mistakes)
@@ -305,20 +305,18 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     a, length = whole_length(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.normalized()"
-    about.cause = "a new vector, each component divided by the length"
+    about.cause = "Return a new vector with each component divided by the length."
     about.read = "the docstring of Vector3.normalized"
     got = xyz(v.normalized())
-    mistakes = [(scaled(a, length**-2), "divided by the squared length: take magnitude()")]
+    mistakes = [(scaled(a, length**-2), "This was divided by the squared length. Use magnitude().")]
     blame(got, mistakes)
     expect_close(got, scaled(a, 1.0 / length))
-    about.cause = "normalized makes a new vector and only reads v; normalize is the one that "
-    about.cause += "changes v"
+    about.cause = "normalized must return a new vector and leave v alone. Only normalize changes v."
     expect_unchanged("v", xyz(v), a)
     first = v.normalized()
     Vector3(0.0, -1.0, 0.0).normalized()
     about.call = f"u = Vector3{a}.normalized(); Vector3(0, -1, 0).normalized(); u"
-    about.cause = "Every call must make a vector of its own: this one changed when the next was "
-    about.cause += "made."
+    about.cause = "The second call changed the first result. Make a new vector in every call."
     expect_close(xyz(first), scaled(a, 1.0 / length))
 
 
@@ -326,8 +324,7 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
 def test_the_zero_vector_stays_zero() -> None:
     v = Vector3(0.0, 0.0, 0.0)
     about.call = "v = Vector3(0, 0, 0); v.normalized()"
-    about.cause = "zero has no direction and stays zero: ask for the length 0.0 before you divide "
-    about.cause += "by it"
+    about.cause = "Zero has no direction and stays zero. Test for length 0.0 before you divide."
     about.read = "book 2.1.3"
     expect_close(xyz(v.normalized()), ZERO)
     about.call = "v = Vector3(0, 0, 0); v.normalize()"
@@ -344,13 +341,13 @@ def test_normalize_huge_and_tiny_vectors(rng: Random) -> None:
         b = scaled(a, scale)
         v = Vector3(*b)
         about.call = f"v = Vector3{b}; v.normalize()"
-        about.cause = "a square, or one divided by the length, left the range of a float: see "
-        about.cause += "magnitude"
+        about.cause = "A square is outside the range of a float. Compute the length with "
+        about.cause += "magnitude()."
         v.normalize()
-        taken = "v is as it was, taken for zero: short is not zero, only magnitude() == 0.0 is"
+        taken = "v did not change. A short vector is not zero: only test for magnitude() == 0.0."
         mistakes = [
             (b, taken),
-            (ZERO, "the length came out as infinity, since its square did: take magnitude()"),
+            (ZERO, "The squared length overflowed to infinity. Use magnitude() instead."),
         ]
         blame(xyz(v), mistakes)
         expect_close(xyz(v), scaled(a, 1.0 / length))

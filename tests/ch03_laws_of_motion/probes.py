@@ -1,7 +1,4 @@
-"""What must run beside the student's code: loops of steps.
-
-Each function takes and returns plain numbers.
-"""
+"""Loops of steps, which must run beside the student's code. They take and return plain numbers."""
 
 from __future__ import annotations
 
@@ -14,7 +11,7 @@ Components = tuple[float, float, float]
 
 
 def velocity_after(velocity: Components, damping: float, frames: Sequence[float]) -> Components:
-    """Integrate a particle without acceleration over these frames and return its velocity."""
+    """Integrate a particle without acceleration over these durations; return its velocity."""
     particle = Particle(velocity=Vector3(*velocity), damping=damping)
     for duration in frames:
         particle.integrate(duration)
@@ -32,7 +29,7 @@ def position_after_fall(gravity: float, duration: float, steps: int) -> Componen
 def kicks_of_a_step(
     position: Components, velocity: Components, duration: float
 ) -> list[tuple[float, Components]]:
-    """Integrate a particle with a kick of its own; return the duration and position of each."""
+    """Integrate a particle that overrides kick; return duration and position at each call."""
     kicks: list[tuple[float, Components]] = []
 
     class Kicked(Particle):

@@ -25,12 +25,12 @@ from expect import (
 
 
 def draw_damping(rng: Random) -> float:
-    """Draw a damping that takes enough for each mistake to show."""
+    """Draw a damping that is far enough from 1 for each mistake to show."""
     return round(rng.uniform(0.3, 0.9), 3)
 
 
 def combined(v: Components, a: Components, kept: float, gained: float) -> Components:
-    """Return v kept + a gained, which every form of damping is."""
+    """Return v kept + a gained, the general form of both damping equations."""
     return v[0] * kept + a[0] * gained, v[1] * kept + a[1] * gained, v[2] * kept + a[2] * gained
 
 
@@ -43,15 +43,18 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
     about.read = "book 3.3, Eq. 3.5"
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
-        about.cause = "v' = v d + a h: d, however long the frame; the acceleration is not damped"
+        about.cause = "v' = v d + a h: multiply the velocity by d in every step, then add a h."
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
-        undamped = "nothing was damped: v d + a h"
+        undamped = "The velocity was not damped. Multiply it by d."
         if d == 0.0:
-            undamped = "a damping of 0 keeps nothing; 0 counts as false where it is asked for"
+            undamped = "Damping 0 keeps none of the velocity. Python treats 0 as false in an if."
         mistakes = [
-            (combined(v, a, d**h, h), "that is Eq. 3.6, d^h: Eq. 3.5 takes d in every frame"),
-            (combined(v, a, d, 1.0), "the acceleration was added whole: it is per second, a h"),
-            (combined(v, a, d, d * h), "the acceleration was damped too: v d + a h"),
+            (combined(v, a, d**h, h), "This is Eq. 3.6 with d^h. Eq. 3.5 uses d in every step."),
+            (
+                combined(v, a, d, 1.0),
+                "The acceleration is per second. Multiply it by the duration.",
+            ),
+            (combined(v, a, d, d * h), "The acceleration was damped too. Damp only the velocity."),
             (combined(v, a, 1.0, h), undamped),
         ]
         blame(xyz(got), mistakes)
@@ -65,11 +68,11 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
     about.read = "book 3.3, Eq. 3.6"
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
-        about.cause = "without an acceleration v' = v d^h: a frame of h seconds keeps d^h"
+        about.cause = "Without acceleration v' = v d^h, where h is the duration of the step."
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
         mistakes = [
-            (combined(v, v, d, 0.0), "that is Eq. 3.5, d in every frame: Eq. 3.6 takes d^h"),
-            (combined(v, v, d * h, 0.0), "d was multiplied by h: d^h is damping**duration"),
+            (combined(v, v, d, 0.0), "This is Eq. 3.5, which uses d in every step. Use d^h."),
+            (combined(v, v, d * h, 0.0), "This multiplies d by h. Use damping**duration."),
         ]
         blame(xyz(got), mistakes)
         wanted = combined(v, v, d**h, 0.0)
@@ -82,11 +85,11 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
     about.read = "book 3.3, Eq. 3.6, and errata.md"
     for d in (draw_damping(rng), 0.0, 1.5):
         about.call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
-        about.cause = "v' = v d^h + a h: that is Eq. 3.6, in which the acceleration is not damped"
+        about.cause = "This is Eq. 3.6, v' = v d^h + a h: do not damp what the acceleration adds."
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
-            "that is (v + a h) d^h, the form of the book's listing, which contradicts its Eq. 3.6 "
-            "(E-16): this function is the equation, v d^h + a h, and integrate the listing"
+            "This is (v + a h) d^h, the form of the book's listing, which contradicts Eq. 3.6 "
+            "(E-16). Use Eq. 3.6 here, v d^h + a h. Particle.kick uses the form of the listing."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
@@ -98,7 +101,7 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
 @pytest.mark.exercise("B3.3")
 def test_both_equations_give_a_new_vector(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    about.cause = "a new vector is wanted: v *= d would change the caller's velocity"
+    about.cause = "Return a new vector. v *= d would change the caller's velocity."
     about.read = "the head of damping.py"
     for name in ("damp_per_frame", "damp_per_second"):
         about.call = f"v, a = Vector3{first}, Vector3{second}; {name}(v, a, 0.5, 2.0)"
@@ -115,7 +118,7 @@ def test_both_equations_give_a_new_vector(rng: Random) -> None:
 def expect_refusal(
     name: str, damping: Any, duration: Any, error: type[Exception], *, good: tuple[float, float]
 ) -> None:
-    """Expect an equation to refuse a damping or a duration, and to take two that are good."""
+    """Expect an equation to refuse a damping or a duration, and to accept two valid ones."""
     about.call = f"{name}(Vector3(1, 2, 3), Vector3(), {damping!r}, {duration!r})"
     function = getattr(forms, name)
     expect_error(
@@ -130,8 +133,7 @@ def expect_refusal(
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
-    about.cause = "no time passes in it, or time runs back or for ever: positive of arguments.py "
-    about.cause += "refuses it"
+    about.cause = "A duration must be positive and finite. Pass it to positive from arguments.py."
     about.read = f"the docstring of {name}"
     expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0))
 
@@ -140,7 +142,7 @@ def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 def test_both_equations_refuse_text(name: str) -> None:
-    about.cause = "the functions of arguments.py raise the TypeError for you"
+    about.cause = "not_negative and positive from arguments.py raise the TypeError for you."
     about.read = "the head of damping.py"
     for numbers in (("0.5", 0.5), (0.5, "0.5")):
         expect_refusal(name, *numbers, TypeError, good=(0.5, 0.5))
@@ -151,12 +153,12 @@ def test_both_equations_refuse_text(name: str) -> None:
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
-    about.cause = "not_negative of arguments.py refuses it in one line"
+    about.cause = "A damping must be finite and not negative: use not_negative from arguments.py."
     about.read = f"the docstring of {name}"
     expect_refusal(name, bad, 0.5, ValueError, good=(0.0, 0.5))
 
 
-# 3.5b How far apart the two equations end
+# 3.5b How far apart the two damping equations end
 
 
 @pytest.mark.exercise("3.5b")
@@ -164,13 +166,14 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
     damping, frames = draw_damping(rng), rng.choice((20, 40, 80))
     h = 1.0 / frames
     about.call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, [[{h}] * {frames}])"
-    about.cause = "in every frame both velocities take one step of their own equation"
+    about.cause = "In every step each of the two velocities is updated by its own equation."
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(), Vector3(0.0, -10.0, 0.0), damping, [[h] * frames])
     # From rest both velocities are sums of powers: a h (1 - q^n) / (1 - q), with q = d and d^h.
-    # Rounding of numbers up to 10 in 80 steps.
+    # The rounding errors of numbers up to 10 in 80 steps.
     by_frame = 10.0 * h * (1.0 - damping**frames) / (1.0 - damping)
     by_second = 10.0 * h * (1.0 - damping) / (1.0 - damping**h)
+    blame(got, [(0.0, "The velocities ended equal. Are both the same vector? Make two copies.")])
     expect_close(got, abs(by_second - by_frame), tolerance=1e-12)
 
 
@@ -179,7 +182,7 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     v, a, damping = components(rng), components(rng), draw_damping(rng)
     runs = [[round(rng.uniform(0.05, 0.3), 3) for _ in range(n)] for n in (2, 3, 5)]
     about.call = f"damping_difference(Vector3{v}, Vector3{a}, {damping}, {runs})"
-    about.cause = "every run starts with the velocity that is given; the mean is over the runs"
+    about.cause = "Start every run from the given velocity, and take the mean over the runs."
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
     distances, speeds = [], []
@@ -196,12 +199,12 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
         speeds.append(abs(math.hypot(*by_frames) - math.hypot(*by_seconds)))
     wanted = math.fsum(distances) / len(distances)
     mistakes = [
-        (wanted * len(runs), "that is the sum over the runs: divide it by their number"),
+        (wanted * len(runs), "This is the sum over the runs. Divide it by their number."),
         (
             math.fsum(speeds) / len(speeds),
-            "that is the difference of the speeds: take the length of the difference of velocities",
+            "This is the difference of the speeds. Subtract the velocities, then take the length.",
         ),
-        (distances[-1], "that is the last run alone: the mean is over all of them"),
+        (distances[-1], "This is the difference of the last run. Take the mean over all runs."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
@@ -213,7 +216,7 @@ def test_the_difference_leaves_its_vectors_alone(rng: Random) -> None:
     v, a = Vector3(*first), Vector3(*second)
     about.call = f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, 1.0, [[0.5, "
     about.call += "0.5]])"
-    about.cause = "with a damping of 1 both equations are v + a h, and end alike"
+    about.cause = "With damping 1 both equations are v + a h, so their results are equal."
     about.read = "the docstring of damping_difference"
     got = exercises.damping_difference(v, a, 1.0, [[0.5, 0.5]])
     expect_close(got, 0.0, tolerance=1e-13)
@@ -226,7 +229,7 @@ Runs = list[list[float]]
 
 @scoped
 def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]) -> None:
-    """Expect damping_difference to refuse a damping or its runs, and to take two that are good."""
+    """Expect damping_difference to refuse a damping or its runs, and to accept two valid ones."""
     about.call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, {runs})"
     about.read = "the docstring of damping_difference"
     gravity = Vector3(0.0, -10.0, 0.0)
@@ -240,7 +243,7 @@ def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]
 @pytest.mark.exercise("3.5b")
 @pytest.mark.robust
 def test_no_run_has_no_mean() -> None:
-    about.cause = "a mean over nothing is a division by zero: say so with a ValueError"
+    about.cause = "Without runs there is no mean. Raise ValueError instead of dividing by zero."
     expect_no_difference(0.9, [], good=(0.9, [[0.5]]))
 
 
@@ -248,7 +251,7 @@ def test_no_run_has_no_mean() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
-    about.cause = "the two equations refuse it, if you use them"
+    about.cause = "The two damping functions refuse this duration if you call them."
     expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]))
 
 
@@ -256,5 +259,5 @@ def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
-    about.cause = "the two equations refuse it, if you use them"
+    about.cause = "The two damping functions refuse this damping if you call them."
     expect_no_difference(bad, [[0.5, 0.5]], good=(0.0, [[0.5, 0.5]]))

@@ -1,4 +1,4 @@
-"""Exercises 3.1, 3.2 and 3.4; test_particle.py has 3.3, other files the parts of 3.5."""
+"""Exercises 3.1, 3.2 and 3.4. Exercise 3.3 is in test_particle.py, 3.5 in other files."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from expect import about, blame, cause_of, expect_close, expect_error, expect_un
 
 @pytest.mark.exercise("3.1")
 def test_twice_the_mass_gets_half_the_speed() -> None:
-    about("speed_ratio(2, 1)", cause="a = f / m: the heavier one is the slower one")
+    about("speed_ratio(2, 1)", cause="a = f / m, so the heavier body is the slower one.")
     about.read = "book 3.2, Eq. 3.2; errata.md"
     got = exercises.speed_ratio(2, 1)
     faster = (
-        "that makes the heavier one the faster: a = f / m. The book's sentence, acceleration in "
-        "proportion to the mass, is wrong (E-1)"
+        "The heavier body became the faster one, but a = f / m. The book's sentence that "
+        "acceleration is proportional to the mass is wrong (E-1)."
     )
-    mistakes = [(2.0, faster), (0.0, "// rounds down to a whole number: a division is /")]
+    mistakes = [(2.0, faster), (0.0, "// rounds down to a whole number. Divide with /.")]
     expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
 
 
@@ -33,7 +33,7 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
 def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
     first, second = round(rng.uniform(1.0, 9.0), 3), round(rng.uniform(10.0, 90.0), 3)
     about.call = f"speed_ratio({first}, {second})"
-    about.cause = "the first speed over the second: (f t / m1) / (f t / m2)"
+    about.cause = "The ratio of the speeds is (f t / m1) / (f t / m2)."
     about.read = "the docstring of speed_ratio"
     got = exercises.speed_ratio(first, second)
     expect_close(got, second / first)
@@ -43,7 +43,7 @@ def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
-    about.cause = "positive of arguments.py refuses it in one line"
+    about.cause = "A mass must be positive and finite. Pass it to positive from arguments.py."
     about.read = "the docstring of speed_ratio"
     for masses in ((bad, 1.0), (1.0, bad), (bad, bad)):
         about.call = f"speed_ratio{masses}"
@@ -59,12 +59,12 @@ def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
 
 @pytest.mark.exercise("3.2")
 def test_the_force_between_two_people_of_100_kg() -> None:
-    about("gravity_between(100, 100, 1)", cause="G m1 m2 / r^2, with G = 6.67428e-11")
+    about("gravity_between(100, 100, 1)", cause="Eq. 3.3: G m1 m2 / r^2 with G = 6.67428e-11.")
     about.read = "book 3.2, Eq. 3.3"
     got = exercises.gravity_between(100, 100, 1)
     mistakes = [
-        (6.67428e-11 * 200, "the masses were added: they are multiplied"),
-        (1e4, "G is missing: GRAVITATIONAL_CONSTANT"),
+        (6.67428e-11 * 200, "The masses were added. Multiply them."),
+        (1e4, "G is missing. Multiply by GRAVITATIONAL_CONSTANT."),
     ]
     blame(got, mistakes)
     expect_close(got, 6.67428e-7, tolerance=1e-20)
@@ -75,13 +75,13 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     m1, m2 = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
     about.read = "book 3.2, Eq. 3.3"
     for distance in (round(rng.uniform(2.0, 9.0), 3), 0.25):
-        about(f"gravity_between({m1}, {m2}, {distance})", cause="G m1 m2 / r^2")
+        about(f"gravity_between({m1}, {m2}, {distance})", cause="Eq. 3.3: G m1 m2 / r^2.")
         got = exercises.gravity_between(m1, m2, distance)
         wanted = 6.67428e-11 * m1 * m2 / (distance * distance)
         mistakes = [
-            (wanted * distance, "the distance is not squared: G m1 m2 / r^2"),
-            (wanted * distance**2, "the distance is missing: G m1 m2 / r^2"),
-            (wanted * distance**4, "the force grew with the distance: divide by r^2"),
+            (wanted * distance, "The distance was not squared. Divide by r^2."),
+            (wanted * distance**2, "The distance is missing. Divide by r^2."),
+            (wanted * distance**4, "The force grows with the distance. Divide by r^2."),
         ]
         blame(got, mistakes)
         expect_close(got, wanted)
@@ -91,7 +91,7 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
-    about.cause = "positive of arguments.py refuses it in one line"
+    about.cause = "Masses and distance must be positive and finite: use positive from arguments.py."
     about.read = "the docstring of gravity_between"
     for data in ((bad, 1.0, 1.0), (1.0, bad, 1.0), (1.0, 1.0, bad)):
         about.call = f"gravity_between{data}"
@@ -105,7 +105,7 @@ def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.exercise("3.2")
 @pytest.mark.robust
 def test_text_is_no_mass_and_no_distance() -> None:
-    about.cause = "positive of arguments.py raises the TypeError for you"
+    about.cause = "positive from arguments.py raises the TypeError for you."
     about.read = "the docstring of gravity_between"
     data: Any
     for data in (("2", 1.0, 1.0), (1.0, "2", 1.0), (1.0, 1.0, "2")):
@@ -124,20 +124,20 @@ EXAMPLE = f"Vector3{START}, Vector3{VELOCITY}, Vector3{ACCELERATION}"
 
 
 def vectors(*all_of: Components) -> tuple[Any, ...]:
-    """Return new vectors of these components."""
+    """Return new vectors with these components."""
     return tuple(Vector3(*a) for a in all_of)
 
 
 @pytest.mark.exercise("3.4a")
 def test_five_seconds_by_the_equation() -> None:
-    about(f"position_by_equation({EXAMPLE}, 5)", cause="p + v t + a t^2 / 2: 2 + 5 - 25 on X")
+    about(f"position_by_equation({EXAMPLE}, 5)", cause="p' = p + v t + a t^2 / 2.")
     about.read = "book 2.2, Eq. 2.9"
     got = exercises.position_by_equation(*vectors(START, VELOCITY, ACCELERATION), 5)
     mistakes = [
-        ((-43.0, 25.0, 21.5), "the half is missing: a t^2 / 2"),
-        ((2.0, 2.5, 10.25), "the time is not squared: a t^2 / 2"),
-        ((-20.0, 7.5, 16.25), "the start is missing: p + v t + a t^2 / 2"),
-        ((-22.0, 16.5, 7.25), "the velocity was added once, as if one second had passed: v t"),
+        ((-43.0, 25.0, 21.5), "The half is missing. Add a t^2 / 2."),
+        ((2.0, 2.5, 10.25), "The time was not squared. Add a t^2 / 2."),
+        ((-20.0, 7.5, 16.25), "The start position is missing. Add p."),
+        ((-22.0, 16.5, 7.25), "The velocity was added as if one second had passed. Add v t."),
     ]
     blame(xyz(got), mistakes)
     expect_close(xyz(got), (-18.0, 12.5, 15.25))
@@ -151,12 +151,12 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
     for t in (round(rng.uniform(2.0, 9.0), 3), 0.25):
         about.call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, "
         about.call += f"{t})"
-        about.cause = "p + v t + a t^2 / 2, as a new vector"
+        about.cause = "Return a new vector, p + v t + a t^2 / 2."
         got = exercises.position_by_equation(position, velocity, acceleration, t)
         wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * t for i in range(3))
-        # Rounding of numbers up to 400.
+        # The rounding errors of numbers up to 400.
         expect_close(xyz(got), wanted, tolerance=1e-12)
-        about.cause = "+=, *= and add_scaled change the caller's vector: + and * make a new one"
+        about.cause = "+=, *= and add_scaled change the caller's vector. + and * make a new one."
         expect_unchanged("p", xyz(position), x)
         expect_unchanged("v", xyz(velocity), v)
         expect_unchanged("a", xyz(acceleration), a)
@@ -167,7 +167,7 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
     about.call = f"position_by_equation({EXAMPLE}, {bad})"
-    about.cause = "positive of arguments.py refuses it in one line"
+    about.cause = "The time must be positive and finite. Pass it to positive from arguments.py."
     about.read = "the docstring of position_by_equation"
     data = vectors(START, VELOCITY, ACCELERATION)
     expect_error(
@@ -186,19 +186,20 @@ def test_one_step_and_five_steps_of_a_second() -> None:
     }
     for steps, (x, v) in wanted.items():
         about.call = f"state_by_steps({EXAMPLE}, 1, {steps})"
-        about.cause = "a pair is wanted: position and velocity after p' = p + v h and then v' = v "
-        about.cause += "+ a h"
+        about.cause = "Return a pair, position and velocity. In each step first p' = p + v h, then "
+        about.cause += "v' = v + a h."
         position, velocity = exercises.state_by_steps(
             *vectors(START, VELOCITY, ACCELERATION), 1, steps
         )
-        few = "a step is missing: range(steps) takes them all, range(1, steps) one less"
+        few = "One step is missing. range(steps) runs steps times, range(1, steps) once less."
         mistakes = [
-            (v, "the pair is the other way round: first the position, then the velocity"),
-            ((7.0, 0.0, 9.0), "one step of 5 s is not five of 1 s, each from where the last ended"),
+            (v, "The pair is in the wrong order. Return the position first, then the velocity."),
+            ((7.0, 0.0, 9.0), "This is one step of 5 s. Take five steps of 1 s."),
             (START if steps == 1 else (-6.0, 7.0, 10.0), few),
             (
                 (1.0, 5.0, 1.5) if steps == 1 else (-23.0, 15.0, 16.5),
-                "the velocity was changed first: the position moves with the old one (E-17)",
+                "The velocity was changed first. Move the position first, with the old velocity "
+                "(E-17).",
             ),
         ]
         blame(xyz(position), mistakes)
@@ -213,16 +214,16 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     p, velocity, acceleration = vectors(x, v, a)
     about.call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; state_by_steps(p, v, a, {h}, "
     about.call += f"{steps})"
-    about.cause = "n steps of h seconds: n h seconds in all, each from where the last one ended"
+    about.cause = "Take n steps of h seconds. Each step starts where the last one ended."
     about.read = "book 2.2, Eq. 2.7 and 2.8"
     position, last = exercises.state_by_steps(p, velocity, acceleration, h, steps)
     t = h * steps
     wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * (t - h) for i in range(3))
-    # Some 40 roundings of numbers up to 2000.
+    # The rounding errors of some 40 steps with numbers up to 2000.
     expect_close(xyz(position), wanted, then=", the first", tolerance=1e-10)
     wanted = tuple(v[i] + a[i] * t for i in range(3))
     expect_close(xyz(last), wanted, then=", the second", tolerance=1e-11)
-    about.cause = "+= and add_scaled change the caller's vector: work on a Particle, or on a copy"
+    about.cause = "+= and add_scaled changed the caller's vector. Use a Particle, or copies."
     expect_unchanged("p", xyz(p), x)
     expect_unchanged("v", xyz(velocity), v)
     expect_unchanged("a", xyz(acceleration), a)
@@ -240,12 +241,12 @@ def test_steps_need_a_duration_and_a_number(duration: float, steps: int) -> None
 
 @scoped
 def expect_refusal(name: str, duration: float, steps: int) -> None:
-    """Expect an exercise to refuse a duration or a number of steps."""
+    """Expect an exercise to refuse a bad duration or number of steps."""
     about.call = f"{name}({EXAMPLE}, {duration}, {steps})"
-    about.cause = "a loop over range(0) does nothing, in silence: ask for 1 step or more"
+    about.cause = "A loop over range(0) silently does nothing. Refuse fewer than 1 step."
     if steps > 0:
-        about.cause = "such a duration is refused: by Particle.integrate, or by positive of "
-        about.cause += "arguments.py"
+        about.cause = "A duration must be positive and finite. Particle.integrate and positive "
+        about.cause += "from arguments.py both check that."
     about.read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)
     function = getattr(exercises, name)
@@ -258,13 +259,16 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
 
 @pytest.mark.exercise("3.4d")
 def test_five_steps_are_off_by_half_a_step() -> None:
-    about(f"stepping_error({EXAMPLE}, 1, 5)", cause="stepped minus exact: -13 - (-18) on X")
+    about(
+        f"stepping_error({EXAMPLE}, 1, 5)",
+        cause="Return stepped minus exact position.",
+    )
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(START, VELOCITY, ACCELERATION), 1, 5)
     mistakes = [
-        ((-5.0, 2.5, 1.25), "that is exact minus stepped: the other way round"),
-        ((-15.0, 5.5, 12.75), "the exact position is that after 5 s, duration x steps, not 1 s"),
-        (math.hypot(5.0, 2.5, 1.25), "that is its length: the error is a vector"),
+        ((-5.0, 2.5, 1.25), "This is exact minus stepped. Subtract the exact position instead."),
+        ((-15.0, 5.5, 12.75), "Use the exact position after 5 s, which is steps x duration."),
+        (math.hypot(5.0, 2.5, 1.25), "This is the length of the error. Return the vector."),
     ]
     blame(xyz(got), mistakes)
     expect_close(xyz(got), (5.0, -2.5, -1.25), tolerance=1e-12)
@@ -275,11 +279,12 @@ def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)
     about.call = f"stepping_error(Vector3{x}, Vector3{v}, Vector3{a}, {h}, {steps})"
-    about.cause = "-a t h / 2, where t is the time of all steps together: halve h, and it halves"
+    about.cause = "The error must be -a t h / 2, with t = steps x h. Half of h gives half the "
+    about.cause += "error."
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(x, v, a), h, steps)
     wanted = tuple(-0.5 * a[i] * h * steps * h for i in range(3))
-    # Rounding of positions up to 2000.
+    # The rounding errors of positions up to 2000.
     expect_close(xyz(got), wanted, tolerance=1e-10)
 
 

@@ -1,4 +1,4 @@
-"""The two moves that a step is made of, build task B3.4: drift and kick."""
+"""The two moves that make up a step, build task B3.4: drift and kick."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from ch03_laws_of_motion.particle import Particle
 from draw import Components, components
 from expect import about, blame, expect_close, expect_unchanged, xyz
 
-# A few roundings of numbers up to 40.
+# The rounding errors of a few operations on numbers up to 40.
 ROUNDED = 1e-13
 
 
 def draw_part(rng: Random) -> float:
-    """Draw a duration, long enough for each mistake to show."""
+    """Draw a duration that is long enough for each mistake to show."""
     return round(rng.uniform(0.2, 0.8), 3)
 
 
 def a_particle(
     x: Components, v: Components, a: Components, mass: float = 1.0, damping: float = 1.0
 ) -> tuple[str, Particle]:
-    """Return a particle and the words that make it."""
+    """Return the code that makes a particle, and the particle."""
     words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}"
     words += f", {mass=}" if mass != 1.0 else ""
     words += f", {damping=})" if damping != 1.0 else ")"
@@ -38,24 +38,24 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
     for h in (draw_part(rng), 2, 0.0, -draw_part(rng)):
         words, p = a_particle(x, v, a, damping=damping)
         about.call = f"{words}; p.drift({h})"
-        about.cause = "p' = p + v h, also where h is negative: then the particle goes back"
+        about.cause = "p' = p + v h. A negative h moves the particle back."
         p.drift(h)
         got = xyz(p.position)
         mistakes = [
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
-                "The acceleration was used. That is what kick does; drift has the velocity only.",
+                "The acceleration was used. Only kick uses it. drift uses the velocity.",
             ),
             (
                 tuple(x[i] + v[i] * damping**h * h for i in range(3)),
-                "The velocity was damped. That is what kick does; drift only reads the velocity.",
+                "The velocity was damped. Only kick damps it. drift just reads the velocity.",
             ),
-            (x, "The position did not move: p' = p + v h."),
+            (x, "The position did not change. Add v h to it."),
         ]
         blame(got, mistakes if h else [])
         wanted = tuple(x[i] + v[i] * h for i in range(3))
         expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
-        about.cause = "A drift changes the position and nothing else."
+        about.cause = "A drift must change only the position."
         expect_unchanged("p.velocity", xyz(p.velocity), v)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
@@ -76,37 +76,36 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
     ):
         words, p = a_particle(x, v, a, mass, damping)
         about.call = f"{words}; p.kick({h})"
-        about.cause = "v' = (v + a h) d^h: the damping comes last, and h may be negative"
+        about.cause = "v' = (v + a h) d^h: add the acceleration first, then damp. h may be "
+        about.cause += "negative."
         p.kick(h)
         got = xyz(p.velocity)
         keep = damping**h
         mistakes = [
             (
                 tuple(v[i] * keep + a[i] * h for i in range(3)),
-                "This is Eq. 3.6, v d^h + a h. The engine keeps to the book's listing, which "
-                "damps after the acceleration is added (E-16).",
+                "This is Eq. 3.6, v d^h + a h. The engine follows the book's listing, which damps "
+                "after the acceleration is added (E-16).",
             ),
             (
                 tuple(v[i] * keep + a[i] * keep for i in range(3)),
-                "The acceleration was added once a kick, however long that is. It is per second, "
-                "so v + a h.",
+                "The acceleration is per second, but it was added whole. Add a h.",
             ),
             (
                 tuple((v[i] + a[i] * h) * damping for i in range(3)),
-                "d was taken for every kick, however long it is. Take d^h.",
+                "The damping is per second, but d was used in every kick. Use d^h.",
             ),
-            (tuple(v[i] + a[i] * h for i in range(3)), "The velocity was not damped."),
+            (tuple(v[i] + a[i] * h for i in range(3)), "The velocity was not damped. Use d^h."),
             (
                 tuple((v[i] + a[i] * h / mass) * keep for i in range(3)),
-                "The acceleration was divided by the mass. It is an acceleration already, so the "
-                "mass does not matter.",
+                "The acceleration was divided by the mass, but it is not a force. Add a h.",
             ),
-            (v, "The acceleration was left out."),
+            (v, "The velocity did not change. Add a h to it."),
         ]
         blame(got, mistakes if h and damping != 1.0 else [])
         wanted = tuple((v[i] + a[i] * h) * keep for i in range(3))
         expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-        about.cause = "A kick changes the velocity and nothing else."
+        about.cause = "A kick must change only the velocity."
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
@@ -116,9 +115,8 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.drift({h} / 2); p.kick({h}); p.drift({h} / 2)"
-    about.cause = "With half of the drift before the kick and half of it after, the mean velocity "
-    about.cause += "moves the particle. Under a constant acceleration that is exact: x + v h + a "
-    about.cause += "h^2 / 2."
+    about.cause = "Under a constant acceleration these moves are exact: x + v h + a h^2 / 2. Each "
+    about.cause += "call must start from the state that the last one left."
     about.read = "book 2.4, Eq. 2.9, and the docstrings of drift and kick"
     p.drift(h / 2.0)
     p.kick(h)
@@ -134,8 +132,7 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
 @pytest.mark.exercise("B3.4")
 def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
-    about.cause = "Nothing moves this particle. Ask for the inverse mass before you change "
-    about.cause += "anything."
+    about.cause = "A particle with infinite mass cannot move. Return at once if inverse_mass is 0."
     for move in ("drift", "kick"):
         words, p = a_particle(x, v, a, math.inf, 0.5)
         about(f"{words}; p.{move}({h})", read=f"the docstring of {move}")
@@ -145,7 +142,7 @@ def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     words, p = a_particle(x, v, a, math.inf)
     about.call = f"{words}; p.mass = 2.0; p.drift({h}); p.kick({h})"
     about.read = "the docstrings of drift and kick"
-    about.cause = "Now the particle has a finite mass, so both moves change it."
+    about.cause = "Now the particle has a finite mass, so both moves must change it."
     p.mass = 2.0
     p.drift(h)
     p.kick(h)

@@ -37,15 +37,15 @@ def draw_mass(rng: Random) -> float:
 @pytest.mark.exercise("B3.1")
 def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
     about.call = "Particle()"
-    about.cause = "self.mass = mass and self.damping = damping run the bodies of the two setters"
+    about.cause = "In __init__, self.mass = mass and self.damping = damping call your setters."
     about.read = "the docstring of Particle"
     p = Particle()
     expect_close(p.mass, 1.0, then=".mass")
     expect_close(p.inverse_mass, 1.0, then=".inverse_mass")
-    lost = "that is the share that is lost: damping is the share that is kept"
+    lost = "This is the fraction that is lost. damping is the fraction that is kept."
     blame(p.damping, [(0.0, lost)])
     expect_close(p.damping, 1.0, then=".damping")
-    about.cause = "its mass is finite: True is wanted, as a comparison gives it"
+    about.cause = "This mass is finite, so return True. A comparison returns True or False."
     for mass in (1.0, 1e9, 0.001):
         about.call = f"p.has_finite_mass, for a mass of {mass} kg"
         got = Particle(mass=mass).has_finite_mass
@@ -56,14 +56,13 @@ def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
 def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
     first, second = draw_mass(rng), draw_mass(rng)
     about.read = "book 3.2"
-    itself = "that is the mass: the setter of mass keeps 1 / mass, and inverse_mass gives back "
-    itself += "what is kept"
-    about(f"p = Particle(mass={first}); p.inverse_mass", cause="the inverse mass is 1 / mass")
+    itself = "This is the mass itself. The setter of mass must store 1 / mass."
+    about(f"p = Particle(mass={first}); p.inverse_mass", cause="The inverse mass is 1 / mass.")
     p = Particle(mass=first)
     blame(p.inverse_mass, [(first, itself)])
     expect_close(p.inverse_mass, 1.0 / first)
     for mass in (second, 4):  # an int is a number too
-        about.cause = "the inverse mass is 1 / mass"
+        about.cause = "The inverse mass is 1 / mass."
         about.call = f"p = Particle(); p.mass = {mass}; p.inverse_mass"
         p = Particle()
         p.mass = mass
@@ -74,7 +73,7 @@ def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
 @pytest.mark.exercise("B3.1")
 def test_the_mass_comes_back(rng: Random) -> None:
     mass = draw_mass(rng)
-    about(cause="what is kept is the inverse: on the way back it is divided again", read="book 3.2")
+    about(cause="The particle stores the inverse mass. Return 1 / inverse mass.", read="book 3.2")
     for value in (mass, 1e9):
         about.call = f"p = Particle(mass={value!r}); p.mass"
         expect_close(Particle(mass=value).mass, value)
@@ -84,57 +83,54 @@ def test_the_mass_comes_back(rng: Random) -> None:
 def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     inverse = 1.0 / draw_mass(rng)
     about.call = f"p = Particle(mass=8.0); p.inverse_mass = {inverse}"
-    about.cause = "the inverse mass is kept as it is; the mass is 1 / inverse mass, also if it was "
-    about.cause += "another"
+    about.cause = "Store the inverse mass as it is assigned. The mass is then 1 / inverse mass."
     about.read = "book 3.2"
     p = Particle(mass=8.0)
     p.inverse_mass = inverse
-    once_more = (
-        "that is 1 / inverse mass: what is assigned is an inverse already, and kept as it is"
-    )
+    once_more = "This is 1 / inverse mass. The assigned number is an inverse already: store it."
     blame(p.inverse_mass, [(1.0 / inverse, once_more)])
     expect_close(p.inverse_mass, inverse, then="; p.inverse_mass")
     expect_close(p.mass, 1.0 / inverse, then="; p.mass")
     about.call = f"{about.call}; p.has_finite_mass"
-    about.cause = "every mass is finite but math.inf"
+    about.cause = "Every mass except math.inf is finite."
     expect_exactly(p.has_finite_mass, True)
 
 
 @pytest.mark.exercise("B3.1")
 def test_an_infinite_mass_has_the_inverse_0() -> None:
     about.call = "p = Particle(mass=math.inf)"
-    about.cause = "an infinite mass is let in, by positive_or_infinite of arguments.py; 1 / "
-    about.cause += "infinity is 0"
+    about.cause = "An infinite mass is valid, and its inverse is 0. Pass the mass to "
+    about.cause += "positive_or_infinite from arguments.py."
     about.read = "book 3.2"
     p = Particle(mass=math.inf)
     expect_close(p.inverse_mass, 0.0, then="; p.inverse_mass")
     about.call += "; p.mass"
-    about.cause = "an inverse mass of 0 cannot be divided by: the mass is then math.inf"
+    about.cause = "If the inverse mass is 0, the mass is math.inf. Do not divide by 0."
     expect_exactly(p.mass, math.inf)
     about.call = "p = Particle(mass=math.inf); p.has_finite_mass"
-    about.cause = "its mass is infinite: False is wanted"
+    about.cause = "The mass is infinite, so return False."
     expect_exactly(p.has_finite_mass, False)
 
 
 @pytest.mark.exercise("B3.1")
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
-    about.cause = "0 is a good inverse mass: that of a particle that nothing moves. not_negative "
-    about.cause += "of arguments.py lets it in"
+    about.cause = "An inverse mass of 0 is valid and means that nothing moves the particle. Check "
+    about.cause += "it with not_negative from arguments.py."
     about.read = "book 3.2"
     p = Particle()
     p.inverse_mass = 0
-    about.cause = "an inverse mass of 0 cannot be divided by: the mass is then math.inf"
+    about.cause = "If the inverse mass is 0, the mass is math.inf. Do not divide by 0."
     expect_exactly(p.mass, math.inf, then="; p.mass")
-    about.cause = "its mass is infinite: False is wanted"
+    about.cause = "The mass is infinite, so return False."
     got = p.has_finite_mass
     expect_exactly(got, False, then="; p.has_finite_mass")
 
 
 @pytest.mark.exercise("B3.1")
 def test_a_damping_is_kept(rng: Random) -> None:
-    about.cause = "damping is kept as it is. 0 is a good one: it stops the particle; above 1 it "
-    about.cause += "gains speed. not_negative of arguments.py lets in both"
+    about.cause = "Store the damping as it is. 0 and numbers above 1 are valid, too. Check it with "
+    about.cause += "not_negative from arguments.py."
     about.read = "the docstring of Particle"
     for damping in (0.0, round(rng.uniform(0.1, 0.9), 3), 1.5):
         about.call = f"p = Particle({damping=!r}); p.damping"
@@ -148,7 +144,7 @@ def test_a_damping_is_kept(rng: Random) -> None:
 
 @scoped
 def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, read: str) -> None:
-    """Expect that the attribute takes a good value, and then refuses a bad one and stays."""
+    """Expect the attribute to accept a good value, then to refuse a bad one and not to change."""
     about(f"p = Particle(); p.{name} = {good}; p.{name} = {bad!r}", read=read)
     p = Particle()
 
@@ -159,7 +155,7 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
         setattr(p, name, good)
 
     expect_error(attempt, error, allowed=allowed)
-    about.cause = "refuse a value before anything is changed"
+    about.cause = "Check the value before you store it, so that a refused value changes nothing."
     expect_close(getattr(p, name), good, then=f"; p.{name}")
 
 
@@ -167,8 +163,8 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
-    about.cause = "nothing can be divided by a mass of 0, and a negative one would go the wrong "
-    about.cause += "way: positive_or_infinite of arguments.py refuses both"
+    about.cause = "A mass must be positive and may be infinite. Pass it to positive_or_infinite "
+    about.cause += "from arguments.py."
     expect_refusal("mass", bad, ValueError, good=4.0, read="the docstring of mass")
 
 
@@ -176,8 +172,8 @@ def test_a_mass_must_be_positive(bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
-    about.cause = "an infinite inverse mass is a mass of 0, and a negative one is no mass: "
-    about.cause += "not_negative of arguments.py refuses both"
+    about.cause = "An inverse mass must be finite and not negative. Pass it to not_negative from "
+    about.cause += "arguments.py."
     about.read = "the docstring of inverse_mass"
     expect_refusal("inverse_mass", bad, ValueError, good=0.25, read=about.read)
 
@@ -186,8 +182,8 @@ def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.1, math.inf, math.nan])
 def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
-    about.cause = "the share of the velocity that is kept is a number, and never below 0: "
-    about.cause += "not_negative of arguments.py refuses the rest"
+    about.cause = "A damping must be finite and not negative. Pass it to not_negative from "
+    about.cause += "arguments.py."
     about.read = "the docstring of damping"
     expect_refusal("damping", bad, ValueError, good=0.5, read=about.read)
 
@@ -198,7 +194,7 @@ def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
     ("name", "good"), [("mass", 4.0), ("inverse_mass", 0.25), ("damping", 0.5)]
 )
 def test_text_is_no_number(name: str, good: float) -> None:
-    about.cause = "the functions of arguments.py raise the TypeError for you"
+    about.cause = "The functions in arguments.py raise the TypeError for you."
     about.read = f"the docstring of {name}"
     expect_refusal(name, "2", TypeError, good=good, read=about.read)
 
@@ -210,16 +206,18 @@ def test_text_is_no_number(name: str, good: float) -> None:
 def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.momentum()"
-    about.cause = "m v, component by component; the engine keeps 1 / m, and damping is of no "
-    about.cause += "account here"
+    about.cause = "Momentum is m v, a vector. Damping does not matter here."
     about.read = "book 3.2"
     p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
     wanted = (mass * v[0], mass * v[1], mass * v[2])
     got = xyz(p.momentum())
     mistakes = [
-        (tuple(n / mass for n in v), "the velocity was divided by the mass: multiply by self.mass"),
-        (mass * math.sqrt(dot(v, v)), "that is its length: momentum has a direction, m v"),
-        (v, "that is the velocity: the mass is missing"),
+        (
+            tuple(n / mass for n in v),
+            "The velocity was divided by the mass. Multiply by self.mass.",
+        ),
+        (mass * math.sqrt(dot(v, v)), "This is the length of m v. Return the vector."),
+        (v, "This is the velocity. Multiply it by the mass."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted)
@@ -229,8 +227,8 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
 def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
     v = components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.momentum()"
-    about.cause = "the momentum is the velocity itself, or *= has changed that: velocity * mass is "
-    about.cause += "new"
+    about.cause = "momentum must return a new vector and leave the velocity alone. velocity * mass "
+    about.cause += "makes a new one."
     about.read = "the docstring of momentum"
     p = Particle(velocity=Vector3(*v))
     momentum = p.momentum()
@@ -244,8 +242,8 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
 @pytest.mark.exercise("B3.2")
 def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     v = components(rng)
-    about.cause = "it does not move, whatever its velocity says, and infinity times 0 is NaN: ask "
-    about.cause += "has_finite_mass first"
+    about.cause = "An immovable particle has no momentum. Test has_finite_mass first, because "
+    about.cause += "infinity times 0 is NaN."
     about.read = "the docstring of momentum"
     for velocity in (ZERO, v):
         about.call = f"p = Particle(velocity=Vector3{velocity}, mass=math.inf); p.momentum()"
@@ -261,14 +259,14 @@ def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
 def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.kinetic_energy()"
-    about.cause = "m |v|^2 / 2: the square of the length, and half of it"
+    about.cause = "Kinetic energy is m |v|^2 / 2."
     about.read = "book 3, exercise 3.3"
     p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
     got, squared = p.kinetic_energy(), dot(v, v)
     mistakes = [
-        (mass * squared, "that is m |v|^2: the half is missing"),
-        (0.5 * mass * math.sqrt(squared), "that is m |v| / 2: the speed is not squared"),
-        (0.5 / mass * squared, "that is |v|^2 / (2 m): the inverse mass was taken for the mass"),
+        (mass * squared, "This is m |v|^2. Kinetic energy is half of that."),
+        (0.5 * mass * math.sqrt(squared), "This is m |v| / 2. Square the speed."),
+        (0.5 / mass * squared, "This uses the inverse mass. Multiply by self.mass."),
     ]
     blame(got, mistakes)
     expect_close(got, 0.5 * mass * squared)
@@ -278,7 +276,7 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
 @pytest.mark.exercise("3.3")
 def test_a_kilogram_at_2_metres_a_second_has_2_joules() -> None:
     about.call = "p = Particle(velocity=Vector3(0, 0, -2)); p.kinetic_energy()"
-    about.cause = "1 kg * (2 m/s)^2 / 2: energy has no direction, and no sign"
+    about.cause = "1 kg * (2 m/s)^2 / 2 is 2 J. The direction of the velocity does not matter."
     about.read = "book 3, exercise 3.3"
     p = Particle(velocity=Vector3(0, 0, -2))
     expect_close(p.kinetic_energy(), 2.0)
@@ -287,8 +285,8 @@ def test_a_kilogram_at_2_metres_a_second_has_2_joules() -> None:
 @pytest.mark.exercise("3.3")
 def test_an_immovable_particle_has_no_kinetic_energy(rng: Random) -> None:
     v = components(rng)
-    about.cause = "it does not move, whatever its velocity says, and infinity times 0 is NaN: ask "
-    about.cause += "has_finite_mass first"
+    about.cause = "An immovable particle has no kinetic energy. Test has_finite_mass first, "
+    about.cause += "because infinity times 0 is NaN."
     about.read = "the docstring of kinetic_energy"
     for velocity in (ZERO, v):
         about.call = f"p = Particle(velocity=Vector3{velocity}, mass=math.inf); p.kinetic_energy()"

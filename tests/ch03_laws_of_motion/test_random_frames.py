@@ -1,4 +1,4 @@
-"""Frames of random length, exercise 3.5a."""
+"""Frames of random duration, exercise 3.5a."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from expect import about, expect_close, expect_error, expect_exactly, scoped
 def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float]:
     """Return the frames as plain floats."""
     about.call = f"random_frames({mean}, {jitter}, {total}, {seed})"
-    about(cause="a list of durations, each a float", read="the docstring of random_frames")
+    about(cause="Return a list of floats.", read="the docstring of random_frames")
     frames: Any = exercises.random_frames(mean, jitter, total, seed)
     plain = isinstance(frames, (list, tuple)) and all(type(frame) is float for frame in frames)
     expect_exactly(plain, True, call=f"are all of {about.call} floats?")
@@ -25,13 +25,13 @@ def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float
 
 @pytest.mark.exercise("3.5a")
 def test_the_frames_fill_the_total_time(rng: Random) -> None:
-    about.cause = "the last frame is cut to what is left of the total"
+    about.cause = "Shorten the last frame, so that the sum is exactly the total."
     about.read = "the docstring of random_frames"
     for mean, total in ((round(rng.uniform(0.01, 0.03), 4), 2.0), (0.1, 1.0), (0.3, 0.2)):
         seed = rng.randrange(1000)
         about.call = f"sum(random_frames({mean}, 0.4, {total}, {seed}))"
         frames = frames_of(mean, 0.4, total, seed)
-        # Some 200 additions, each rounded.
+        # About 200 rounded additions.
         got = math.fsum(frames)
         expect_close(got, total, tolerance=1e-11)
 
@@ -43,13 +43,14 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
     for jitter in (round(rng.uniform(0.2, 0.8), 3), 0.95):
         *frames, last = frames_of(mean, jitter, 8.0, seed)
         about.call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
-        about.cause = "from mean (1 - jitter) to mean (1 + jitter)"
+        about.cause = "Each frame must last from mean (1 - jitter) to mean (1 + jitter)."
         within = all(abs(frame / mean - 1.0) <= jitter + 1e-9 for frame in frames)
         name = f"is every frame but the last of {about.call} within the jitter?"
         expect_exactly(within, True, call=name)
-        about.cause = "the last frame is what is left: not more than a frame can be, and not zero"
+        about.cause = "The last frame is the rest of the total: above zero and no longer than "
+        about.cause += "others."
         short = 0.0 < last <= mean * (1.0 + jitter) + 1e-9
-        expect_exactly(short, True, call=f"is the last frame of {about.call} one?")
+        expect_exactly(short, True, call=f"is the last frame of {about.call} short enough?")
 
 
 @pytest.mark.exercise("3.5a")
@@ -58,8 +59,9 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     about.read = "the docstring of random_frames"
     frames = frames_of(mean, jitter, 20.0, seed)[:-1]
     about.call = f"random_frames({mean}, {jitter}, 20.0, {seed})"
-    about.cause = "an even draw from the whole range, both below and above the mean"
-    # About 1000 even draws: their mean is within 6 of its own deviations, and the chance that a
+    about.cause = "Draw each frame evenly from the whole range, which lies on both sides of the "
+    about.cause += "mean."
+    # The mean of about 1000 even draws is within 6 of its standard deviations. The chance that a
     # tenth of the range stays empty is 0.9^1000.
     average = math.fsum(frames) / len(frames)
     six_sigma = 6.0 * mean * jitter / math.sqrt(3.0 * 900.0)
@@ -69,30 +71,30 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     wanted = (mean * (1.0 - jitter), mean * (1.0 + jitter))
     name = f"the shortest and longest of {about.call}"
     expect_close(reach, wanted, call=name, tolerance=0.2 * mean * jitter)
-    # A quarter of the draws lies in each quarter of the range, give or take 6 deviations.
+    # Half of the draws lie in the middle half of the range, within 6 deviations.
     inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
-    name = f"the share of {about.call} nearer to the mean than half the jitter"
+    name = f"the fraction of {about.call} within half the jitter of the mean"
     if inner > 0.5:
-        about.cause = "too many are near the mean: each is one even draw, no mean or sum of several"
+        about.cause = "Too many frames are near the mean. Use one even draw, not a mean of several."
     expect_close(inner, 0.5, call=name, tolerance=six_sigma)
 
 
 @pytest.mark.exercise("3.5a")
 def test_without_jitter_all_frames_are_equal() -> None:
-    about.cause = "a jitter of 0 leaves the mean; what rounding leaves over, some 1e-16 s, is no "
-    about.cause += "frame"
+    about.cause = "Without jitter every frame lasts the mean. A rest of about 1e-16 s is a "
+    about.cause += "rounding error, not a frame."
     about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):
         about.call = f"random_frames({mean}, 0.0, 1.0, 3)"
         got = frames_of(mean, 0.0, 1.0, 3)
         expect_close(got, [mean] * count, tolerance=1e-11)
-    about.cause = "a tenth of a microsecond is a thousand million times what rounding leaves"
+    about.cause = "The rest of 1e-7 s is far larger than any rounding error, so it is a frame."
     about.call = "random_frames(0.25, 0.0, 0.5000001, 3)"
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)
-    about.cause = "rounding is a share of the total: what is left here is a hundredth of it, and a "
-    about.cause += "frame"
+    about.cause = "Rounding errors are relative to the total. This rest is 0.6 % of the total, so "
+    about.cause += "it is a frame."
     about.call = "random_frames(4e-06, 0.0, 8.05e-06, 3)"
     got = frames_of(4e-6, 0.0, 8.05e-6, 3)
     expect_close(got, [4e-6, 4e-6, 5e-8], tolerance=1e-17)
@@ -102,17 +104,18 @@ def test_without_jitter_all_frames_are_equal() -> None:
 def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None:
     seed = rng.randrange(1000)
     about.call = f"random_frames(0.02, 0.5, 1.0, {seed})"
-    about.cause = "random.Random(seed) inside the function: its numbers depend on the seed alone"
+    about.cause = "Make a random.Random(seed) in the function. The frames depend only on the seed."
     about.read = "the docstring of random_frames"
     first = frames_of(0.02, 0.5, 1.0, seed)
     others = [frames_of(0.02, 0.5, 1.0, seed + i) for i in (1, 2)]
     again = frames_of(0.02, 0.5, 1.0, seed)
     expect_exactly(again == first, True, then=", twice: the same?")
     for i, other in enumerate(others, 1):
-        name = f"{about.call}, and with seed {seed + i}: the same first frame?"
-        expect_exactly(other[0] == first[0], False, call=name)
+        expect_exactly(
+            other[0] == first[0], False, then=f", and with seed {seed + i}: the same first frame?"
+        )
     name = f"does {about.call} go up or down all the time?"
-    about.cause = "the frames come as they are drawn, not sorted"
+    about.cause = "Return the frames in the order in which they were drawn. Do not sort them."
     in_order = first[:-1] in (sorted(first[:-1]), sorted(first[:-1], reverse=True))
     expect_exactly(in_order, False, call=name)
 
@@ -137,8 +140,8 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
 )
 def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
     arguments: dict[str, Any] = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
-    about.cause = "such frames never fill a total: refuse what is not positive and finite, and "
-    about.cause += "jitters that are not from 0 to below 1, before the first is drawn"
+    about.cause = "mean and total must be positive and finite, and jitter from 0 to below 1. Check "
+    about.cause += "them before the first draw, or the loop may never end."
     about.read = "the docstring of random_frames"
     for value in (bad, 1.5) if bad == 1.0 else (bad,):  # at a limit, and beyond it
         bad_ones = arguments | {name: value}

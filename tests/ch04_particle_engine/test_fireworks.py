@@ -46,24 +46,26 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
     about.call = call
     __tracebackhide__ = True
     outside = sum(not low <= number <= high for number in drawn)
-    name = f"{about.call}, how many outside {low} to {high}"
-    expect_exactly(outside, 0, call=name)
+    expect_exactly(outside, 0, then=f", how many outside {low} to {high}")
     # The standard deviation of the mean of n even draws is their range / sqrt(12 n).
     tolerance = 5.0 * (high - low) / math.sqrt(12.0 * len(drawn))
-    name = f"{about.call}, the mean of {len(drawn)}"
     middle = (low + high) / 2.0
     mean = math.fsum(drawn) / len(drawn)
-    expect_close(mean, middle, call=name, tolerance=tolerance)
+    expect_close(mean, middle, then=f", the mean of {len(drawn)}", tolerance=tolerance)
     # A quarter of even draws lies in each outer quarter; the deviation is sqrt(n 3 / 16).
     quarter = (high - low) / 4.0
     for part, inside in (
         ("lowest", sum(number < low + quarter for number in drawn)),
         ("highest", sum(number > high - quarter for number in drawn)),
     ):
-        name = f"{about.call}, how many of {len(drawn)} in the {part} quarter"
         spread = 5.0 * math.sqrt(len(drawn) * 3.0 / 16.0)
         wanted = len(drawn) / 4.0
-        expect_close(inside, wanted, call=name, tolerance=spread)
+        expect_close(
+            inside,
+            wanted,
+            then=f", how many of {len(drawn)} in the {part} quarter",
+            tolerance=spread,
+        )
 
 
 # B4.4 A firework from its rule
@@ -96,11 +98,12 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         columns["the age"] = ages
     about.cause = "one number drawn for all three axes sends every spark along one line: draw three"
     for one, other in itertools.combinations(columns, 2):
-        name = f"{about.call}, correlation of {one} and {other}"
         correlation = statistics.correlation(columns[one], columns[other])
         # The deviation of the correlation of n independent pairs is 1 / sqrt(n).
         tolerance = 5.0 / math.sqrt(MANY)
-        expect_close(correlation, 0.0, call=name, tolerance=tolerance)
+        expect_close(
+            correlation, 0.0, then=f", correlation of {one} and {other}", tolerance=tolerance
+        )
 
 
 @pytest.mark.exercise("B4.4")
@@ -111,11 +114,12 @@ def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Ra
     about.read = "the docstring of make_firework; book 4.2.3"
     places = [tuple(firework[2:5]) for firework in probes.lit(FIRST, seed, MANY)]
     for x in (-5.0, 0.0, 5.0):
-        name = f"{about.call}, how many of {MANY} at ({x}, 0, 0)"
         # A third of them; five times the deviation sqrt(n 2 / 9).
         spread = 5.0 * math.sqrt(MANY * 2.0 / 9.0)
         found = places.count((x, 0.0, 0.0))
-        expect_close(found, MANY / 3.0, call=name, tolerance=spread)
+        expect_close(
+            found, MANY / 3.0, then=f", how many of {MANY} at ({x}, 0, 0)", tolerance=spread
+        )
 
 
 @pytest.mark.exercise("B4.4")
@@ -294,10 +298,11 @@ def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str
     about.call = f'capacity 2000, "{when_full}"; show.light() of 1000 births, each of 10**9'
     lit, dropped, _ = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 10**9)
     wanted = [2000, 0] if when_full == "keep_old" else [0, 2000]
-    name = (
-        f"{about.call}, the first of type 1 and the last of type 2; how many burn of types 1 and 2"
+    expect_exactly(
+        lit,
+        wanted,
+        then=", the first of type 1 and the last of type 2; how many burn of types 1 and 2",
     )
-    expect_exactly(lit, wanted, call=name)
     about.cause = "all others found no room: dropped counts those of every birth"
     expect_exactly(dropped, 1000 * 10**9 - 2000, then="; show.dropped")
 

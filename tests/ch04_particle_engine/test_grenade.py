@@ -135,14 +135,12 @@ def test_the_fragments_fly_apart_each_with_15_metres_a_second(rng: Random) -> No
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]
     about.cause = "FRAGMENT_SPEED is the length of the velocity relative to the grenade"
     for velocity in relative:
-        name = f"{about.call}, a speed relative to p"
-        expect_close(math.hypot(*velocity), 15.0, call=name, tolerance=1e-11)
+        expect_close(math.hypot(*velocity), 15.0, then=", a speed relative to p", tolerance=1e-11)
     expect_exactly(len(relative), 12, then=", how many", cause="12 pieces")
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
     about.cause = "two fragments fly the same way: each has a direction of its own"
-    name = f"{about.call}, pairs of velocities that are within 0.1 m/s"
     near = sum(pair < 0.1 for pair in pairs)
-    expect_exactly(near, 0, call=name)
+    expect_exactly(near, 0, then=", pairs of velocities that are within 0.1 m/s")
 
 
 @pytest.mark.exercise("4.1")
@@ -202,9 +200,8 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
     about.cause += "a fuse"
     about.call, at = thrown(frames=BURST_FRAME, others=("fireball",))
     types = [shot.type for shot in at.shots]
-    name = f"{about.call}, their types in order"
     about.cause += ". The fragments stand where their grenade stood, before the younger fireball"
-    expect_exactly(types, ["fragment"] * 12 + ["fireball"], call=name)
+    expect_exactly(types, ["fragment"] * 12 + ["fireball"], then=", their types in order")
     about.cause = "fragments do not bounce: below the ground they are dropped, as any other shot is"
     about.call, at = thrown(frames=BURST_FRAME + 40)
     expect_exactly(len(at.shots), 0, then=", how many")
@@ -244,8 +241,9 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     about.cause = "and with the velocity after the bounce, 4 m/s upwards and 4 m/s along Z"
     mean = [math.fsum(each.particle.velocity.y for each in left) / 12.0]
     mean.append(math.fsum(each.particle.velocity.z for each in left) / 12.0)
-    name = f"{about.call}, means of the velocities along Y and Z"
-    expect_close(mean, (4.0, 4.0), call=name, tolerance=ROUNDED)
+    expect_close(
+        mean, (4.0, 4.0), then=", means of the velocities along Y and Z", tolerance=ROUNDED
+    )
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; grenade_after(shot)'
     )

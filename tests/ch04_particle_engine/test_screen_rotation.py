@@ -45,15 +45,13 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
         about.call = f"screen_angle(0.5, {rate}, 20)"
         about.cause = "from -pi to pi: what is beyond has whole turns in it"
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
-        name = f"{about.call}, size"
         most = min(abs(got), math.pi)
-        expect_close(abs(got), most, call=name, tolerance=1e-9)
+        expect_close(abs(got), most, then=", size", tolerance=1e-9)
         about.cause = "only whole turns: the direction is that of start + rate x time"
         direction = (math.cos(got), math.sin(got))
         angle = 0.5 + 20.0 * rate
         wanted = (math.cos(angle), math.sin(angle))
-        name = f"{about.call}, its cosine and sine"
-        expect_close(direction, wanted, call=name, tolerance=ROUNDED)
+        expect_close(direction, wanted, then=", its cosine and sine", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("G4.1")

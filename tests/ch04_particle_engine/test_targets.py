@@ -201,7 +201,6 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
         before[2] + mass * v[2] / block_mass,
     )
     # A rounding or two of numbers up to 20.
-    name = f"{about.call}; block.particle.velocity"
     gained = tuple(mass * n / block_mass for n in v)
     mistakes = [
         ((gained[0], 0.0, gained[2]), "the velocity was replaced: add to what the block has"),
@@ -215,7 +214,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
         ),
     ]
     blame(got, mistakes)
-    expect_close(got, wanted, call=name, read=STRIKE, tolerance=1e-13)
+    expect_close(got, wanted, then="; block.particle.velocity", read=STRIKE, tolerance=1e-13)
     about.cause = "each hit is counted once, and the block that was hit comes back"
     expect_exactly(block.hits, 1, then="; block.hits", read=STRIKE)
     about.call += ", what comes back: its hits and mass"
@@ -334,8 +333,7 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
     about.cause = "first the targets move, then the shots: a block moves from the frame after the "
     about.cause += "hit on"
     moved = block.particle.position.z
-    name = f"{about.call}r.update(0.5); where it is"
-    expect_close(moved, 20.0 + 0.5 * wanted, call=name)
+    expect_close(moved, 20.0 + 0.5 * wanted, then="r.update(0.5); where it is")
 
 
 @pytest.mark.exercise("4.3c")

@@ -64,9 +64,8 @@ def test_forces_add_up(rng: Random) -> None:
             "minus the sum": [-part for part in total],
             "no force, as where the sum is not kept in self._forces[0], or not read there": ZERO,
         }
-        name = f"{about.call}; p.force_accumulator"
         blame(got, slips)
-        expect_close(got, total, call=name, tolerance=ROUNDED)
+        expect_close(got, total, then="; p.force_accumulator", tolerance=ROUNDED)
         expect_unmoved(p, "the force waits for the next step, and changes nothing else yet")
 
 
@@ -100,17 +99,15 @@ def test_a_force_is_only_read(rng: Random) -> None:
     p, f = Particle(), Vector3(*first)
     p.add_force(f)
     f.x = 99.0
-    name = f"{about.call}; f.x = 99.0; p.force_accumulator"
-    expect_close(xyz(p.force_accumulator), first, call=name)
+    expect_close(xyz(p.force_accumulator), first, then="; f.x = 99.0; p.force_accumulator")
     about.call = f"p.add_force(Vector3{second}); f = Vector3{first}; p.add_force(f)"
     p, f = Particle(), Vector3(*first)
     p.add_force(Vector3(*second))
     p.add_force(f)
     expect_unchanged("f", xyz(f), first, cause=UNCHANGED)
     wanted = tuple(first[i] + second[i] for i in range(3))
-    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, call=name, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("B5.1")

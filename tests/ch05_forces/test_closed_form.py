@@ -132,18 +132,22 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         u = math.sqrt(mass * g / k2)
         e = math.exp(-2.0 * g * time / u)
         wanted_speed = u * (1.0 - e) / (1.0 + e)
-        name = f"{about.call}, the speed"
         tolerance = ROUNDED * u
-        expect_close(speed, wanted_speed, call=name, tolerance=tolerance)
+        expect_close(speed, wanted_speed, then=", the speed", tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
-        name = f"{about.call} = (v, x); v^2 + u^2 e^(-2 k2 x / m)"
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
         about.cause = "of what it falls, the drag takes its part: speed and distance belong "
         about.cause += "together"
-        expect_close(total, u * u, call=name, tolerance=ROUNDED * u * u)
-        name = f"{about.call}, the distance minus the exact one, by parts"
+        expect_close(
+            total, u * u, then=" = (v, x); v^2 + u^2 e^(-2 k2 x / m)", tolerance=ROUNDED * u * u
+        )
         left = distance - u * u / g * (math.log1p(e) + g * time / u - math.log(2.0))
-        expect_close(left, 0.0, call=name, tolerance=ROUNDED * (distance + u))
+        expect_close(
+            left,
+            0.0,
+            then=", the distance minus the exact one, by parts",
+            tolerance=ROUNDED * (distance + u),
+        )
 
 
 @pytest.mark.exercise("B5.7")

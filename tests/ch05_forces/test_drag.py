@@ -170,8 +170,9 @@ def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) 
     """
     long, short = errors
     expect_close(long, 0.0, then=f": error of {what}", tolerance=scale)
-    name = f"{about.call}: error of {what}, at h = 1/100 over h = 1/200"
-    expect_close(long / short, 2.0, call=name, tolerance=0.05)
+    expect_close(
+        long / short, 2.0, then=f": error of {what}, at h = 1/100 over h = 1/200", tolerance=0.05
+    )
 
 
 @pytest.mark.exercise("B5.5")

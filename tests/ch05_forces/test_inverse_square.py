@@ -41,7 +41,6 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         size = mass * mu / distance**2
         wanted = tuple(-size * way[i] for i in range(3))
         got = xyz(p.force_accumulator)
-        name = f"{about.call}; p.force_accumulator"
         x, y, z = xyz(place)
         reach = math.hypot(x, y, z)
         slips = {
@@ -57,7 +56,7 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         }
         blame(got, slips)
         # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
-        expect_close(got, wanted, call=name, tolerance=1e-12 * size)
+        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12 * size)
         about.cause = "position and center are only read: -= and normalize work in place"
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
@@ -171,11 +170,16 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
     exact = (-0.62894818, 0.79966473, 0.0)
     ends = [orbit(ELLIPSE, 1.0, mass, 1.0 / n, n, center)[0] for n in (1000, 2000)]
     errors = [math.dist(end, exact) for end in ends]
-    name = f"{about.call} in frames of 1/1000 s: how far off p.position is"
     # Explicit Euler is off by 7.1 h here, and its next term is 0.3 % of that.
-    expect_close(errors[0], 0.0, call=name, tolerance=0.008)
-    name = f"{about.call}: that over how far off it is in frames of 1/2000 s"
-    expect_close(errors[0] / errors[1], 2.0, call=name, tolerance=0.02)
+    expect_close(
+        errors[0], 0.0, then=" in frames of 1/1000 s: how far off p.position is", tolerance=0.008
+    )
+    expect_close(
+        errors[0] / errors[1],
+        2.0,
+        then=": that over how far off it is in frames of 1/2000 s",
+        tolerance=0.02,
+    )
 
 
 @pytest.mark.exercise("5.4")
@@ -187,11 +191,16 @@ def test_the_orbit_closes() -> None:
     counts = (10_000, 20_000)
     ends = [orbit(ELLIPSE, 1.0, 1.0, PERIOD / n, n, ZERO)[0] for n in counts]
     gaps = [math.dist(end, ELLIPSE[0]) for end in ends]
-    name = f"{about.call}: the gap in 10000 frames over that in 20000"
     # 1.973 for explicit Euler: 2, and a term of the order of h.
-    expect_close(gaps[0] / gaps[1], 2.0, call=name, tolerance=0.05)
+    expect_close(
+        gaps[0] / gaps[1], 2.0, then=": the gap in 10000 frames over that in 20000", tolerance=0.05
+    )
     # Of what is off with h and with h / 2, twice the second minus the first is left: that is of
     # second order, 0.0265 m with these.
     left = math.dist([2.0 * b - a for a, b in zip(*ends, strict=True)], ELLIPSE[0])
-    name = f"{about.call}: the gap for frames without any length, by Richardson's rule"
-    expect_close(left, 0.0, call=name, tolerance=0.03)
+    expect_close(
+        left,
+        0.0,
+        then=": the gap for frames without any length, by Richardson's rule",
+        tolerance=0.03,
+    )

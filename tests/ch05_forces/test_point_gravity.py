@@ -38,7 +38,6 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         PointGravity(Vector3(*center), strength).update_force(p, 0.5)
         wanted = tuple(-mass * strength * way[i] for i in range(3))
         got = xyz(p.force_accumulator)
-        name = f"{about.call}; p.force_accumulator"
         reach = math.hypot(*xyz(place))
         slips = {
             "a push away from the center": [-part for part in wanted],
@@ -54,7 +53,7 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
             ],
         }
         blame(got, slips)
-        expect_close(got, wanted, call=name, tolerance=ROUNDED)
+        expect_close(got, wanted, then="; p.force_accumulator", tolerance=ROUNDED)
         about.cause = "position and center are only read: -= and normalize work in place"
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 

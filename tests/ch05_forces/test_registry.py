@@ -174,9 +174,8 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
     about.cause += "dropped"
     name = f"p.add_force(Vector3{by_hand}); p in registry.add(); p.force_accumulator"
     expect_close(before, by_hand, call=name, read="the docstring of add")
-    name = f"{about.call}, after registry.clear()"
     about.read = "the docstring of clear"
-    expect_close(emptied, wanted, call=name, tolerance=1e-13)
+    expect_close(emptied, wanted, then=", after registry.clear()", tolerance=1e-13)
 
 
 @pytest.mark.exercise("B5.3")
@@ -203,12 +202,11 @@ def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None
         allowed=lambda: ForceRegistry().update_forces(0.5),
     )
     for immovable in (False, True):
-        name = (
-            f"{about.call} with a pair in it, then registry.update_forces(0.5): how many were asked"
-        )
         got = asked_after_a_refusal(duration, immovable)
         about.cause = "look at the duration before anybody is asked, and whoever is there"
-        expect_exactly(got, 1, call=name)
+        expect_exactly(
+            got, 1, then=" with a pair in it, then registry.update_forces(0.5): how many were asked"
+        )
 
 
 @pytest.mark.exercise("B5.3")

@@ -131,8 +131,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     expect_exactly(at.shoot(0.0, 0.0), False)
     expect_exactly(at.shots_left, 9, then="; range.shots_left")
     bullet = at.bullet
-    name = f"{about.call}; range.bullet.position"
-    expect_close(xyz(bullet.position), place, call=name)
+    expect_close(xyz(bullet.position), place, then="; range.bullet.position")
 
 
 @pytest.mark.exercise("P4.2b")
@@ -250,7 +249,6 @@ def expect_hole(
     about.read = WAY
     about.call, got = way_of(start, end)
     expect_exactly(got is not None, True, then=": is there a hole")
-    name = f"{about.call}: target (x, y, distance, factor), then x, y and points of the hole"
     distance, *hole = wanted
     x, y, points = hole
     middle, height, _, factor = TARGETS[distance]
@@ -265,7 +263,12 @@ def expect_hole(
     }
     blame(got, slips)
     # Positions of 200 m, some roundings each.
-    expect_close(got, (*TARGETS[distance], *hole), call=name, tolerance=1e-12)
+    expect_close(
+        got,
+        (*TARGETS[distance], *hole),
+        then=": target (x, y, distance, factor), then x, y and points of the hole",
+        tolerance=1e-12,
+    )
 
 
 @scoped

@@ -63,13 +63,13 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         expect_exactly(len(holes), 1, then="; how many holes")
         frames = math.floor(distance / (level * FRAME))
         about.cause = "the target stops the bullet: it has landed then, and range.bullet is None"
-        name = f"{about.call}; frames in flight before"
-        expect_exactly(len(came["positions"]), frames, call=name)
+        expect_exactly(len(came["positions"]), frames, then="; frames in flight before")
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
-        name = f"{about.call}; distance, x, y and points of the hole"
         # A hundred roundings of positions up to 150 m.
         wanted = (distance, 0.0, y, points)
-        expect_close(holes[0], wanted, call=name, tolerance=1e-10)
+        expect_close(
+            holes[0], wanted, then="; distance, x, y and points of the hole", tolerance=1e-10
+        )
         about.cause = "its points are added to the score; they hold the target's factor already"
         expect_exactly(came["score"], points, then="; range.score")
 
@@ -81,11 +81,10 @@ def test_the_wind_carries_the_bullet_away() -> None:
     about(cause=f"{asks}; past END_OF_RANGE, 210 m along Z, it has landed", read=UPDATE)
     still = play([(0.0, 0.02)], FRAME, wind=(0.0, 0.0, 0.0), k1=0.05)["positions"]
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
-    name = f"{about.call}: frames in flight, and in still air"
     frames = (len(blown), len(still))
     # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in frame 109.
     blame(frames, {"a flight without drag": (105, 105)})
-    expect_exactly(frames, (109, 109), call=name)
+    expect_exactly(frames, (109, 109), then=": frames in flight, and in still air")
     # x' of the book's step with dv/dt = (w - v) k: in units of w, the velocity is 1 - (1 - k h)^n.
     keep = 1.0 - 0.05 * FRAME
     x = 10.0 * FRAME * (109 - (1.0 - keep**109) / (1.0 - keep))
@@ -97,8 +96,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
         about.cause += "landed, and not before"
     expect_close(got, wanted, then=": x at the end, and in still air", tolerance=1e-10)
     z = 120.0 * math.cos(0.02) * FRAME * (1.0 - keep**109) / (1.0 - keep)
-    name = f"{about.call}: z at the end"
-    expect_close(blown[-1][2], z, call=name, cause="drag slows it down", tolerance=1e-9)
+    expect_close(blown[-1][2], z, then=": z at the end", cause="drag slows it down", tolerance=1e-9)
 
 
 @pytest.mark.exercise("P4.2b")
@@ -162,12 +160,10 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
         while 1.5 + rises * (n + 1) >= fallen(n + 1) and along * (n + 1) <= 210.0:
             n += 1
         came = play([(azimuth, elevation)], FRAME)
-        name = f"{about.call}; frames in flight"
-        expect_exactly(len(came["positions"]), n, call=name)
-        name = f"{about.call}; holes, score and shots left"
+        expect_exactly(len(came["positions"]), n, then="; frames in flight")
         got = (len(came["holes"]), came["score"], came["shots_left"])
         about.cause = "a miss makes no hole and scores nothing"
-        expect_exactly(got, (0, 0, 9), call=name)
+        expect_exactly(got, (0, 0, 9), then="; holes, score and shots left")
 
 
 @pytest.mark.exercise("P4.2b")

@@ -238,7 +238,6 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     p.add_force(Vector3(*f))
     p.integrate(0.5)
     wanted = tuple(a[i] + f[i] / mass for i in range(3))
-    name = f"{about.call}; p.last_acceleration"
     got = xyz(p.last_acceleration)
     slips = {
         "the constant acceleration alone; integrate keeps the forces that it used in "
@@ -248,21 +247,25 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
         "f / m, without the constant acceleration": [f[i] / mass for i in range(3)],
     }
     blame(got, slips)
-    expect_close(got, wanted, call=name, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.last_acceleration", tolerance=ROUNDED)
     about.cause = "forces that wait for the next step are not of the last one"
     p.add_force(Vector3(*g))
-    name = f"{about.call}; p.add_force(Vector3{g}); p.last_acceleration"
     got = xyz(p.last_acceleration)
-    expect_close(got, wanted, call=name, tolerance=ROUNDED)
+    expect_close(
+        got, wanted, then=f"; p.add_force(Vector3{g}); p.last_acceleration", tolerance=ROUNDED
+    )
     about.cause = "clear_forces drops what waits for the next step, and nothing of the last one"
     p.clear_forces()
-    name = f"{about.call}; p.clear_forces(); p.last_acceleration"
     got = xyz(p.last_acceleration)
-    expect_close(got, wanted, call=name, tolerance=ROUNDED)
+    expect_close(got, wanted, then="; p.clear_forces(); p.last_acceleration", tolerance=ROUNDED)
     about.cause = "a step without forces leaves the constant acceleration alone"
     p.integrate(0.5)
-    name = f"{about.call}; p.integrate(0.5); p.last_acceleration"
-    expect_close(xyz(p.last_acceleration), a, call=name, tolerance=ROUNDED)
+    expect_close(
+        xyz(p.last_acceleration),
+        a,
+        then="; p.integrate(0.5); p.last_acceleration",
+        tolerance=ROUNDED,
+    )
 
 
 @pytest.mark.exercise("B5.2")
@@ -341,9 +344,8 @@ def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     about.cause = "last_acceleration is what the kick used, until the next kick."
     about.call += f"; p.drift({h} / 2)"
     p.drift(h / 2.0)
-    name = f"{about.call}; p.last_acceleration"
     got = xyz(p.last_acceleration)
-    expect_close(got, total, call=name, tolerance=ROUNDED)
+    expect_close(got, total, then="; p.last_acceleration", tolerance=ROUNDED)
     about.cause = "Half a drift, a kick and half a drift are exact under a constant force."
     wanted = tuple(x[i] + v[i] * h + total[i] * h * h / 2.0 for i in range(3))
     got = xyz(p.position)

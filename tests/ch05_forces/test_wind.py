@@ -119,20 +119,17 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
             ("mean", sum(blown) / len(blown), -2.0, 2.0),
         ):
             middle, reach = (low + high) / 2.0, (high - low) / 2.0
-            words = f"{about.call}: the {what} {name}"
             why = "beyond 10 m/s, as where what is drawn is added to the old wind: " + about.cause
             why = why if abs(got) > 10.0 else about.cause
-            expect_close(got, middle, call=words, cause=why, tolerance=reach)
+            expect_close(got, middle, then=f": the {what} {name}", cause=why, tolerance=reach)
     about.cause = "x and z are drawn each for itself, so the wind is weak at times"
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
-    words = f"{about.call}: how often it is below 5 m/s"
-    expect_close(weak, 79, call=words, tolerance=52)
+    expect_close(weak, 79, then=": how often it is below 5 m/s", tolerance=52)
     # x z > 0 for half of all: 200 of 401, and beyond these bounds once in 10^11 runs.
     about.cause = "x and z are drawn each for itself: the wind comes from every side"
-    words = f"{about.call}: how often x and z have the same sign"
     same = sum(x * z > 0.0 for x, _, z in seen)
-    expect_close(same, 200, call=words, tolerance=70)
+    expect_close(same, 200, then=": how often x and z have the same sign", tolerance=70)
     about.cause = "x and z are drawn each for itself, so they are the same as good as never"
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then=": how often |x| is |z|")
@@ -151,9 +148,8 @@ def test_the_wind_stays_the_same_generator() -> None:
     after = xyz(wind.velocity)
     expect_close(at.wind.k1, 0.5, then="; range.wind.k1")
     now = xyz(at.wind.velocity)
-    name = f"{about.call}; range.wind.velocity minus wind.velocity"
     gap = tuple(now[i] - after[i] for i in range(3))
-    expect_close(gap, ZERO, call=name)
+    expect_close(gap, ZERO, then="; range.wind.velocity minus wind.velocity")
     about.cause = "a new wind was drawn"
     expect_exactly(after == before, False, then="; is it the same as before")
 

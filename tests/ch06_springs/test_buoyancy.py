@@ -82,16 +82,14 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         p = Particle(Vector3(0.0, y, 0.0))
         Buoyancy(s, volume, surface).update_force(p, 0.5)
         wanted = (0.0, share * 1000.0 * volume * 9.81, 0.0)
-        name = f"{about.call}; p.force_accumulator"
-        expect_close(xyz(p.force_accumulator), wanted, call=name)
+        expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator")
     about.call = f"p at (0, {surface}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"
     about.cause = "half under water, half of the lift"
     p = Particle(Vector3(0.0, surface, 0.0))
     Buoyancy(s, volume, surface).update_force(p, 0.5)
     wanted = (0.0, 0.5 * 1000.0 * volume * 9.81, 0.0)
-    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, call=name, tolerance=1e-11 * wanted[1])
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11 * wanted[1])
 
 
 @pytest.mark.exercise("B6.4")
@@ -101,9 +99,8 @@ def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
     about.cause += "g (E-5)"
     p = Particle()
     Buoyancy(0.5, 0.001, 0.0, gravity=10.0).update_force(p, 0.5)
-    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(got, (0.0, 5.0, 0.0), call=name)
+    expect_close(got, (0.0, 5.0, 0.0), then="; p.force_accumulator")
 
 
 @pytest.mark.exercise("B6.4")

@@ -91,15 +91,13 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     Connection(a, b, k, rest).update_force(a, 0.5)
     wanted = tuple(g + 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True))
     got = xyz(a.force_accumulator)
-    name = f"{about.call}; a.force_accumulator"
     pulled = [g - 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True)]
     blame(got, {"the listing's abs(l - l0), with which it pulls (E-3)": pulled})
-    expect_close(got, wanted, call=name, tolerance=1e-12)
+    expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-12)
     wanted = tuple(g - 0.6 * k * rest * part for g, part in zip(f, d, strict=True))
     got = xyz(b.force_accumulator)
-    name = f"{about.call}; b.force_accumulator"
     about.cause = "the force on b is added to those that are there"
-    expect_close(got, wanted, call=name, tolerance=1e-12)
+    expect_close(got, wanted, then="; b.force_accumulator", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B6.3")
@@ -164,7 +162,6 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
             if mass < math.inf:
                 force = tuple(sign * part for part in wanted)
                 got = xyz(end.force_accumulator)
-                what = f"{about.call}; {name}.force_accumulator"
                 swapped = tension(here, ZERO, there, ZERO, (rest, k, 0.0))
                 slips = {
                     "no force, as of a spring that is not registered, or under an end that is "
@@ -177,7 +174,7 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                     ],
                 }
                 blame(got, slips)
-                expect_close(got, force, call=what, tolerance=1e-11)
+                expect_close(got, force, then=f"; {name}.force_accumulator", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.3")
@@ -191,19 +188,16 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     s = connect(registry, a, b, k, rest, c)
     expect_exactly(s is not None, True, then=": does a spring come back")
     got = (s.stiffness, s.rest_length, s.damping)
-    name = f"{about.call}; (s.stiffness, s.rest_length, s.damping)"
-    expect_close(got, (k, rest, c), call=name)
+    expect_close(got, (k, rest, c), then="; (s.stiffness, s.rest_length, s.damping)")
     got = (*xyz(s.a.position), *xyz(s.b.position))
-    name = f"{about.call}; the positions of s.a and s.b"
-    expect_close(got, (*here, *there), call=name, tolerance=0.0)
+    expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)
     about.call += f"; s.stiffness = {2 * k}; registry.update_forces(0.5)"
     about.cause = "what comes back is what the registry asks, and reads its stiffness each time"
     s.stiffness = 2.0 * k
     registry.update_forces(0.5)
     wanted = tension(here, ZERO, there, ZERO, (2.0 * k, rest, c))
     got = xyz(a.force_accumulator)
-    name = f"{about.call}; a.force_accumulator"
-    expect_close(got, wanted, call=name, tolerance=1e-11)
+    expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-11)
     about.call += "; a.clear_forces(); b.clear_forces(); registry.remove(a, s); "
     about.call += "registry.update_forces(0.5)"
     about.cause = "it stands in the registry once, under a: one remove takes it away"

@@ -34,7 +34,6 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         p, q = Particle(Vector3(*place), Vector3(1.0, 2.0, 3.0), mass=3.0), Particle(Vector3(*base))
         ElasticLimitSpring(q, k, rest, 1.95 * rest, 0.25).update_force(p, 0.5)
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
-        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
         slips = {"no force": ZERO, "a push along the offset": opposite}
@@ -44,10 +43,9 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
                 "the printed abs(l - l0), with which it pulls (E-3)": opposite,
             }
         blame(got, slips)
-        expect_close(got, wanted, call=name, tolerance=1e-12)
-        name = f"{about.call}; q.force_accumulator"
+        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
         about.cause = "it acts on one end, and leaves the other particle alone"
-        expect_close(xyz(q.force_accumulator), ZERO, call=name)
+        expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = f"p at (4, 0, 0), q at (0, 0, 0); ElasticLimitSpring(q, {k}, 2, 4, "
     about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
     about.cause = "at the limit itself it pulls with all of its stiffness"
@@ -85,17 +83,15 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
                 min(length, late) - rest + share * max(length - late, 0.0)
             ),
         }
-        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
         slips = {slip: [-k * size * part for part in d] for slip, size in sizes.items()}
         blame(got, slips)
-        expect_close(got, wanted, call=name, tolerance=1e-11)
-        name = f"{about.call}, and once more; p.force_accumulator"
+        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = "stretched beyond its limit the spring stays what it is: the force adds up"
         spring.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         twice = tuple(2.0 * part for part in wanted)
-        expect_close(got, twice, call=name, tolerance=1e-11)
+        expect_close(got, twice, then=", and once more; p.force_accumulator", tolerance=1e-11)
 
 
 @pytest.mark.exercise("6.1")
@@ -109,8 +105,7 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     p.add_force(Vector3(*f))
     s = ElasticLimitSpring(q, 5.0, 1.0, 2.0, 0.5)
     s.update_force(p, 0.5)
-    name = f"{about.call}; p.force_accumulator"
-    expect_close(xyz(p.force_accumulator), f, call=name)
+    expect_close(xyz(p.force_accumulator), f, then="; p.force_accumulator")
     about.call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
     about.call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
     about.cause = "read the attributes each time: 4 * 3 + 2 * 4 (4 - 3) pulls"
@@ -118,6 +113,5 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     q.position = q.position - Vector3(4.0, 0.0, 0.0)
     s.limit, s.share, s.stiffness, s.rest_length = 3.0, 2.0, 4.0, 0.0
     s.update_force(p, 0.5)
-    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(got, (-20.0, 0.0, 0.0), call=name, tolerance=1e-12)
+    expect_close(got, (-20.0, 0.0, 0.0), then="; p.force_accumulator", tolerance=1e-12)

@@ -44,14 +44,12 @@ def test_the_force_by_its_formula() -> None:
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
-    name = f"{about.call}; p.force_accumulator"
-    expect_close(got, wanted, call=name, tolerance=1e-10)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-10)
     about.call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0), the same spring.update_force(p, 1/60)"
     about.cause = "on each axis by itself; the velocity counts, and takes it a part of the way "
     about.cause += "already"
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
-    name = f"{about.call}; p.force_accumulator"
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
@@ -60,7 +58,7 @@ def test_the_force_by_its_formula() -> None:
         "no force along y, though p moves along it": 0.0,
     }
     blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
-    expect_close(got, wanted, call=name, tolerance=1e-10)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-10)
 
 
 @pytest.mark.exercise("B6.11")
@@ -72,10 +70,9 @@ def test_a_soft_spring_is_faked_too() -> None:
     p = Particle(Vector3(0.0, 0.0, 1.0))
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
-    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
     # cos loses three digits, and is multiplied by 100.
-    expect_close(got, wanted, call=name, tolerance=1e-11)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B6.11")
@@ -194,6 +191,5 @@ def test_a_faked_spring_needs_a_duration() -> None:
     p = Particle(Vector3(1.0, 0.0, 0.0))
     s.update_force(p, 1.0 / 60.0)
     wanted = (true_spring(1.0, 0.0, 400.0, 3.0, 1.0, 1.0 / 60.0) - 1.0) * 3600.0
-    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(got, (wanted, 0.0, 0.0), call=name, tolerance=1e-9)
+    expect_close(got, (wanted, 0.0, 0.0), then="; p.force_accumulator", tolerance=1e-9)

@@ -41,7 +41,6 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         wanted = tuple(
             f[i] + k * (there[i] + w[i] * time - here[i] - v[i] * time) for i in range(3)
         )
-        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
         now = [there[i] - here[i] for i in range(3)]
         closing = [w[i] - v[i] for i in range(3)]
@@ -66,10 +65,9 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         slips = {slip: [f[i] + pull[i] for i in range(3)] for slip, pull in pulls.items()}
         blame(got, slips)
         # A few roundings of numbers up to 2000.
-        expect_close(got, wanted, call=name, tolerance=1e-11)
+        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = "it leaves the target alone"
-        name = f"{about.call}; q.force_accumulator"
-        expect_close(xyz(q.force_accumulator), ZERO, call=name)
+        expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
 
 @pytest.mark.exercise("6.4")
@@ -98,8 +96,7 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     b.update_force(p, 0.5)
     wanted = tuple(4.0 * (there[i] - here[i]) for i in range(3))
     got = xyz(p.force_accumulator)
-    name = f"{about.call}; p.force_accumulator"
-    expect_close(got, wanted, call=name, tolerance=1e-11)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
     about.call += f"; p.clear_forces(); b.target = an immovable one at {w}; b.update_force(p, 0.5)"
     about.cause = "read self.target each time; an immovable one is a target too"
     p.clear_forces()
@@ -107,8 +104,7 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     b.update_force(p, 0.5)
     wanted = tuple(4.0 * (w[i] - here[i] - v[i]) for i in range(3))
     got = xyz(p.force_accumulator)
-    name = f"{about.call}; p.force_accumulator"
-    expect_close(got, wanted, call=name, tolerance=1e-11)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
 
 
 @pytest.mark.exercise("6.4")
@@ -124,6 +120,5 @@ def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
     # Critically damped, c = k T = 4 and c^2 = 4 k m, from rest: after t s (1 + 2 t) e^-2t of the
     # way is left, and w t e^-2t of the velocity's. Of first order, the step is 0.02 off at most.
     half = [(start[i] * (1.0 + 2.0) + w[i] * 1.0) * math.exp(-2.0) for i in range(3)]
-    name = f"{about.call} after 1 s"
     wanted = math.hypot(*half)
-    expect_close(distances[240], wanted, call=name, tolerance=0.05)
+    expect_close(distances[240], wanted, then=" after 1 s", tolerance=0.05)

@@ -73,8 +73,9 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
         if abs(new[0] - x - new[1] * h) < 1e-10 and "this is" not in about.cause and left[0] != 0.0:
             about.cause = f"this is x' = x + v' h, with the new velocity alone: {about.cause}"
         # A few roundings of numbers up to 4000.
-        name = f"{about.call}: what the equations for x' and v' are off"
-        expect_close(left, (0.0, 0.0), call=name, tolerance=1e-10)
+        expect_close(
+            left, (0.0, 0.0), then=": what the equations for x' and v' are off", tolerance=1e-10
+        )
 
 
 @pytest.mark.exercise("B6.9")
@@ -89,9 +90,10 @@ def test_half_the_frame_has_its_share_of_the_error(method: str, factor: float) -
     errors = [
         implicit_steps(method, 1.0, 0.0, 4.0, 0.5, 1.0, 2.0 / n, n)[0] - exact for n in (400, 800)
     ]
-    name = f"{about.call}, h = 1/200 over h = 1/400"
     # The next order adds some h of it.
-    expect_close(errors[0] / errors[1], factor, call=name, tolerance=0.03 * factor)
+    expect_close(
+        errors[0] / errors[1], factor, then=", h = 1/200 over h = 1/400", tolerance=0.03 * factor
+    )
 
 
 @pytest.mark.exercise("B6.9")

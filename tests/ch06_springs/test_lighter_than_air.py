@@ -62,9 +62,8 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
         about.call = f"p at (0, {y}, 0); LighterThanAir({most}, {scale}).update_force(p, 0.5)"
         p = Particle(Vector3(0.0, y, 0.0))
         balloon.update_force(p, 0.5)
-        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
-        expect_close(got, (0.0, most, 0.0), call=name)
+        expect_close(got, (0.0, most, 0.0), then="; p.force_accumulator")
         expect_unchanged("p.position", xyz(p.position), (0.0, y, 0.0), cause=UNCHANGED)
     about.call = f"balloon = LighterThanAir({most}, {scale}); balloon.max_lift = {2 * most}; "
     about.call += f"balloon.scale_height = {3 * scale}; p at (0, {3 * scale}, 0); "
@@ -73,9 +72,8 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     balloon.max_lift, balloon.scale_height = 2.0 * most, 3.0 * scale
     p = Particle(Vector3(0.0, 3.0 * scale, 0.0))
     balloon.update_force(p, 0.5)
-    name = f"{about.call}; p.force_accumulator"
     wanted = (0.0, 2.0 * most / math.e, 0.0)
-    expect_close(xyz(p.force_accumulator), wanted, call=name)
+    expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator")
 
 
 @pytest.mark.exercise("6.2")

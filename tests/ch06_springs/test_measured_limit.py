@@ -40,22 +40,23 @@ def test_how_the_particle_is_released() -> None:
     calls = "the integrator that is given makes the steps, whichever it is; no formula knows it"
     expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
-    name = f"{about.call}: particles, their mass and damping, the duration"
     numbers = (count, mass, damping, h)
     slips = {"a particle without damping; it is the particle's, not the spring's": (1, 1, 1, 0.125)}
     why = named(numbers, about.cause, slips)
-    expect_close(numbers, (1, 1.0, 0.25, 0.125), call=name, cause=why)
-    name = f"{about.call}: distance from the anchor"
-    expect_close(math.hypot(*place), 10.0, call=name)
-    name = f"{about.call}: acceleration"
-    expect_close(drift, (0.0, 0.0, 0.0), call=name)
-    name = f"{about.call}: velocity"
-    expect_close(velocity, (0.0, 0.0, 0.0), call=name)
-    name = f"{about.call}: the force that is there before apply_forces is called"
-    expect_close(before, (0.0, 0.0, 0.0), call=name)
-    name = f"{about.call}: the force that apply_forces adds"
+    expect_close(
+        numbers,
+        (1, 1.0, 0.25, 0.125),
+        then=": particles, their mass and damping, the duration",
+        cause=why,
+    )
+    expect_close(math.hypot(*place), 10.0, then=": distance from the anchor")
+    expect_close(drift, (0.0, 0.0, 0.0), then=": acceleration")
+    expect_close(velocity, (0.0, 0.0, 0.0), then=": velocity")
+    expect_close(
+        before, (0.0, 0.0, 0.0), then=": the force that is there before apply_forces is called"
+    )
     wanted = tuple(-7.0 * part for part in place)
-    expect_close(force, wanted, call=name, tolerance=1e-11)
+    expect_close(force, wanted, then=": the force that apply_forces adds", tolerance=1e-11)
 
 
 @pytest.mark.exercise("6.5")

@@ -42,7 +42,6 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         Overcrowding([p, q], distance, k).update_force(p, 0.5)
         push = k * distance * max(1.0 - share, 0.0)
         wanted = tuple(g - push * part for g, part in zip(f, d, strict=True))
-        name = f"{about.call}; p.force_accumulator"
         got = xyz(p.force_accumulator)
         near = share * distance
         pushes = {
@@ -58,10 +57,9 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
                 for slip, size in pushes.items()
             }
             blame(got, slips)
-        expect_close(got, wanted, call=name, tolerance=1e-11)
-        name = f"{about.call}; q.force_accumulator"
+        expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = "the other one is pushed when it is asked for, not now"
-        expect_close(xyz(q.force_accumulator), ZERO, call=name)
+        expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
 
 @pytest.mark.exercise("6.3")
@@ -78,10 +76,9 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     others = [Particle(p.position + Vector3(*offset)) for offset in offsets]
     crowd = Overcrowding([others[0], others[1], p, others[2], others[3]], 3.0, k)
     crowd.update_force(p, 0.5)
-    name = f"{about.call}; p.force_accumulator"
     wanted = (-2.0 * k, -1.0 * k, 1.5 * k)
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, call=name, tolerance=1e-12)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
     about.call += f"crowd.stiffness = {2 * k}; crowd.update_force(p, 0.5)"
     about.cause = "read particles, distance and stiffness each time: only one is nearer than 1.25 m"
@@ -89,10 +86,9 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     crowd.particles.pop()
     crowd.distance, crowd.stiffness = 1.25, 2.0 * k
     crowd.update_force(p, 0.5)
-    name = f"{about.call}; p.force_accumulator"
     wanted = (-0.5 * k, 0.0, 0.0)
     got = xyz(p.force_accumulator)
-    expect_close(got, wanted, call=name, tolerance=1e-12)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
 
 
 @pytest.mark.exercise("6.3")
@@ -106,14 +102,17 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     r = Particle(p.position + Vector3(0.0, 1.0, 0.0), mass=math.inf)
     crowd = Overcrowding([r, p, q], 3.0, 5.0)
     crowd.update_force(p, 0.5)
-    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(got, (0.0, -10.0, 0.0), call=name, tolerance=1e-12)
-    name = f"{about.call}; the positions in crowd.particles, as they were: r, p, q"
+    expect_close(got, (0.0, -10.0, 0.0), then="; p.force_accumulator", tolerance=1e-12)
     about.cause = "the list is the caller's: leave its order and its particles alone"
     got = [part for one in crowd.particles for part in xyz(one.position)]
     wanted = [here[0], here[1] + 1.0, here[2], *here, *here]
-    expect_close(got, wanted, call=name, tolerance=1e-12)
+    expect_close(
+        got,
+        wanted,
+        then="; the positions in crowd.particles, as they were: r, p, q",
+        tolerance=1e-12,
+    )
     about.call = "p at (0, 1e-9, 0), not in the crowd; Overcrowding([q], 3.0, 5.0).update_force(p, "
     about.call += "0.5), q at (0, 0, 0); p.force_accumulator"
     about.cause = "who is asked for need not be one of the crowd; near is not at the same place"
@@ -134,9 +133,10 @@ def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
     about.call += "each; 600 frames of registry.update_forces(h), p.integrate(h)"
     about.cause = "everybody who is nearer than 1 m is pushed away, and pushes back"
     nearest, momentum = crowded(places, 1.0, 40.0, 0.2, 1.0 / 60.0, 600)
-    name = f"{about.call}: 1.0 less the smallest distance, or 0"
     # Pushed out of the way, each coasts on a little, slowed by the damping.
-    expect_close(max(1.0 - nearest, 0.0), 0.0, call=name, tolerance=0.01)
+    expect_close(
+        max(1.0 - nearest, 0.0), 0.0, then=": 1.0 less the smallest distance, or 0", tolerance=0.01
+    )
     before = min(math.dist(a, b) for a in places for b in places if a is not b)
     expect_exactly(nearest > before, True, then=": farther apart than at the start")
     # The pushes of each frame are opposite but for rounding, some 1e-14 N.

@@ -102,16 +102,25 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
     for frame in (15, 40, 60):
         true = ends(math.cos(2.0 * math.pi * frame / FRAMES), period * frame / FRAMES)
         for which, place in enumerate(true):
-            name = f"{about.call}: particles[{which}].position after {frame} of {FRAMES} frames"
             # Of a length of 1 m; velocity Verlet, once a frame, is off by 3e-3 at most.
             got = places[frame - 1][which]
-            expect_close(got, place, call=name, tolerance=5e-3)
+            expect_close(
+                got,
+                place,
+                then=f": particles[{which}].position after {frame} of {FRAMES} frames",
+                tolerance=5e-3,
+            )
     falling = [p + q * period for p, q in zip(v, a, strict=True)]
     # After a whole period the spring has its velocity of the start, none; it has up to 9 m/s.
-    name = f"{about.call}: particles[0].velocity after {FRAMES} frames"
-    expect_close(velocities[-1][0], falling, call=name, tolerance=5e-2)
-    name = f"{about.call}: particles[0].force_accumulator after it"
-    expect_close(left[0], (0.0, 0.0, 0.0), call=name, tolerance=0.0)
+    expect_close(
+        velocities[-1][0],
+        falling,
+        then=f": particles[0].velocity after {FRAMES} frames",
+        tolerance=5e-2,
+    )
+    expect_close(
+        left[0], (0.0, 0.0, 0.0), then=": particles[0].force_accumulator after it", tolerance=0.0
+    )
 
 
 @pytest.mark.exercise("G6.3")
@@ -122,9 +131,10 @@ def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], 
     about.cause += "evaluations in all"
     count, error = turn_of_an_orbit(rng)
     on_chart(count, error)
-    name = f"{about.call}: largest distance from the true orbit / half axis"
     # Velocity Verlet in 16 parts a frame is off by 2e-3, explicit Euler in 80 by 0.3.
-    expect_close(error, 0.0, call=name, tolerance=0.01)
+    expect_close(
+        error, 0.0, then=": largest distance from the true orbit / half axis", tolerance=0.01
+    )
 
 
 @pytest.mark.exercise("G6.3")
@@ -134,10 +144,14 @@ def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
     about.call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
     about.cause = f"{FEW} are allowed: take fewer parts, or a formula that asks less often"
     count, error = turn_of_an_orbit(rng)
-    name = f"{about.call}: evaluations of the forces beyond {FEW}, with an error of {error:.1e}"
-    expect_exactly(max(count - FEW, 0), 0, call=name)
+    expect_exactly(
+        max(count - FEW, 0),
+        0,
+        then=f": evaluations of the forces beyond {FEW}, with an error of {error:.1e}",
+    )
     about.cause = f"yours makes {count} evaluations of {FEW}: take more parts where the orbit is "
     about.cause += "fast, or a better formula"
-    name = f"{about.call}: largest distance from the true orbit / half axis"
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
-    expect_close(error, 0.0, call=name, tolerance=most)
+    expect_close(
+        error, 0.0, then=": largest distance from the true orbit / half axis", tolerance=most
+    )

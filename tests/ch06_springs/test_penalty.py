@@ -71,9 +71,8 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
     about.cause = "below the ground it pushes"
     p = Particle(Vector3(0.0, height - 1.0, 0.0))
     PenaltyGround(height, k, c).update_force(p, 0.5)
-    name = f"{about.call}; p.force_accumulator"
     got = xyz(p.force_accumulator)
-    expect_close(got, (0.0, k, 0.0), call=name, tolerance=1e-12)
+    expect_close(got, (0.0, k, 0.0), then="; p.force_accumulator", tolerance=1e-12)
 
 
 @pytest.mark.exercise("G6.1")
@@ -119,10 +118,9 @@ def test_a_body_comes_to_rest_in_the_sponge() -> None:
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
     expect_close(end, -0.05, tolerance=1e-9)
-    name = f"{about.call}, at its lowest"
     about.cause = "it falls at the root of 10 m/s, and is stopped by the spring within some 0.2 m"
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
-    expect_close(lowest, 0.8 * deepest, call=name, tolerance=0.2 * -deepest)
+    expect_close(lowest, 0.8 * deepest, then=", at its lowest", tolerance=0.2 * -deepest)
     about.call = "PenaltyGround(0, 400, 0) with height, stiffness and damping changed to 1, 3 and "
     about.call += "0.5; p at (0, 0, 0), velocity (0, 2, 0); update_force(p, 0.5); "
     about.call += "p.force_accumulator"

@@ -86,7 +86,6 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
             if 0 <= j < len(places):
                 parts.append(pull(end, after[j], k, math.dist(places[i], places[j]), c))
         wanted = tuple(math.fsum(part[axis] for part in parts) for axis in range(3))
-        name = f"{about.call}; planks[{i}].force_accumulator"
         below = pull(end, ((x, y - height, z), ZERO), k, height, c)
         slips = {
             "a force of anchors below the planks": [
@@ -99,10 +98,15 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
             ],
         }
         why = named(forces[i], about.cause, slips)
-        expect_close(forces[i], wanted, call=name, cause=why, tolerance=1e-11)
-    name = f"{about.call}; the force of another spring that the registry had before, upwards"
+        expect_close(
+            forces[i], wanted, then=f"; planks[{i}].force_accumulator", cause=why, tolerance=1e-11
+        )
     about.cause = "hang the bridge beside what the registry has already"
-    expect_close(forces[-1], (0.0, -2.0, 0.0), call=name)
+    expect_close(
+        forces[-1],
+        (0.0, -2.0, 0.0),
+        then="; the force of another spring that the registry had before, upwards",
+    )
 
 
 @pytest.mark.exercise("G6.2")
@@ -133,11 +137,14 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             "the weight times 9.81, and it is in N already": [9.81 * part for part in wanted],
         }
         about.cause = named(got, about.cause, slips) if beside else about.cause
-        name = f"{about.call}: forces upwards, less the 2 N that were there"
-        expect_close(got, wanted, call=name, tolerance=1e-12 * weight)
-        name = f"{about.call}: forces along x and z stay"
+        expect_close(
+            got,
+            wanted,
+            then=": forces upwards, less the 2 N that were there",
+            tolerance=1e-12 * weight,
+        )
         got = [part for force in forces for part in (force[0], force[2])]
-        expect_close(got, [1.0, 3.0] * 3, call=name)
+        expect_close(got, [1.0, 3.0] * 3, then=": forces along x and z stay")
     about.call = f"one plank at x = -1.5; load_bridge([plank], 4.0, {weight})"
     about.cause = "a single plank carries all"
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0

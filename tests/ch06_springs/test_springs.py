@@ -217,11 +217,9 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     slips["the pull alone, and what was there is lost"] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.
-    name = f"{about.call}; p.force_accumulator"
-    expect_close(got, wanted, call=name, tolerance=1e-11)
+    expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
     about.cause = "one Spring acts on one end; q gets its force from a Spring of its own"
-    name = f"{about.call}; q.force_accumulator"
-    expect_close(xyz(q.force_accumulator), ZERO, call=name)
+    expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = "s = Spring(q, 1, 1, 1) has acted; s.stiffness, s.rest_length, s.damping = 5, 2, "
     about.call += "3; p at (0, 3, 0), velocity (0, 1, 0), q at rest at (0, 0, 0); "
     about.call += "s.update_force(p, 0.5)"
@@ -230,8 +228,7 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     p, q.position, q.velocity = Particle(Vector3(0, 3, 0), Vector3(0, 1, 0)), Vector3(), Vector3()
     s.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    name = f"{about.call}; p.force_accumulator"
-    expect_close(got, (0.0, -8.0, 0.0), call=name)
+    expect_close(got, (0.0, -8.0, 0.0), then="; p.force_accumulator")
 
 
 @pytest.mark.exercise("B6.1")

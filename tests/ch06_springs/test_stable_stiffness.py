@@ -65,9 +65,13 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
         limit = max_stable_stiffness(d, h, m)
         for share in (0.98, 1.0, 1.02):
             size = largest_eigenvalue(step_matrix(share * limit, d, h, m))
-            name = f"{about.call}{share} k N/m: the largest eigenvalue of the step"
             wanted = math.sqrt(1.0 + (share - 1.0) * (1.0 - d**h))
-            expect_close(size, wanted, call=name, tolerance=1e-12)
+            expect_close(
+                size,
+                wanted,
+                then=f"{share} k N/m: the largest eigenvalue of the step",
+                tolerance=1e-12,
+            )
 
 
 @pytest.mark.exercise("6.6b")

@@ -246,17 +246,14 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
         for i in range(3)
     ]
     got = tuple(ends["positions"][0][i] - ends["positions"][1][i] for i in range(3))
-    name = f"{about.call}: the distance from one to the other"
     wanted = tuple(state[0] for state in states)
-    expect_close(got, wanted, call=name, tolerance=1e-11)
+    expect_close(got, wanted, then=": the distance from one to the other", tolerance=1e-11)
     got = tuple(ends["velocities"][0][i] - ends["velocities"][1][i] for i in range(3))
-    name = f"{about.call}: the velocity of one seen from the other"
     wanted = tuple(state[1] for state in states)
-    expect_close(got, wanted, call=name, tolerance=1e-11)
+    expect_close(got, wanted, then=": the velocity of one seen from the other", tolerance=1e-11)
     got = tuple(0.5 * (ends["positions"][0][i] + ends["positions"][1][i]) for i in range(3))
-    name = f"{about.call}: the middle of the two"
     wanted = tuple(0.5 * (one[i] + two[i] + (v[i] + w[i]) * h) for i in range(3))
-    expect_close(got, wanted, call=name, tolerance=1e-11)
+    expect_close(got, wanted, then=": the middle of the two", tolerance=1e-11)
 
 
 @methods
@@ -268,11 +265,15 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     about.call = call_of(method, f"{frames} steps of h = {h}, {hand} N added by hand before each")
     about.cause = f"{EVALUATIONS[method]} evaluations a step, no more and no fewer"
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
-    name = f"{about.call}: how often apply_forces is called"
-    expect_exactly(len(asked), frames * EVALUATIONS[method], call=name)
+    expect_exactly(
+        len(asked), frames * EVALUATIONS[method], then=": how often apply_forces is called"
+    )
     about.cause = "apply_forces gets the duration of the whole step, each time"
-    name = f"{about.call}: the durations that apply_forces is called with"
-    expect_close([d for d, _, _ in asked], [h] * len(asked), call=name)
+    expect_close(
+        [d for d, _, _ in asked],
+        [h] * len(asked),
+        then=": the durations that apply_forces is called with",
+    )
     about.cause = "before each evaluation clear the accumulators, and add again what was there "
     about.cause += "before the step; after the step they are empty"
     for number, (_, sums, _) in enumerate(asked, 1):
@@ -309,10 +310,11 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
             places.append(p[i] + 0.5 * h * (v[i] + 0.5 * h * first))
             places.append(p[i] + h * (v[i] + 0.5 * h * second))
         wanted.append(places)
-    name = f"{about.call}: where the particle is when apply_forces is called"
     got = [part for _, _, places in asked for part in places[0]]
     flat = [wanted[i][n] for n in range(len(wanted[0])) for i in range(3)]
-    expect_close(got, flat, call=name, tolerance=1e-11)
+    expect_close(
+        got, flat, then=": where the particle is when apply_forces is called", tolerance=1e-11
+    )
 
 
 @methods
@@ -326,17 +328,15 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     )
     about.cause = "at the end of the step the accumulators are empty"
     ends = stepped(method, [body], (k, c), h, 1)
-    name = f"{about.call}: p.force_accumulator"
-    expect_close(ends["forces"][0], ZERO, call=name)
+    expect_close(ends["forces"][0], ZERO, then=": p.force_accumulator")
     about.cause = "last_acceleration is the mean acceleration of the step: let integrate make the "
     about.cause += "velocity from the mean force"
     wanted = tuple(
         one_step(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)[2]
         for i in range(3)
     )
-    name = f"{about.call}: p.last_acceleration"
     got = ends["accelerations"][0]
-    expect_close(got, wanted, call=name, tolerance=1e-9)
+    expect_close(got, wanted, then=": p.last_acceleration", tolerance=1e-9)
 
 
 @methods
@@ -351,20 +351,16 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     about.cause = "what has no finite mass stays where it is, whatever its velocity and "
     about.cause += "acceleration are"
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
-    name = f"{about.call}: its position"
-    expect_close(ends["positions"][0], place, call=name, tolerance=0.0)
-    name = f"{about.call}: its velocity"
-    expect_close(ends["velocities"][0], velocity, call=name, tolerance=0.0)
-    name = f"{about.call}: its force_accumulator"
+    expect_close(ends["positions"][0], place, then=": its position", tolerance=0.0)
+    expect_close(ends["velocities"][0], velocity, then=": its velocity", tolerance=0.0)
     about.cause = "its accumulator is empty after the step, like every other one"
-    expect_close(ends["forces"][0], ZERO, call=name)
+    expect_close(ends["forces"][0], ZERO, then=": its force_accumulator")
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
-    name = f"{about.call}: the position of the other one, x"
     about.cause = "the others move all the same"
     got = ends["positions"][1][0]
-    expect_close(got, x, call=name, tolerance=1e-12)
+    expect_close(got, x, then=": the position of the other one, x", tolerance=1e-12)
 
 
 @methods
@@ -381,13 +377,16 @@ def test_a_step_needs_a_duration(method: str) -> None:
             allowed=lambda: stepped(method, [body], (5.0, 0.0), 0.5, 1),
         )
         after = refused(method, bad)
-        name = f"{about.call} was refused; p.position, p.velocity and p.force_accumulator"
         got = (*after["position"], *after["velocity"], *after["force"])
         wanted = (1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0)
-        expect_close(got, wanted, call=name, tolerance=0.0)
-        name = f"{about.call} was refused; how often apply_forces was called"
+        expect_close(
+            got,
+            wanted,
+            then=" was refused; p.position, p.velocity and p.force_accumulator",
+            tolerance=0.0,
+        )
         about.cause = "look at the duration before you ask for forces"
-        expect_exactly(after["asked"], [0], call=name)
+        expect_exactly(after["asked"], [0], then=" was refused; how often apply_forces was called")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
     about.cause = "no particle is no error, and one must move"
     ends = stepped(method, [], (5.0, 0.0), 0.5, 1)

@@ -24,15 +24,19 @@ def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
     about.cause = "pass particles, apply_forces and duration on as they are, once a call"
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
-    name = f"{about.call}, speeds at the limit and below: SimulationDiverged"
     at_limit = (
         "the speed is |v|, the root of the sum of the squares, and no speed here is over the "
     )
     at_limit += "limit"
-    expect_exactly(error, None, call=name, cause=at_limit)
-    name = f"{about.call}: what the integrator gets, how many particles and which duration"
+    expect_exactly(
+        error, None, then=", speeds at the limit and below: SimulationDiverged", cause=at_limit
+    )
     wanted = [(3, 0.25 + i) for i in range(frames)]
-    expect_exactly([tuple(one) for one in calls], wanted, call=name)
+    expect_exactly(
+        [tuple(one) for one in calls],
+        wanted,
+        then=": what the integrator gets, how many particles and which duration",
+    )
 
 
 @pytest.mark.exercise("B6.10")
@@ -49,9 +53,6 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         about.cause = "look at every particle after each step, and raise SimulationDiverged(i, "
         about.cause += "steps, speed, speed_limit) for the first; the first step is number 1"
         calls, error = watching(limit, speeds)
-        name = (
-            f"{about.call}: (particle, step, speed, limit) of the error, nan where none is raised"
-        )
         wanted = (fast, number, 1.25 * limit, limit)
         got = (math.nan,) * 4 if error is None else tuple(error)
         size = 1.25 * limit
@@ -77,10 +78,13 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         elif got[1] > number:
             about.cause = "this is a later step: look right after each step that was made, and let "
             about.cause += "each watch count its own steps, from 1"
-        expect_close(got, wanted, call=name)
-        name = f"{about.call}: how many steps were made"
+        expect_close(
+            got,
+            wanted,
+            then=": (particle, step, speed, limit) of the error, nan where none is raised",
+        )
         about.cause = "it raises right after that step"
-        expect_exactly(len(calls), number, call=name)
+        expect_exactly(len(calls), number, then=": how many steps were made")
 
 
 @pytest.mark.exercise("B6.10")
@@ -108,8 +112,9 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
         about.cause = "NaN compares false with everything: ask `not speed <= speed_limit`"
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
-        name = f"{about.call}: (particle, step) of the error, nan where none is raised"
-        expect_close(got, (1.0, 2.0), call=name)
+        expect_close(
+            got, (1.0, 2.0), then=": (particle, step) of the error, nan where none is raised"
+        )
 
 
 @pytest.mark.exercise("B6.10")

@@ -108,10 +108,14 @@ def test_the_order_of_a_step(method: str) -> None:
         about.call += "320 steps"
         ends = [stepped(method, [body], forces, 1.0 / n, n)["positions"][0] for n in (80, 160, 320)]
         long, short = math.dist(ends[0], ends[1]), math.dist(ends[1], ends[2])
-        name = f"{about.call}: log2 of the ratio of the differences of where it ends"
         # The next order adds some h to it: 0.01 at most here.
         got = math.log2(long / short) if short > 0.0 else math.nan
-        expect_close(got, float(order), call=name, tolerance=0.1)
+        expect_close(
+            got,
+            float(order),
+            then=": log2 of the ratio of the differences of where it ends",
+            tolerance=0.1,
+        )
 
 
 @pytest.mark.parametrize(

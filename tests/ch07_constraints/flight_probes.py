@@ -1,4 +1,4 @@
-"""Frames by time division; the autograder runs it beside the student's code."""
+"""Steps by time division. The autograder runs this file beside the student's code."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Impacts = list[tuple[int, int, float]]
 
 
 class Watched:
-    """A detector that writes down what it is asked, and what it finds: which two, and when."""
+    """A detector that records the durations it gets, and the ends and time of each impact."""
 
     def __init__(self, detector: Any, particles: Sequence[Any]) -> None:
         self.detector, self.particles = detector, particles
@@ -26,7 +26,7 @@ class Watched:
         return self.detector.contacts()
 
     def next_impact(self, duration: float) -> Any:
-        if len(self.asked) == 1400:  # what has no bound would go on for ever
+        if len(self.asked) == 1400:  # a step without a limit would never end
             return None
         self.asked.append(duration)
         impact = self.detector.next_impact(duration)
@@ -49,11 +49,11 @@ def flown(
 ) -> tuple[
     list[list[tuple[Components, Components]]], Impacts, list[float], tuple[int, float] | None
 ]:
-    """Let spheres fly and bounce: on the ground and on each other, each with its restitution.
+    """Let spheres fly and bounce on the ground and on each other, each with its restitution.
 
-    Where a restitution is None there is no such detector. Return places and velocities after each
-    frame, the impacts that were found, what the detector was asked, and of the error that ended it
-    its impacts and time.
+    If a restitution is None, that detector is left out. Return positions and velocities after
+    each step, the impacts found, the durations that the detector got, and the impacts and time of
+    the error that ended it, or None.
     """
     pull = Vector3(*acceleration)
     spheres = [
@@ -83,11 +83,11 @@ def pushed(
     damping: float,
     duration: float,
 ) -> list[list[Components]]:
-    """Push particles over ground of restitution 0.5, by forces for the first one of two frames.
+    """Make two steps with particles over ground of restitution 0.5; forces act in the first one.
 
-    A push is place, velocity, acceleration, force and mass. Return of each particle its place and
-    velocity after the first frame, its last_acceleration and the force that is left then, and its
-    place and velocity after the second frame.
+    A push is position, velocity, acceleration, force and mass. Return for each particle its
+    position, velocity, last_acceleration and remaining force after the first step, and its
+    position and velocity after the second.
     """
     particles = []
     for place, velocity, acceleration, force, mass in pushes:

@@ -1,7 +1,7 @@
-"""Objects told as numbers, and scenes of many frames; the autograder runs it beside the student.
+"""Turn contacts into plain numbers, and run scenes of many steps.
 
-Nothing in here is secret, and nothing in here decides: the checks compare the numbers that come
-back with their own.
+The autograder runs this file beside the student's code, so nothing in it is secret. It returns
+numbers, and the checks compare them with their own.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ def xyz(v: Any) -> Components:
 
 
 def told(contacts: Iterable[Any], particles: Sequence[Any]) -> list[Told]:
-    """Return of each contact: particle and other by number, normal, restitution, penetration.
+    """Return the indices of particle and other, normal, restitution, penetration of each contact.
 
-    The number of what is not there is -1, that of a stranger -2.
+    The index is -1 for None, and -2 for a particle that is not in the list.
     """
     found = []
     for contact in contacts:
@@ -47,12 +47,12 @@ def number_of(particle: Any, particles: Sequence[Any]) -> int:
 
 
 def moving(particles: Sequence[Any]) -> list[tuple[Components, Components]]:
-    """Return place and velocity of each particle."""
+    """Return the position and velocity of each particle."""
     return [(xyz(particle.position), xyz(particle.velocity)) for particle in particles]
 
 
 def velocity_first(particle: Particle, duration: float) -> None:
-    """Step by semi-implicit Euler: what Particle.integrate does, with the new velocity."""
+    """Make a semi-implicit Euler step: Particle.integrate, but moved by the new velocity."""
     place = particle.position.copy()
     particle.integrate(duration)
     if particle.inverse_mass:
@@ -63,10 +63,10 @@ def velocity_first(particle: Particle, duration: float) -> None:
 def lying(
     restitution: float, generated: bool, frames: int, duration: float
 ) -> tuple[list[float], float]:
-    """Let a body lie on the ground, under 9.81 m/s^2.
+    """Let a body lie on the ground under 9.81 m/s^2 and return its heights and largest speed.
 
-    Return its heights after each frame, and the fastest that it was then, up or down. Generated
-    gravity is a force, added by hand in every frame; the other one is built in.
+    Both are read after each step. With ``generated``, gravity is a force that is added by hand in
+    every step. Otherwise it is the body's own acceleration.
     """
     down = Vector3(0.0, -9.81, 0.0)
     body = Particle(acceleration=None if generated else down, mass=2.0)
@@ -92,9 +92,9 @@ def resolved(
 ) -> tuple[int, list[tuple[Components, Components]], list[float]]:
     """Resolve contacts by one of the resolver's methods, or by resolve_contacts with a limit.
 
-    A body is a place, a velocity and a mass, and all have the same acceleration; a contact is told
-    as above. Return how many iterations were used, places and velocities of the bodies, and the
-    penetrations of the contacts.
+    A body is a position, a velocity and a mass, and all bodies have the same acceleration. A
+    contact is given as ``told`` returns it. Return the number of iterations used, the positions
+    and velocities of the bodies, and the penetrations of the contacts.
     """
     pull = Vector3(*acceleration)
     particles = [Particle(Vector3(*p), Vector3(*v), pull, mass=m) for p, v, m in bodies]
@@ -117,17 +117,17 @@ def resolved(
 def stacked(
     count: int, radius: float, iterations: int | None, frames: int, duration: float
 ) -> tuple[list[float], float]:
-    """Stack spheres on the ground, under 9.81 m/s^2, and wait; return what piled returns."""
+    """Stack spheres on the ground under 9.81 m/s^2, and return the results of piled."""
     down = Vector3(0.0, -9.81, 0.0)
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * radius, 0.0), acceleration=down) for i in range(count)
     ]
-    pairs = Neighbours(spheres, radius)
+    pairs = Neighbors(spheres, radius)
     return piled(spheres, pairs, ContactResolver(iterations), frames, duration, radius)
 
 
-class Neighbours:
-    """Detects what each sphere of a stack has below it, another one, without looking elsewhere."""
+class Neighbors:
+    """Detects the contact of each sphere of a stack with the sphere below it, and no others."""
 
     def __init__(self, spheres: Sequence[Particle], radius: float) -> None:
         self.spheres, self.radius = spheres, radius
@@ -149,10 +149,10 @@ def piled(
     duration: float,
     radius: float = 0.5,
 ) -> tuple[list[float], float]:
-    """Let spheres lie on each other and on the ground, whose contacts are made here.
+    """Let spheres lie on each other and on the ground. The contacts with the ground are made here.
 
-    Return their heights in the end, and the largest overlap of two neighbours, or with the ground,
-    that was there after a frame.
+    Return the final heights, and the largest overlap of two neighbors, or with the ground, after
+    any step.
     """
     largest = 0.0
     for _ in range(frames):
@@ -170,7 +170,7 @@ def piled(
 
 
 def thrown_down(speed: float, duration: float) -> tuple[float, float]:
-    """Throw a particle at the ground; return its height after a frame, and that out of contact."""
+    """Throw a particle down; return its height after a step, and the height out of contact."""
     particle = Particle(Vector3(0.0, 1.0, 0.0), Vector3(0.0, -speed, 0.0))
     particle.integrate(duration)
     fallen = particle.position.y
@@ -179,7 +179,7 @@ def thrown_down(speed: float, duration: float) -> tuple[float, float]:
 
 
 def ground_of_a_list(heights: Sequence[float]) -> list[list[int]]:
-    """Return which particles touch the ground: at the heights, and after two changes."""
+    """Return the indices of the particles on the ground: at first, and after two changes."""
     particles = [Particle(Vector3(1.0, y, 2.0)) for y in heights]
     ground = GroundPlane(particles)
     seen = [numbers_of(ground, particles, 1)]
@@ -193,7 +193,7 @@ def ground_of_a_list(heights: Sequence[float]) -> list[list[int]]:
 
 
 def pairs_of_a_list(radius: float) -> list[list[int]]:
-    """Return which of four particles in a row touch: at first, and after two changes."""
+    """Return the touching pairs of four particles in a row: at first, and after two changes."""
     particles = [Particle(Vector3(3.0 * radius * i)) for i in range(4)]
     pairs = ParticlePairs(particles, radius)
     seen = [numbers_of(pairs, particles, 2)]
@@ -205,9 +205,9 @@ def pairs_of_a_list(radius: float) -> list[list[int]]:
 
 
 def looked(count: int, size: float) -> tuple[int, int, int]:
-    """Find pairs among spheres of radius 0.5 m in a cube; count what is asked of their positions.
+    """Find pairs among spheres of radius 0.5 m in a cube, and count accesses to their positions.
 
-    Return that, how many contacts were found, and how many pairs touch.
+    Return that count, the number of contacts that were found, and the number of touching pairs.
     """
     rng = Random(1)
     places = [tuple(rng.uniform(0.0, size) for _ in range(3)) for _ in range(count)]
@@ -228,16 +228,16 @@ def looked(count: int, size: float) -> tuple[int, int, int]:
 
 
 def numbers_of(detector: Any, particles: Sequence[Particle], ends: int) -> list[int]:
-    """Return the numbers of the particles, or of both ends, of the contacts that it finds."""
+    """Return the indices of the particles, or of both ends, of the detector's contacts."""
     return [end for contact in told(detector.contacts(), particles) for end in contact[:ends]]
 
 
 def swung(
     link: Any, bob: Particle, duration: float, frames: int
 ) -> list[tuple[Components, Components, float]]:
-    """Let a bob swing on a link; return place, velocity and the pull in N after each frame.
+    """Let a bob swing on a link; return its position, velocity and pull in N after each step.
 
-    The pull is what the contacts of the frame have changed of the momentum, in a second.
+    The pull is the change of momentum by the contacts of a step, divided by its duration.
     """
     seen = []
     for _ in range(frames):
@@ -251,5 +251,5 @@ def swung(
 
 
 def entered_drops() -> list[tuple[str, float, float]]:
-    """Return what the student has entered in drops.csv."""
+    """Return the drops in the student's drops.csv."""
     return read_drops(find_drops())

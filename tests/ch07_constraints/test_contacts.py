@@ -1,4 +1,4 @@
-"""Contacts: how fast they part, and how fast they should, build tasks B7.1 and B7.2."""
+"""Separating velocity and bounce of a contact, build tasks B7.1 and B7.2."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from expect import about, blame, expect_close, expect_error, expect_unchanged, x
 ZERO = (0.0, 0.0, 0.0)
 UP = (0.0, 1.0, 0.0)
 PART = "book 7.1.1, Eq. 7.2, and the docstring of Contact.separating_velocity"
-AFTER = "book 7.2.3, E-25, and the docstring of Contact.velocity_after"
+AFTER = "book 7.2.3, Eq. 7.3, and the docstring of Contact.velocity_after"
 REST = "book 7.2.3, E-26, and the docstring of Contact.velocity_after"
 G = 9.81
 
 
 def along(n: Components, speed: float, rng: Random) -> Components:
-    """Return a velocity whose part along a normal is the speed; the rest of it is random."""
+    """Return a random velocity whose component along the normal is ``speed``."""
     v = components(rng)
     part = speed - dot(v, n)
     return (v[0] + part * n[0], v[1] + part * n[1], v[2] + part * n[2])
@@ -41,20 +41,21 @@ def test_two_part_as_one_sees_the_other(rng: Random) -> None:
     ):
         about.call = f"a at {p}, velocity {v}; b of {mass} kg at {q}, velocity {w}; Contact(a, b, "
         about.call += f"Vector3{n}, 0.5, -1.0).separating_velocity()"
-        about.cause = "(va - vb) . n: velocities, a seen from b; positive where they part, "
-        about.cause += "negative where they close, whatever their masses and the penetration"
+        about.cause = "The separating velocity is (va - vb) . n. It is positive while the two move "
+        about.cause += "apart. Masses and penetration do not matter."
         a = Particle(Vector3(*p), Vector3(*v), mass=2.0)
         b = Particle(Vector3(*q), Vector3(*w), mass=mass)
         got = Contact(a, b, Vector3(*n), 0.5, -1.0).separating_velocity()
         wanted = dot(v, n) - dot(w, n)
-        way = tuple(x - y for x, y in zip(p, q, strict=True))
-        along_way = sum((x - y) * z for x, y, z in zip(v, w, way, strict=True)) / math.hypot(*way)
+        line = tuple(x - y for x, y in zip(p, q, strict=True))
+        over = sum((x - y) * z for x, y, z in zip(v, w, line, strict=True)) / math.hypot(*line)
         mistakes = [
-            (-wanted, "the sign is turned round: (va - vb) . n, the velocity of a seen from b"),
-            (dot(v, n), "the velocity of b is left out: (va - vb) . n"),
-            (dot(v, n) + dot(w, n), "the velocity of b is added, and not taken off: (va - vb) . n"),
-            (along_way, "that is along the line between the places: take the contact's normal"),
-        ]
+            (-wanted, "The sign is wrong. Compute (va - vb) . n, the velocity of a relative to b."),
+            (dot(v, n), "The velocity of b is missing. Compute (va - vb) . n."),
+            (dot(v, n) + dot(w, n), "The velocities were added. Subtract the velocity of b."),
+            (over, "This is the velocity along the line between the two positions. Use the "
+             "contact's normal as the direction."),
+        ]  # fmt: skip
         blame(got, mistakes)
         # A few roundings of numbers up to 20.
         expect_close(got, wanted, tolerance=1e-13)
@@ -65,11 +66,10 @@ def test_the_world_does_not_move(rng: Random) -> None:
     about.read = PART
     v = components(rng)
     for n in (UP, direction(rng)):
-        about.call = f"a with velocity {v}; c = Contact(a, None, Vector3{n}), whose other is None: "
-        about.call += "the world; c.separating_velocity()"
-        about.cause = "without an other it is va . n: look whether other is None"
+        about.call = f"a with velocity {v}; Contact(a, None, Vector3{n}).separating_velocity()"
+        about.cause = "If other is None, there is no second velocity. Return va . n."
         got = Contact(Particle(velocity=Vector3(*v)), None, Vector3(*n)).separating_velocity()
-        blame(got, [(-dot(v, n), "the sign is turned round: va . n")])
+        blame(got, [(-dot(v, n), "The sign is wrong. Return va . n.")])
         expect_close(got, dot(v, n), tolerance=1e-13)
 
 
@@ -79,7 +79,7 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     v, w, n, m = components(rng), components(rng), direction(rng), direction(rng)
     about.call = f"a with velocity {v}, b with {w}; c = Contact(a, b, Vector3{n}); "
     about.call += "c.separating_velocity()"
-    about.cause = "-= works in place: take a - b, which is new"
+    about.cause = "-= changes a vector in place. Compute a - b, which makes a new vector."
     a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
     c = Contact(a, b, Vector3(*n))
     c.separating_velocity()
@@ -90,7 +90,7 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     ):
         expect_unchanged(name, now, before)
     about.call += f"; c.normal = Vector3{m}; a.velocity = Vector3(); c.separating_velocity()"
-    about.cause = "it is that of now: keep nothing of an earlier call"
+    about.cause = "Compute the result from the current velocities and normal on every call."
     c.normal = Vector3(*m)
     a.velocity = Vector3()
     got = c.separating_velocity()
@@ -116,16 +116,16 @@ def test_what_closes_bounces(rng: Random) -> None:
     for restitution, closing, n, v, w in samples:
         about.call = f"a with velocity {v}, b with {w}; Contact(a, b, Vector3{n}, "
         about.call += f"{restitution}).velocity_after()"
-        about.cause = f"they close with {-closing} m/s, and part with the restitution times that: "
-        about.cause += "-c v_s, however slow that is"
+        about.cause = f"They approach at {-closing} m/s and must separate at the restitution times "
+        about.cause += "that speed. This rule holds for slow contacts too."
         a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w), mass=3.0)
         got = Contact(a, b, Vector3(*n), restitution).velocity_after()
         wanted = -restitution * closing
         mistakes = [
-            (-wanted, "the sign: -c v_s parts; the book's text has c v_s in one place (E-25)"),
-            (-closing, "the restitution is left out: -c v_s"),
-            (closing, "that is how fast they close before: afterwards it is -c v_s"),
-            (wanted - closing, "that is the change; wanted is what they part with: -c v_s"),
+            (-wanted, "The sign is wrong. A bounce makes the contact separate: return -c v_s."),
+            (-closing, "The restitution is missing. Return -c v_s."),
+            (closing, "This is the velocity before the bounce. Return -c v_s, the one after it."),
+            (wanted - closing, "This is the change of velocity. Return -c v_s, the result of it."),
         ]
         if closing < -1e-3:  # below, all of these are near 0
             blame(got, mistakes)
@@ -145,15 +145,15 @@ def test_what_parts_goes_on(rng: Random) -> None:
         v = along(n, parting, rng)
         about.call = f"a with velocity {v}; Contact(a, None, Vector3{n}, "
         about.call += f"0.5).velocity_after({duration})"
-        about.cause = "what parts already does not bounce: it keeps its separating velocity, "
-        about.cause += "whatever pulls it, and however slow it is"
+        about.cause = "This contact is separating already, so it does not bounce. Return its "
+        about.cause += "separating velocity, whatever the acceleration is."
         down = Vector3(*n) * -G
         a = Particle(velocity=Vector3(*v), acceleration=down)
         got = Contact(a, None, Vector3(*n), 0.5).velocity_after(duration)
         expect_close(got, dot(v, n), tolerance=1e-12)
     about.call = "a at rest, pulled down; Contact(a, None, Vector3(0, 1, 0), "
     about.call += "0.5).velocity_after(0.5)"
-    about.cause = "what neither closes nor parts has 0, and keeps it"
+    about.cause = "The two neither approach nor separate. Their separating velocity of 0 stays."
     a = Particle(acceleration=Vector3(0.0, -G, 0.0))
     got = Contact(a, None, Vector3(*UP), 0.5).velocity_after(0.5)
     expect_close(got, 0.0)
@@ -167,24 +167,27 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
     x, y, z = xyz(side)
     pull = (5.0 * x - G * n[0], 5.0 * y - G * n[1], 5.0 * z - G * n[2])
     for closing, wanted, cause in (
-        (G * h, 0.0, "it rests: all that it closes with is what the frame has accelerated it"),
-        (0.4 * G * h, 0.0, "the frame explains more than there is: 0, and never below"),
-        (
-            5.0,
-            c * (5.0 - G * h),
-            "c (-v_s + a . n h): the frame has built up 0.1962 m/s, which is left out of the "
-            "bounce; it closes with 5 m/s, and the rest of that bounces",
-        ),
-    ):
+        (G * h, 0.0, "This body is at rest: it closes only by what the time step's acceleration "
+         "added. It must not bounce."),
+        (0.4 * G * h, 0.0, "The time step added more than the whole closing speed. Return 0, never "
+         "less."),
+        (5.0, c * (5.0 - G * h), "Of the 5 m/s the time step added 0.1962 m/s. Only the rest "
+         "bounces: return c (-v_s + a . n h)."),
+    ):  # fmt: skip
         about.cause = cause
         size = math.hypot(*pull)
         mistakes = [
-            (c * closing, "nothing is left out of the bounce: that makes a resting body jitter"),
-            (c * closing - G * h, "it is taken off after the restitution: c (-v_s + a . n h)"),
-            (c * (closing + G * h), "a . n is negative here, and makes the bounce smaller"),
-            (c * (closing - size * h), "that is with all of |a|: take its part along n, a . n"),
-            (0.0, "the frame has built up 0.1962 of 5 m/s, the rest bounces: is h left out?"),
-        ]
+            (c * closing, "Everything bounces here. Leave out the velocity that this time step has "
+             "added, or a resting body jitters."),
+            (c * closing - G * h, "Subtract the built-up velocity before you multiply by the "
+             "restitution: c (-v_s + a . n h)."),
+            (c * (closing + G * h), "Here a . n is negative and makes the bounce smaller. Add it "
+             "to -v_s."),
+            (c * (closing - size * h), "This uses the whole |a|. Only a . n, its component along "
+             "the normal, closes the contact."),
+            (0.0, "The time step added only 0.1962 of the 5 m/s. Did you multiply a . n by the "
+             "duration?"),
+        ]  # fmt: skip
         v = along(n, -closing, rng)
         about.call = f"a of 3 kg with velocity {v}, acceleration {pull}, damping 0.25; Contact(a, "
         about.call += f"None, Vector3{n}, {c}).velocity_after({h})"
@@ -194,7 +197,7 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12)
     about.call = f"a with velocity (0, -5, 0), acceleration (0, -{G}, 0); Contact(a, None, "
     about.call += "Vector3(0, 1, 0), 1.0).velocity_after(0.0)"
-    about.cause = "a duration of 0 is an impact: no frame has built up anything"
+    about.cause = "With a duration of 0 no time step has added any velocity, so all of it bounces."
     a = Particle(velocity=Vector3(0.0, -5.0, 0.0), acceleration=Vector3(0.0, -G, 0.0))
     got = Contact(a, None, Vector3(*UP), 1.0).velocity_after(0.0)
     expect_close(got, 5.0)
@@ -206,8 +209,8 @@ def test_an_acceleration_that_parts_explains_nothing(rng: Random) -> None:
     pull, c = positive_number(rng), round(rng.uniform(0.3, 0.9), 3)
     about.call = f"a with velocity (0, -2, 0), acceleration (3, {pull}, 3); Contact(a, None, "
     about.call += f"Vector3(0, 1, 0), {c}).velocity_after(0.25)"
-    about.cause = "an acceleration away from the contact, a . n above 0, has not closed it: c "
-    about.cause += "times 2 m/s"
+    about.cause = "This acceleration points away from the contact (a . n > 0), so it did not close "
+    about.cause += "it. All of the 2 m/s bounces."
     a = Particle(velocity=Vector3(0.0, -2.0, 0.0), acceleration=Vector3(3.0, pull, 3.0))
     got = Contact(a, None, Vector3(*UP), c).velocity_after(0.25)
     expect_close(got, 2.0 * c)
@@ -219,9 +222,9 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     mass, c, h = positive_number(rng), round(rng.uniform(0.3, 0.9), 3), 0.02
     about.call = f"a of {mass} kg; a.add_force(Vector3(0, -{mass} * {G}, 0)); a.integrate({h}); "
     about.call += f"Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
-    about.cause = "count all of the frame's acceleration, the forces too: last_acceleration has "
-    about.cause += "it, where force_accumulator is empty by now. The book looks at the constant "
-    about.cause += "one alone, and then a generator's gravity bounces (E-26)"
+    about.cause = "Count forces as well as gravity. Use last_acceleration: it includes the forces, "
+    about.cause += "and the accumulator is already empty. The book counts only the constant "
+    about.cause += "acceleration, so a body under a gravity generator keeps bouncing (E-26)."
     a = Particle(mass=mass)
     a.add_force(Vector3(0.0, -mass * G, 0.0))
     a.integrate(h)
@@ -230,7 +233,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     about.call = f"a of {mass} kg with acceleration (0, -4, 0), a.add_force(Vector3(0, "
     about.call += f"{-5.0 * mass}, 0)); a.integrate({h}); a.velocity.y = -1; Contact(a, None, "
     about.call += f"Vector3(0, 1, 0), {c}).velocity_after({h})"
-    about.cause = "both count, the constant acceleration and that of the forces: -9 m/s^2"
+    about.cause = "Both the constant acceleration and the forces count: together -9 m/s^2."
     a = Particle(acceleration=Vector3(0.0, -4.0, 0.0), mass=mass)
     a.add_force(Vector3(0.0, -5.0 * mass, 0.0))
     a.integrate(h)
@@ -239,7 +242,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     expect_close(got, c * (1.0 - 9.0 * h), tolerance=1e-12)
     about.call = f"b of {mass} kg, pushed up by {7.0 * mass} N; b.integrate({h}); b.velocity.y = "
     about.call += f"1; Contact(a, b, Vector3(0, 1, 0), {c}).velocity_after({h}), a at rest"
-    about.cause = "the forces on the other close the contact as well"
+    about.cause = "Forces on the other particle can close the contact too. Use (aa - ab) . n."
     b = Particle(mass=mass)
     b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
     b.integrate(h)
@@ -248,7 +251,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     expect_close(got, c * (1.0 - 7.0 * h), tolerance=1e-12)
     about.call = f"a of {mass} kg with acceleration (0, {-G}, 0), held by a force of its weight; "
     about.call += f"a.velocity.y = -1; Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
-    about.cause = "force and gravity cancel: nothing was built up, so all of 1 m/s bounces"
+    about.cause = "The force cancels gravity, so nothing was built up. All of the 1 m/s bounces."
     a = Particle(acceleration=Vector3(0.0, -G, 0.0), mass=mass)
     a.add_force(Vector3(0.0, mass * G, 0.0))
     a.integrate(h)
@@ -262,41 +265,17 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
     about.read = REST
     pull, other = number(rng), positive_number(rng)
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
+    immovable = "An immovable particle does not accelerate. Ignore its last_acceleration."
     for pa, pb, mass_a, mass_b, wanted, cause in (
-        (pull, pull, 1.0, 2.0, c * 3.0, "the acceleration of a seen from b: both fall alike, so 0"),
-        (
-            0.0,
-            other,
-            1.0,
-            2.0,
-            c * (3.0 - other * h),
-            "(aa - ab) . n: an other that is accelerated along the normal closes the contact",
-        ),
-        (
-            0.0,
-            other,
-            1.0,
-            math.inf,
-            c * 3.0,
-            "what is immovable is not accelerated, whatever its acceleration says",
-        ),
-        (
-            -other,
-            0.0,
-            1.0,
-            math.inf,
-            c * (3.0 - other * h),
-            "beside an immovable other the acceleration of a counts as it is",
-        ),
-        (
-            -other,
-            0.0,
-            math.inf,
-            1.0,
-            c * 3.0,
-            "what is immovable is not accelerated, whatever its acceleration says",
-        ),
-    ):
+        (pull, pull, 1.0, 2.0, c * 3.0, "Both accelerate alike, so a does not accelerate relative "
+         "to b. Use (aa - ab) . n."),
+        (0.0, other, 1.0, 2.0, c * (3.0 - other * h), "Here b accelerates toward a, which closes "
+         "the contact. Use (aa - ab) . n."),
+        (0.0, other, 1.0, math.inf, c * 3.0, immovable),
+        (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h), "The acceleration of a counts fully "
+         "when the other particle is immovable."),
+        (-other, 0.0, math.inf, 1.0, c * 3.0, immovable),
+    ):  # fmt: skip
         about.cause = cause
         about.call = f"a of {mass_a} kg, velocity (0, -1, 0), acceleration (0, {pa}, 0); b of "
         about.call += f"{mass_b} kg, velocity (0, 2, 0), acceleration (0, {pb}, 0); Contact(a, b, "
@@ -313,7 +292,7 @@ def test_to_say_how_it_bounces_changes_nothing(rng: Random) -> None:
     v = components(rng)[0], -positive_number(rng), components(rng)[2]
     about.call = f"a with velocity {v}, acceleration (0, -2, 0); c = Contact(a, b, Vector3(0, 1, "
     about.call += "0), 0.5); c.velocity_after(0.5)"
-    about.cause = "resolve_velocity changes velocities; this only says what is wanted"
+    about.cause = "This method only computes a velocity. Leave the change to resolve_velocity."
     a = Particle(velocity=Vector3(*v), acceleration=Vector3(0.0, -2.0, 0.0))
     b = Particle(acceleration=Vector3(0.0, -1.0, 0.0))
     c = Contact(a, b, Vector3(*UP), 0.5)
@@ -327,7 +306,7 @@ def test_to_say_how_it_bounces_changes_nothing(rng: Random) -> None:
     ):
         expect_unchanged(name, now, before)
     about.call += "; c.restitution = 0.25; c.velocity_after(0.0)"
-    about.cause = "read the attributes each time: 0.25 times what it closes with now"
+    about.cause = "Read the restitution and the velocities again on every call."
     c.restitution = 0.25
     got = c.velocity_after(0.0)
     expect_close(got, -0.25 * v[1])
@@ -346,8 +325,8 @@ def test_a_bounce_needs_a_duration_that_means_something() -> None:
         ):
             about.call = f"Contact(a, None, Vector3(0, 1, 0)).velocity_after({duration!r}), a with "
             about.call += f"velocity (0, {velocity}, 0)"
-            about.cause = "refuse what is negative or not finite: not_negative of arguments.py "
-            about.cause += "does, and what is no number as well; whether it closes or parts"
+            about.cause = "Refuse a duration that is negative or not finite before anything else. "
+            about.cause += "Call not_negative from arguments.py."
             a = Particle(velocity=Vector3(0.0, velocity, 0.0))
             contact = Contact(a, None, Vector3(*UP))
             expect_error(

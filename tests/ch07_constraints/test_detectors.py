@@ -1,4 +1,4 @@
-"""Detectors of what touches now: the ground and pairs of spheres, 7.5 and B7.9."""
+"""Detectors of current contacts: the ground and pairs of spheres, 7.5 and B7.9."""
 
 from __future__ import annotations
 
@@ -32,18 +32,18 @@ PAIRS = "the docstring of ParticlePairs.contacts"
 def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
-    lowest = "its lowest point, y less the radius, is below the height: a contact, of that depth, "
-    lowest += "whatever its velocity"
+    lowest = "The lowest point of the sphere, y - radius, is below the height of the ground. "
+    lowest += "Return a contact of that depth, whatever the velocity is."
     for radius in (0.0, 0.25):
         about.call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
-        # Eighths of a metre are exact beside a radius of a quarter.
+        # Eighths of a meter are exact beside a radius of a quarter.
         for above, depths, cause in (
-            (0.125, [], "above the ground there is no contact"),
-            (1e-6, [], "just above the ground there is no contact"),
+            (0.125, [], "Above the ground there is no contact."),
+            (1e-6, [], "Just above the ground there is no contact yet."),
             (-0.5, [0.5], lowest),
             (-0.125, [0.125], lowest),
-            (0.0, [0.0], "what only just touches is in contact, with a penetration of 0"),
-            (-80.0, [80.0], "all below the height is ground, however deep"),
+            (0.0, [0.0], "A sphere that just touches is in contact. Its penetration is 0."),
+            (-80.0, [80.0], "Everything below the height is ground, however deep it is."),
         ):
             about.cause = cause
             y = height + radius + above
@@ -51,23 +51,24 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             p = Particle(Vector3(x, y, z), Vector3(1.0, 50.0, 3.0), mass=3.0)
             got = told(GroundPlane([p], height, radius, c).contacts(), [p])
             name = f"p at ({x}, {y}, {z}); {about.call}"
-            expect_exactly(len(got), len(depths), call=f"{name}: how many")
+            expect_exactly(len(got), len(depths), call=f"{name}: number of contacts")
             for (a, b, normal, restitution, depth), wanted in zip(got, depths, strict=True):
                 # Rounding of heights up to 10 m.
                 shown = f"{name}: penetration"
                 mistakes = [
-                    (wanted - radius, "the radius is left out: the lowest point is y - radius"),
-                    (wanted - 2.0 * radius, "the radius is on the wrong side: y - radius"),
-                    (-wanted, "the sign is turned round: a penetration is positive"),
-                    (wanted - height, "the height of the ground is left out"),
-                ]
+                    (wanted - radius, "The radius is missing. The lowest point is at y - radius."),
+                    (wanted - 2.0 * radius, "The radius has the wrong sign. The lowest point is at "
+                     "y - radius."),
+                    (-wanted, "The sign is wrong. A penetration below the ground is positive."),
+                    (wanted - height, "The height of the ground is missing."),
+                ]  # fmt: skip
                 why = cause_of(depth, mistakes, about.cause)
                 expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14)
                 seen = (a, b, *normal, restitution)
-                why = "the particle, no other, the normal (0, 1, 0), and the restitution"
+                why = "Return Contact(particle, None, Vector3(0, 1, 0), restitution, depth)."
                 down = (0, -1, 0, -1, 0, c)
-                why = cause_of(seen, [(down, "the normal is turned round: it leads up")], why)
-                shown = f"{name}: particle by number, -1 for None, normal, restitution"
+                why = cause_of(seen, [(down, "The normal points down. It must point up.")], why)
+                shown = f"{name}: index of particle and other (-1 is None), normal, restitution"
                 expect_close(seen, (0, -1, *UP, c), call=shown, cause=why)
 
 
@@ -76,17 +77,17 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     about.read = GROUND
     heights = [number(rng) for _ in range(6)]
     about.call = f"particles at the heights {heights}; g = GroundPlane(particles); g.contacts(): "
-    about.call += "which"
-    about.cause = "each particle at or below the height, in the order of the list"
+    about.call += "the indices of the particles"
+    about.cause = "Return a contact for each particle at or below the height, in list order."
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
     expect_exactly(first, wanted)
-    about.call += "; all moved to -1, the second one immovable, one more in the list; "
-    about.call += "g.contacts(): which"
-    about.cause = "immovable particles have none; look at the list as it is now"
+    about.call += "; all moved to -1, the second made immovable, one more appended; "
+    about.call += "g.contacts(): the indices"
+    about.cause = "Skip immovable particles, and read the list again on every call."
     expect_exactly(second, [0, 2, 3, 4, 5, 6])
-    about.call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): which"
-    about.cause = "read the attributes each time"
+    about.call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): the indices"
+    about.cause = "Read height and radius again on every call."
     expect_exactly(third, [])
 
 
@@ -94,13 +95,13 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
 def test_nothing_is_too_fast_for_the_ground(rng: Random) -> None:
     about.read = GROUND
     speed = positive_number(rng, 500.0, 2000.0)
-    about.call = f"a particle 1 m above the ground, with {speed} m/s downwards; a frame of 1/60 s, "
-    about.call += "GroundPlane([p]).contacts(), and their penetration added to its height"
-    about.cause = "it is metres below the ground by then, and still in contact: the ground is all "
-    about.cause += "that is below, not a line to be crossed"
+    about.call = f"a particle 1 m above the ground falls at {speed} m/s for 1/60 s; the "
+    about.call += "penetration from GroundPlane([p]).contacts() is added to its height"
+    about.cause = "The particle is now meters below the ground and must still be in contact. The "
+    about.cause += "ground is everything below the height, not just a line to cross."
     fallen, got = thrown_down(speed, 1.0 / 60.0)
     expect_close(got, 0.0, tolerance=1e-12)
-    name = f"a particle 1 m above the ground, with {speed} m/s downwards, after 1/60 s: its height"
+    name = f"a particle 1 m above the ground falls at {speed} m/s for 1/60 s: its height"
     expect_close(fallen, 1.0 - speed / 60.0, call=name, tolerance=1e-12)
 
 
@@ -109,11 +110,11 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     about.read = PAIRS
     n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
     q = components(rng)
-    cells = "in any two cells, also below 0: math.floor, where int cuts off towards 0"
+    cells = "This holds in any two cells, so use math.floor: int rounds toward 0."
     for radius, distance, wanted, cause in (
-        (0.75, 1.500001, None, "more than two radii apart there is no contact"),
-        (0.75, 1.25, 0.25, f"middles 1.25 m apart, two radii 1.5 m: they touch, {cells}"),
-        (4.0, 0.5, 7.5, f"middles 0.5 m apart, two radii 8 m: they touch, {cells}"),
+        (0.75, 1.500001, None, "Spheres whose centers are more than two radii apart do not touch."),
+        (0.75, 1.25, 0.25, f"The centers are 1.25 m apart, less than two radii (1.5 m). {cells}"),
+        (4.0, 0.5, 7.5, f"The centers are 0.5 m apart, less than two radii (8 m). {cells}"),
     ):
         about.cause = cause
         p = tuple(x + distance * part for x, part in zip(q, n, strict=True))
@@ -122,23 +123,23 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         got = told(ParticlePairs(pair, radius, c).contacts(), pair)
         expect_pairs(got, [] if wanted is None else [(0, 1, n, c, wanted)], 2 * radius)
     about.call = "a at (-2, 0, 0), b at (-1, 0, 0); ParticlePairs([a, b], 0.75).contacts()"
-    about.cause = f"middles 1 m apart, two radii 1.5 m: they touch, {cells}"
+    about.cause = f"The centers are 1 m apart, less than two radii (1.5 m). {cells}"
     pair = [Particle(Vector3(-2.0)), Particle(Vector3(-1.0))]
     got = told(ParticlePairs(pair, 0.75).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.5)], 1.5)
     about.call = "a at (3, 0, 0), b at (5, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
-    about.cause = "exactly two radii apart they touch, with a penetration of 0"
+    about.cause = "Spheres exactly two radii apart touch. The penetration is 0."
     pair = [Particle(Vector3(3.0)), Particle(Vector3(5.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = "a at (-1e-17, 0, 0), b at (2, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
-    about.cause = "to rounding they are two radii apart: cells must be a little larger than that, "
-    about.cause += "or there is one between the two"
+    about.cause = "Within rounding these are two radii apart, so they touch. Make the cells a "
+    about.cause += "little larger than two radii, or an empty cell can lie between the spheres."
     pair = [Particle(Vector3(-1e-17)), Particle(Vector3(2.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = f"a and b at {q}; ParticlePairs([a, b], 1.0).contacts()"
-    about.cause = "at one place there is no direction: the normal is +Y"
+    about.cause = "Spheres at the same position have no direction between them. Use +Y as normal."
     pair = [Particle(Vector3(*q)), Particle(Vector3(*q))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, UP, 0.0, 2.0)])
@@ -146,37 +147,39 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
 
 @scoped
 def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
-    """Expect these contacts, in this order: both numbers, normal, restitution, penetration.
+    """Expect these contacts, in this order: both indices, normal, restitution, penetration.
 
-    ``size`` is that of two radii.
+    ``size`` is two radii.
     """
     seen, pairs = ([(a, b) for a, b, *_ in contacts] for contacts in (got, wanted))
     found = {frozenset(pair) for pair in seen}
     if len(found) < len(seen):
-        about.cause = "a pair is found twice, from both of its ends or cells: each pair once"
+        about.cause = "A pair was found twice, from both ends or both cells. Return each pair once."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
-        about.cause = f"{missing[0]} is missing: {about.cause}"
+        about.cause = f"The pair {missing[0]} is missing. {about.cause}"
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
-        about.cause = f"{extra[0]} is too many: {about.cause}"
+        about.cause = f"The pair {extra[0]} should not be there. {about.cause}"
     else:
-        about.cause = "pairs come in the order of the list, the first of two before the second"
-    expect_exactly(len(got), len(wanted), then=": how many pairs")
-    expect_exactly(seen, pairs, then=": the pairs, each by its two numbers")
+        about.cause = "Sort the pairs by their place in the list, the earlier particle first."
+    expect_exactly(len(got), len(wanted), then=": number of pairs")
+    expect_exactly(seen, pairs, then=": the pairs, by index")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
-        about.cause = "the normal leads to the first of the pair, from the second"
-        # Differences of places of up to 10 m, over a distance of half a metre or more.
+        about.cause = "The normal points from the second particle of the pair to the first."
+        # Differences of positions of up to 10 m, over a distance of half a meter or more.
         expect_close(normal, right[2], then=": normal", tolerance=1e-13)
-        about.cause = "a contact has the restitution of its detector"
+        about.cause = "Give each contact the restitution of the detector."
         expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
-            (size * size - apart * apart, "those are squares: take the distance, with its root"),
-            (-right[4], "the sign is turned round: a penetration is positive"),
-            (0.5 * size - apart, "each has a radius: two radii less the distance"),
-            (apart, "that is the distance of the middles: take it off two radii"),
-        ]
-        about.cause = cause_of(depth, mistakes, "two radii less the distance of the middles")
+            (size * size - apart * apart, "These are squares. Subtract the distance itself, not "
+             "its square."),
+            (-right[4], "The sign is wrong. The penetration of overlapping spheres is positive."),
+            (0.5 * size - apart, "Each sphere has a radius. Subtract the distance from two radii."),
+            (apart, "This is the distance of the centers. Subtract it from two radii."),
+        ]  # fmt: skip
+        otherwise = "The penetration is two radii minus the distance of the centers."
+        about.cause = cause_of(depth, mistakes, otherwise)
         expect_close(depth, right[4], then=": penetration", tolerance=1e-13)
 
 
@@ -189,9 +192,9 @@ def test_every_pair_is_found_once(rng: Random) -> None:
             for _ in range(count)
         ]
         walls = {3, 4, 5, 6}
-        about.call = f"{count} particles in a cube of {2 * size:g} m, 3 to 6 of them immovable; "
+        about.call = f"{count} particles in a cube of {2 * size:g} m, numbers 3 to 6 immovable; "
         about.call += f"ParticlePairs(particles, {radius}).contacts()"
-        about.cause = "all that touch have a contact, but two immovable ones (3 to 6) have none"
+        about.cause = "Every touching pair has a contact, unless both are immovable (3 to 6)."
         particles = [
             Particle(Vector3(*place), mass=math.inf if i in walls else 1.0)
             for i, place in enumerate(places)
@@ -209,31 +212,30 @@ def test_every_pair_is_found_once(rng: Random) -> None:
 @pytest.mark.exercise("B7.9")
 def test_not_every_pair_is_looked_at() -> None:
     about("400 spheres of radius 0.5 m in a cube of 40 m; ParticlePairs(spheres, ", read=PAIRS)
-    about.call += "0.5).contacts(): how often a position was asked for something (at most 100,000 "
-    about.call += "times is well)"
-    about.cause = "all 79,800 pairs ask their two places more than 400,000 times: look only at "
-    about.cause += "what is near, in a grid or along an axis"
+    about.call += "0.5).contacts(): accesses to positions (at most 100,000 are accepted)"
+    about.cause = "Comparing all 79,800 pairs reads the positions more than 400,000 times. Compare "
+    about.cause += "only particles that are near each other, in a grid or sorted along an axis."
     asked, found, wanted = looked(400, 40.0)
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
     expect_close(asked, 0, tolerance=100_000)
-    name = "the same: how many pairs touch"
-    expect_exactly(found, wanted, call=name, cause="the pairs that touch")
+    name = "the same: number of touching pairs"
+    expect_exactly(found, wanted, call=name, cause="A pair that touches is missing.")
 
 
 @pytest.mark.exercise("B7.9")
 def test_pairs_are_those_of_now(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.5, 1.5)
-    about.call = f"four particles in a row, three radii apart, {radius} m each; p = "
-    about.call += f"ParticlePairs(particles, {radius}); p.contacts(): the pairs, by number"
-    about.cause = "more than two radii apart there is no contact"
+    about.call = f"four particles in a row, three radii apart, radius {radius} m; p = "
+    about.call += f"ParticlePairs(particles, {radius}); p.contacts(): the pairs, by index"
+    about.cause = "Spheres that are more than two radii apart do not touch."
     first, second, third = pairs_of_a_list(radius)
     expect_exactly(first, [])
-    about.call += "; the last one moved to the first, and one more between the two in the middle"
-    about.cause = "look at the list, and at the places, as they are now"
+    about.call += "; the last one moved next to the first, and one more put between the two others"
+    about.cause = "Read the list and the positions again on every call."
     expect_exactly(second, [0, 3, 1, 4, 2, 4])
     about.call += "; p.radius doubled"
-    about.cause = "read the attributes each time"
+    about.cause = "Read the radius again on every call."
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4])
 
 
@@ -241,14 +243,14 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
 def test_a_grid_has_no_seams(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.3, 0.9)
-    about.cause = "what touches may be in different cells, in any of the 26 around, also below 0: "
-    about.cause += "math.floor is for that, where int cuts off towards 0"
+    about.cause = "Touching spheres may be in any of the 26 cells around a cell, also at negative "
+    about.cause += "coordinates. Use math.floor for the cell, since int rounds toward 0."
     for way in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, -1, 0), (1, 1, 1), (-1, 1, 1)):
         length = math.hypot(*way)
         step = tuple(1.8 * radius * part / length for part in way)
         places = [tuple((i - 10) * part for part in step) for i in range(21)]
         about.call = f"21 particles in a row through (0, 0, 0), {step} apart; "
-        about.call += f"ParticlePairs(particles, {radius}).contacts(): the pairs, by number"
+        about.call += f"ParticlePairs(particles, {radius}).contacts(): the pairs, by index"
         particles = [Particle(Vector3(*place)) for place in places]
         got = told(ParticlePairs(particles, radius).contacts(), particles)
         seen = [number for a, b, *_ in got for number in (a, b)]
@@ -259,9 +261,9 @@ def test_a_grid_has_no_seams(rng: Random) -> None:
 @pytest.mark.exercise("B7.9")
 def test_a_pile_of_ten_holds() -> None:
     about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
-    about.call = "ten spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 frames of 1/60 s, "
-    about.call += "velocity first, ParticlePairs and ContactResolver with 50 iterations a contact"
-    about.cause = "each sphere touches the one below it, and is told so in every frame"
+    about.call = "ten spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 semi-implicit steps "
+    about.call += "of 1/60 s with ParticlePairs and a ContactResolver of 500 iterations"
+    about.cause = "In every step, each sphere has a contact with the sphere below it."
     particles = [
         Particle(Vector3(0.0, i + 0.5, 0.0), acceleration=Vector3(0.0, -9.81, 0.0))
         for i in range(10)
@@ -270,6 +272,6 @@ def test_a_pile_of_ten_holds() -> None:
         particles, ParticlePairs(particles, 0.5), ContactResolver(500), 15, 1.0 / 60.0
     )
     wanted = tuple(i + 0.5 for i in range(10))
-    # Measured: 0.02 m of overlap at most; 6 % of the diameter is what such a stack may have.
+    # Measured: 0.02 m of overlap at most; 6 % of the diameter is allowed.
     expect_close(heights, wanted, then=": heights", tolerance=0.06)
-    expect_close(overlap, 0.0, then=": the largest overlap after a frame, m", tolerance=0.06)
+    expect_close(overlap, 0.0, then=": the largest overlap after a step, m", tolerance=0.06)

@@ -1,4 +1,4 @@
-"""Detectors of what will touch: the ground and pairs of spheres, B7.10 and B7.11."""
+"""Detectors of future contacts: the ground and pairs of spheres, B7.10 and B7.11."""
 
 from __future__ import annotations
 
@@ -32,9 +32,10 @@ PAIRS = "the docstring of ParticlePairs.next_impact"
 
 @scoped
 def expect_impact(impact: Any) -> Any:
-    """Expect that there is an impact; return it."""
-    about.cause = f"an impact is found, as time and contact: {about.cause}"
-    expect_exactly(impact is None, False, then=" is None")
+    """Expect an impact, as time and contact, and return it."""
+    about.cause = f"There is an impact here. Return (time, contact). {about.cause}"
+    pair = isinstance(impact, (tuple, list)) and len(impact) == 2
+    expect_exactly(pair, True, then=" is (time, contact)")
     return impact
 
 
@@ -54,16 +55,15 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ground = GroundPlane(particles, height, radius, c)
     times = [fall / speed for fall, speed in zip(falls, speeds, strict=True)]
     first = min(times)
-    about.cause = "a tuple (time, contact): the smallest time of all particles, and a contact of "
-    about.cause += "penetration 0 with its particle, no other, the normal (0, 1, 0) and the "
-    about.cause += "restitution"
+    about.cause = "Return (time, contact) of the earliest impact. The contact has the particle, no "
+    about.cause += "other, the normal (0, 1, 0), the detector's restitution and a penetration of 0."
     impact = expect_impact(ground.next_impact(9.0))
     time, contact = impact[0], impact[1]
     whole = min((fall + radius) / speed for fall, speed in zip(falls, speeds, strict=True))
     mistakes = [
-        (max(times), "that is the last of them: the smallest time comes first"),
-        (times[0], "that is the first in the list: the smallest time of all is wanted"),
-        (whole, "the radius is left out: the lowest point gets there first"),
+        (max(times), "This is the last impact. Return the earliest one."),
+        (times[0], "This is the impact of the first particle in the list. Compare all of them."),
+        (whole, "The radius is missing. The lowest point of the sphere arrives first."),
     ]
     seen = cause_of(time, mistakes, about.cause)
     name = f"{about.call}: time"
@@ -72,28 +72,27 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     seen = (a, b, *normal, restitution, depth)
     wanted = (times.index(first), -1, *UP, c, 0.0)
     if depth:
-        about.cause = "the depth is 0: the contact is that of the moment when they touch, not of "
-        about.cause += "now"
-    name = f"{about.call}: particle by number, -1 for None, normal, restitution, depth"
+        about.cause = "The contact describes the moment of the impact. Its penetration is 0."
+    name = f"{about.call}: index of particle and other (-1 is None), normal, restitution, depth"
     expect_close(seen, wanted, call=name)
-    about.cause = "what comes later than the duration is no impact of this frame"
+    about.cause = "This impact comes after the duration. Return None."
     name = f"{about.call}; g.next_impact({0.999 * first}) is None"
     got = ground.next_impact(0.999 * first)
     expect_exactly(got is None, True, call=name)
-    about.cause = "an impact at the very end of the duration is one"
+    about.cause = "An impact exactly at the end of the duration counts."
     got = ground.next_impact(float(time))
     name = f"{about.call}; g.next_impact({time!r}) is None"
     expect_exactly(got is None, False, call=name)
     about.call += f"; g.height -= 1, g.radius = 0, g.restitution = 0.5; g.next_impact({first!r} + "
     about.call += "9)"
-    about.cause = "read the attributes each time: all of them fall 1.25 m further"
+    about.cause = "Read height, radius and restitution on every call: all now fall 1.25 m farther."
     ground.height -= 1.0
     ground.radius, ground.restitution = 0.0, 0.5
     impact = ground.next_impact(first + 9.0)
     later = min((fall + 1.25) / speed for fall, speed in zip(falls, speeds, strict=True))
     seen = (impact[0], impact[1].restitution)
     expect_close(seen, (later, 0.5), then=": time, restitution")
-    about.cause = "to look ahead moves nothing"
+    about.cause = "Looking ahead must not move anything."
     for i, particle in enumerate(particles):
         now = (*xyz(particle.position), *xyz(particle.velocity))
         before = (*places[i], 5.0, -speeds[i], 5.0)
@@ -104,20 +103,20 @@ def test_the_first_on_the_ground(rng: Random) -> None:
 def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     about.read = GROUND
     t = positive_number(rng)
-    about.call = f"p of 2 kg at (0, {2.5 * t * t}, 0), at rest; p.add_force(Vector3(0, -14, 0)), "
-    about.call += "and 2 m/s^2 of its own upwards; p.integrate(1e-9); "
+    about.call = f"p of 2 kg at rest at (0, {2.5 * t * t}, 0), acceleration (0, 2, 0); "
+    about.call += "p.add_force(Vector3(0, -14, 0)); p.integrate(1e-9); "
     about.call += "GroundPlane([p]).next_impact(100): time"
-    about.cause = "the acceleration is last_acceleration, forces and all: -14 / 2 + 2 = -5 m/s^2; "
-    about.cause += "its own 2 m/s^2 alone would take it up"
+    about.cause = "Use last_acceleration, which includes the forces: -14 / 2 + 2 = -5 m/s^2. With "
+    about.cause += "acceleration alone the particle would rise."
     p = Particle(Vector3(0.0, 2.5 * t * t, 0.0), None, Vector3(0.0, 2.0, 0.0), mass=2.0)
     p.add_force(Vector3(0.0, -14.0, 0.0))
     p.integrate(1e-9)
     impact = expect_impact(GroundPlane([p]).next_impact(100.0))
-    # Its speed of 5e-9 m/s by then makes it come sooner by 1e-9 s.
+    # Its speed of 5e-9 m/s after the step brings the impact forward by 1e-9 s.
     expect_close(impact[0], t, tolerance=1e-8)
-    about.call = "an immovable particle at height 1 and one of 1 kg at height 2, both with 2 m/s "
-    about.call += "downwards; GroundPlane(particles).next_impact(9): time"
-    about.cause = "what is immovable does not move, and does not impact"
+    about.call = "an immovable particle at height 1 and one of 1 kg at height 2, both with "
+    about.call += "velocity (0, -2, 0); GroundPlane(particles).next_impact(9): time"
+    about.cause = "An immovable particle does not move, so it has no impact. Skip it."
     down = Vector3(0.0, -2.0, 0.0)
     particles = [
         Particle(Vector3(0.0, 1.0), down, mass=math.inf),
@@ -125,22 +124,22 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     ]
     impact = expect_impact(GroundPlane(particles).next_impact(9.0))
     expect_close(impact[0], 1.0)
-    about.call = "two particles at height 2 with 2 m/s downwards; "
+    about.call = "two particles at height 2 with velocity (0, -2, 0); "
     about.call += "GroundPlane(particles).next_impact(1)"
-    about.cause = "of two at the same time the first in the list is taken"
+    about.cause = "Of two impacts at the same time, return the one that is first in the list."
     particles = [Particle(Vector3(i, 2.0, 0.0), down) for i in range(2)]
     impact = expect_impact(GroundPlane(particles).next_impact(1.0))
     ((first, *_),) = told([impact[1]], particles)
-    expect_exactly(first, 0, then=": which")
+    expect_exactly(first, 0, then=": index of the particle")
     expect_close(impact[0], 1.0, then=": time")
-    about.call = "p 1 m below the ground with 2 m/s downwards; GroundPlane([p]).next_impact(0): "
-    about.call += "time, depth"
-    about.cause = "it closes: now, which is within a duration of 0, and with a penetration of 0"
+    about.call = "p at height -1 with velocity (0, -2, 0); GroundPlane([p]).next_impact(0): time, "
+    about.call += "penetration"
+    about.cause = "It is in the ground and closing, so the impact is at time 0, with penetration 0."
     impact = expect_impact(GroundPlane([Particle(Vector3(0.0, -1.0, 0.0), down)]).next_impact(0.0))
     seen = (impact[0], impact[1].penetration)
     expect_close(seen, (0.0, 0.0))
     about.call = "p immovable; GroundPlane([p]).next_impact(9) is None"
-    about.cause = "where nothing can move there is no impact, and no error"
+    about.cause = "If nothing can move, return None and do not raise an error."
     impact = GroundPlane([Particle(mass=math.inf)]).next_impact(9.0)
     expect_exactly(impact is None, True)
 
@@ -155,8 +154,8 @@ def test_the_ground_looks_ahead_for_a_duration() -> None:
 
 @scoped
 def expect_durations(name: str, detector: object) -> None:
-    about.cause = "refuse what is negative or not finite: not_negative of arguments.py does, and "
-    about.cause += "what is no number as well"
+    about.cause = "Refuse a duration that is negative or not finite. Call not_negative from "
+    about.cause += "arguments.py."
     for duration, error in (
         (-0.5, ValueError),
         (math.nan, ValueError),
@@ -176,7 +175,7 @@ def test_when_two_spheres_meet(rng: Random) -> None:
     about.read = PAIRS
     n, radius, t = direction(rng), positive_number(rng, 0.2, 0.9), positive_number(rng)
     speed, side, c = positive_number(rng), components(rng), round(rng.uniform(0.1, 0.9), 3)
-    # Seen from b, a comes along a line; at the time t it is at two radii in the direction n.
+    # Relative to b, a moves on a line; at time t it is two radii away in the direction n.
     u = components(rng)
     if sum(p * q for p, q in zip(u, n, strict=True)) > 0.0:
         u = (-u[0], -u[1], -u[2])
@@ -190,7 +189,8 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         down = (1.0, -speed, 2.0)
         about.call = f"a at {p}, velocity {v}; b at {q}, velocity {w}; both with acceleration "
         about.call += f"{down}; ParticlePairs([a, b], {radius}, {c}).next_impact(10)"
-        about.cause = "of |d + u t| = 2 r, with d and u as a is seen from b, the first solution"
+        about.cause = "Solve |d + u t| = 2 radius with d = pa - pb and u = va - vb, and take the "
+        about.cause += "first solution."
         pair = [
             Particle(Vector3(*p), Vector3(*v), Vector3(*down)),
             Particle(Vector3(*q), Vector3(*w), Vector3(*down), mass=3.0),
@@ -198,28 +198,29 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         impact = expect_impact(ParticlePairs(pair, radius, c).next_impact(10.0))
         if p == far:
             mistakes = [
-                (5.2, "that is the second solution of |d + u t| = 2 r, where they part"),
-                (3.6 - math.sqrt(4.29) / 3.0, "that is for one radius: they touch at 2 r"),
-                (3.6, "that is when the middles are nearest: they touch at 2 r"),
-                (3.0, "the velocity of b is left out: u is that of a seen from b, va - vb"),
-                (6.0, "the velocities are added: u is that of a seen from b, va - vb"),
-            ]
+                (5.2, "This is the second solution, when the spheres separate. Take the first."),
+                (3.6 - math.sqrt(4.29) / 3.0, "This uses one radius. The spheres touch when their "
+                 "centers are two radii apart."),
+                (3.6, "This is when the centers are closest. The spheres touch earlier, when the "
+                 "centers are two radii apart."),
+                (3.0, "The velocity of b is missing. Use the relative velocity va - vb."),
+                (6.0, "The velocities were added. Use the relative velocity va - vb."),
+            ]  # fmt: skip
             blame(impact[0], mistakes)
-        # Places of up to 90 m, rounded, over closing speeds of about 1 m/s; grazing ones lose more.
+        # Positions of up to 90 m, rounded, at closing speeds of about 1 m/s; grazing loses more.
         expect_close(impact[0], t, then=": time", tolerance=1e-9)
         ((first, second, normal, restitution, depth),) = told([impact[1]], pair)
-        about.cause = "the normal leads from b to a, by their places at the time of impact, not of "
-        about.cause += "now"
+        about.cause = "The normal points from b to a, at their positions at the time of impact."
         turned = tuple(-part for part in n)
-        mistakes = [(turned, "the normal is turned round: it leads from b to a")]
+        mistakes = [(turned, "The normal has the wrong sign. It points from b to a.")]
         blame(normal, mistakes, tolerance=1e-8)
         expect_close(normal, n, then=": normal", tolerance=1e-8)
-        about.cause = "the contact has both, the detector's restitution, and at the impact a depth "
-        about.cause += "of 0"
-        name = f"{about.call}: particle and other by number, restitution, penetration"
+        about.cause = "The contact has both particles, the detector's restitution and a "
+        about.cause += "penetration of 0."
+        name = f"{about.call}: index of particle and other, restitution, penetration"
         seen = (first, second, restitution, depth)
         expect_close(seen, (0, 1, c, 0.0), call=name)
-        about.cause = "to look ahead moves nothing"
+        about.cause = "Looking ahead must not move anything."
         one, other = pair
         now = (*xyz(one.position), *xyz(one.velocity), *xyz(other.position), *xyz(other.velocity))
         expect_unchanged("a and b", now, (*p, *v, *q, *w))
@@ -228,21 +229,22 @@ def test_when_two_spheres_meet(rng: Random) -> None:
 @pytest.mark.exercise("B7.11")
 def test_spheres_that_touch_or_never_meet() -> None:
     about.read = PAIRS
+    meet = "Their centers are 5 m apart. They touch when that is 2 m."
     for x, y, speed, wanted, cause in (
-        (2.0, 0.0, -3.0, 0.0, "they touch, and close: now"),
-        (1.5, 0.0, -3.0, 0.0, "they overlap, and close: now"),
-        (1.5, 0.0, 3.0, None, "they overlap, but part"),
-        (5.0, 0.0, 3.0, None, "they part"),
-        (5.0, 0.0, 0.0, None, "neither moves, as the other sees it"),
-        (5.0, 2.5, -3.0, None, "they pass each other by: the root is negative"),
-        (5.0, 2.000001, -3.0, None, "they only just miss each other"),
-        (5.0, 0.0, -3.0, 1.0, "they are 5 m apart, and meet at 2 m"),
-        (-5.0, 0.0, 3.0, 1.0, "they are 5 m apart, and meet at 2 m"),
-        (5.0, 0.0, -0.125, None, "they meet after 24 s, and not within 10"),
-        (2.0, 0.0, -1e-9, 0.0, "they touch, and close, if slowly: now"),
-        (32.0, 0.0, -3.0, 10.0, "they meet at the very end of the duration"),
-        (2.0, 0.0, -1e-13, None, "closing by less than VELOCITY_TOLERANCE is rounding"),
-        (0.0, 0.0, 3.0, None, "at one place they do not close"),
+        (2.0, 0.0, -3.0, 0.0, "They touch and approach each other, so the time is 0."),
+        (1.5, 0.0, -3.0, 0.0, "They overlap and approach each other, so the time is 0."),
+        (1.5, 0.0, 3.0, None, "They overlap, but they move apart. Return None."),
+        (5.0, 0.0, 3.0, None, "They move apart. Return None."),
+        (5.0, 0.0, 0.0, None, "They do not move relative to each other. Return None."),
+        (5.0, 2.5, -3.0, None, "They miss each other: the number under the root is negative."),
+        (5.0, 2.000001, -3.0, None, "They only just miss each other. Return None."),
+        (5.0, 0.0, -3.0, 1.0, meet),
+        (-5.0, 0.0, 3.0, 1.0, meet),
+        (5.0, 0.0, -0.125, None, "They meet after 24 s, later than the duration. Return None."),
+        (2.0, 0.0, -1e-9, 0.0, "They touch and approach slowly, so the time is 0."),
+        (32.0, 0.0, -3.0, 10.0, "They meet exactly at the end of the duration, which counts."),
+        (2.0, 0.0, -1e-13, None, "A closing speed below VELOCITY_TOLERANCE is rounding."),
+        (0.0, 0.0, 3.0, None, "Their positions are equal, so they are not closing."),
     ):
         about(f"a at ({x}, {y}, 0), velocity ({speed}, 0, 0); b at (0, 0, 0); ", cause=cause)
         about.call += "ParticlePairs([a, b], 1.0).next_impact(10.0)"
@@ -251,17 +253,17 @@ def test_spheres_that_touch_or_never_meet() -> None:
         expect_exactly(impact is None, wanted is None, then=" is None")
         if wanted is not None:
             expect_close(impact[0], wanted, then=": time")
-            about.cause = "the contact of an impact has a penetration of 0"
+            about.cause = "The contact describes the moment of the impact. Its penetration is 0."
             got = impact[1].penetration
             expect_close(got, 0.0, then=": penetration")
     about.call = "ParticlePairs([a], 1.0).next_impact(10.0) is None"
-    about.cause = "one alone meets nobody, and that is no error"
+    about.cause = "A single particle has no pair. Return None and do not raise an error."
     impact = ParticlePairs([Particle()], 1.0).next_impact(10.0)
     expect_exactly(impact is None, True)
     about.call = "a at (5, 0, 0), velocity (-3, 0, 0), b at (0, 0, 0); p = ParticlePairs([a, b], "
     about.call += "1.0); p.next_impact(1.0); p.radius, p.restitution = 1.75, 0.5; "
     about.call += "p.next_impact(1.0)"
-    about.cause = "read the attributes each time"
+    about.cause = "Read radius and restitution again on every call."
     pairs = ParticlePairs([Particle(Vector3(5.0), Vector3(-3.0)), Particle()], 1.0)
     pairs.next_impact(1.0)
     pairs.radius, pairs.restitution = 1.75, 0.5
@@ -276,54 +278,54 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     speed = positive_number(rng, 1.0, 3.0)
     places = [0.0, 30.0, 3.0, 7.0, 32.5, 9.5]
     speeds = [0.0, speed, 0.0, 0.0, -speed, -speed]
-    about.call = f"six spheres of radius 1 at x = {places}, with {speeds} m/s along it; p = "
+    about.call = f"six spheres of radius 1 at x = {places} with velocities {speeds} along x; p = "
     about.call += "ParticlePairs(particles, 1.0); p.next_impact(9.0)"
-    about.cause = "all pairs, and the smallest time: two are half a metre apart, and both move"
+    about.cause = "Compare all pairs and return the earliest impact. Here it is a pair 0.5 m apart "
+    about.cause += "in which both spheres move."
     particles = [Particle(Vector3(x), Vector3(v)) for x, v in zip(places, speeds, strict=True)]
     pairs = ParticlePairs(particles, 1.0)
     impact = expect_impact(pairs.next_impact(9.0))
     ((a, b, normal, _, _),) = told([impact[1]], particles)
-    expect_close((a, b), (1, 4), then=": particle and other by number")
+    expect_close((a, b), (1, 4), then=": index of particle and other")
     expect_close(impact[0], 0.25 / speed, then=": time")
-    about.cause = "the normal leads to the first of the pair, from the second"
+    about.cause = "The normal points from the second particle of the pair to the first."
     expect_close(normal, (-1.0, 0.0, 0.0), then=": normal")
-    about.call += ", with numbers 1 and 4 immovable"
-    about.cause = "two that are immovable stay where they are, and do not meet"
+    about.call += ", with particles 1 and 4 immovable"
+    about.cause = "Immovable particles stay where they are, so 1 and 4 do not meet."
     particles[1].mass = particles[4].mass = math.inf
     impact = expect_impact(pairs.next_impact(9.0))
     ((a, b, *_),) = told([impact[1]], particles)
-    expect_close((a, b), (3, 5), then=": particle and other")
+    expect_close((a, b), (3, 5), then=": index of particle and other")
     expect_close(impact[0], 0.5 / speed, then=": time")
-    about.call = f"three spheres of radius 1 at 0, 3 and 6, with {speed}, 0 and -{speed} m/s; "
-    about.call += "next_impact"
-    about.cause = "of two at the same time the first in the order of the list is taken"
+    about.call = f"spheres of radius 1 at x = 0, 3 and 6 with {speed}, 0 and -{speed} m/s along x; "
+    about.call += "next_impact(9.0)"
+    about.cause = "Of two impacts at the same time, return the one that is first in list order."
     particles = [Particle(Vector3(3.0 * i), Vector3(speed * (1 - i))) for i in range(3)]
     impact = expect_impact(ParticlePairs(particles, 1.0).next_impact(9.0))
     ((a, b, *_),) = told([impact[1]], particles)
-    expect_close((a, b), (0, 1), then=": particle and other")
+    expect_close((a, b), (0, 1), then=": index of particle and other")
 
 
 @pytest.mark.exercise("B7.11")
 def test_pairs_fall_alike(rng: Random) -> None:
     about.read = PAIRS
     for ma, mb in ((1.1, 1.3), (3.3, 4.9), (positive_number(rng), positive_number(rng))):
-        about.call = f"a of {ma} kg, 5 m from b of {mb} kg at (0, 0, 0), with velocity (-3, 0, 0); "
-        about.call += "their weights added as forces, m * 9.81; integrate(1e-9); ParticlePairs([a, "
+        about.call = f"a of {ma} kg at (5, 0, 0), velocity (-3, 0, 0); b of {mb} kg at (0, 0, 0); "
+        about.call += "on both a force of 9.81 m down; integrate(1e-9); ParticlePairs([a, "
         about.call += "b], 1.0).next_impact(10): time"
-        about.cause = "both fall alike, whatever their masses: f / m is 9.81 for both but for "
-        about.cause += "rounding, so accelerations that differ by 1e-15 of them are no reason to "
-        about.cause += "refuse"
+        about.cause = "Both fall with 9.81 m/s^2. Dividing force by mass leaves rounding errors, "
+        about.cause += "so accept accelerations that differ by 1e-12 of their size."
         pair = [Particle(Vector3(5.0), Vector3(-3.0), mass=ma), Particle(mass=mb)]
         for particle, mass in zip(pair, (ma, mb), strict=True):
             particle.add_force(Vector3(0.0, -9.81 * mass, 0.0))
             particle.integrate(1e-9)
         impact = expect_impact(ParticlePairs(pair, 1.0).next_impact(10.0))
-        # 3e-9 m of the way are made already.
+        # The step has already covered 3e-9 m.
         expect_close(impact[0], 1.0, tolerance=2e-9)
-    about.call = "a, immovable, with velocity (9, 9, 9) and acceleration (9, 9, 9), 5 m from b, "
-    about.call += "which has (3, 0, 0); ParticlePairs([a, b], 1.0).next_impact(10): time"
-    about.cause = "what is immovable stays where it is: it has neither velocity nor acceleration "
-    about.cause += "here"
+    about.call = "a, immovable, at (5, 0, 0) with velocity and acceleration (9, 9, 9); b at (0, 0, "
+    about.call += "0), velocity (3, 0, 0); ParticlePairs([a, b], 1.0).next_impact(10): time"
+    about.cause = "An immovable particle stays where it is. Use zero for its velocity and "
+    about.cause += "acceleration."
     nines = Vector3(9.0, 9.0, 9.0)
     pair = [Particle(Vector3(5.0), nines, nines, mass=math.inf), Particle(None, Vector3(3.0))]
     impact = expect_impact(ParticlePairs(pair, 1.0).next_impact(10.0))
@@ -338,8 +340,8 @@ def test_pairs_look_ahead_for_a_duration() -> None:
     about.read = PAIRS
     pair = [Particle(Vector3(5.0), Vector3(-1.0)), Particle()]
     expect_durations("ParticlePairs([a, b], 1.0)", ParticlePairs(pair, 1.0))
-    about.cause = "seen from b, a does not move along a line: refuse it, or the time is a wrong "
-    about.cause += "one; whether they close or not, and whichever way they differ"
+    about.cause = "With different accelerations the relative path is curved, and the time would be "
+    about.cause += "wrong. Raise ValueError, even if the two are moving apart."
     for velocity, one, other, force, mass in (
         (-1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
         (1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
@@ -349,8 +351,8 @@ def test_pairs_look_ahead_for_a_duration() -> None:
         (-1.0, (0.0, -9.0, 0.0), (0.0, -9.0, 0.0), 0.0, math.inf),
     ):
         about.call = f"a at (5, 0, 0), velocity ({velocity}, 0, 0), acceleration {one}; b of "
-        about.call += f"{mass} kg at (0, 0, 0), acceleration {other}, and a force of {force} N "
-        about.call += "along X, used by a step; ParticlePairs([a, b], 1.0).next_impact(1.0)"
+        about.call += f"{mass} kg at (0, 0, 0), acceleration {other}, after a step with a force of "
+        about.call += f"{force} N along x; ParticlePairs([a, b], 1.0).next_impact(1.0)"
         bad = [
             Particle(Vector3(5.0), Vector3(velocity), Vector3(*one)),
             Particle(None, None, Vector3(*other), mass=mass),

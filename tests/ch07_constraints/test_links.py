@@ -1,4 +1,4 @@
-"""Links: cables, rods, limits, and rods with two sides, B7.7, B7.8, 7.6 and G7.1."""
+"""Links: cables, rods, limits and two-sided rods, B7.7, B7.8, 7.6 and G7.1."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ CABLE = "book 7.4.1, and the docstring of Cable.contacts"
 ROD = "book 7.4.2, E-9, and the docstring of Rod.contacts"
 LIMITS = "exercise 7.6, and the docstring of Limits.contacts"
 TWO_SIDED = "the docstring of TwoSidedRod.contacts"
-# An end of (2, 3, 6) or (6, 2, 3) times a power of 2 away is 7 times that away, without rounding.
+# The length of (2, 3, 6) and (6, 2, 3), and of both times a power of 2, has no rounding error.
 WAYS = ((2.0, 3.0, 6.0), (-6.0, 2.0, 3.0), (3.0, -6.0, -2.0))
 
 
 def ends(rng: Random, anchored: bool) -> tuple[list[Any], Components, float, str]:
-    """Return both ends, 7 m or so apart, the way from the first to the second, and how far it is.
+    """Return both ends, about 7 m apart, the direction to the second, their distance, and words.
 
-    The second one is a particle, or a vector as an anchor. Their places are whole numbers, so that
-    the distance is exact.
+    The second end is a particle, or a vector as an anchor. Positions are whole numbers, so the
+    distance is exact.
     """
     way = rng.choice(WAYS)
     size = rng.choice((0.5, 1.0, 2.0))
@@ -52,26 +52,29 @@ def expect_contacts(
 ) -> None:
     """Expect these contacts, in this order: ends, normal, restitution, penetration.
 
-    ``counts`` are mistakes by how many contacts they give, ``far`` how far apart the ends are.
+    ``counts`` has the likely mistake for a wrong number of contacts, ``far`` is the distance of
+    the ends.
     """
     about.call = call
     got = told(link.contacts(), particles)
     why = cause_of(len(got), counts, about.cause)
-    expect_exactly(len(got), len(wanted), then=": how many", cause=why)
+    expect_exactly(len(got), len(wanted), then=": number of contacts", cause=why)
     for seen, right in zip(got, wanted, strict=True):
         a, b, normal, restitution, depth = seen
-        name = f"{about.call}: particle and other, by number, -1 for None"
-        why = "the particle is the end a; the other is the end b, or None for an anchor"
+        name = f"{about.call}: index of particle and other, -1 is None"
+        why = "The particle of the contact is a. The other is b, or None for an anchor."
         expect_close((a, b), right[:2], call=name, cause=why)
         back = tuple(-part for part in right[2])
-        why = cause_of(normal, [(back, f"the normal is turned round: {about.cause}")], about.cause)
+        why = f"The normal has the wrong sign. {about.cause}"
+        why = cause_of(normal, [(back, why)], about.cause)
         expect_close(normal, right[2], then=": normal", cause=why, tolerance=1e-15)
-        why = "a contact has the restitution of its link; a rod has none: 0"
+        why = "A contact has the restitution of its link. For a rod that is 0."
         expect_close(restitution, right[3], then=": restitution", cause=why)
         depths = [
-            (-right[4], "the sign is turned round: a penetration is positive beyond the limit"),
-            (far, "that is how far apart the ends are: penetration is how far beyond the limit"),
-        ]
+            (-right[4], "The sign is wrong. A penetration is positive when the limit is passed."),
+            (far, "This is the distance of the ends. The penetration is only the excess over the "
+             "limit."),
+        ]  # fmt: skip
         why = cause_of(depth, depths, about.cause)
         # Lengths of up to 20 m, rounded a few times.
         name = f"{about.call}: penetration"
@@ -79,15 +82,15 @@ def expect_contacts(
 
 
 def places(pair: list[Any]) -> Components:
-    """Return the places of both ends as one."""
+    """Return the positions of both ends in one tuple."""
     a, b = (xyz(getattr(end, "position", end)) for end in pair)
     return a + b
 
 
 @scoped
 def expect_ends(pair: list[Any], before: Components) -> None:
-    about.cause = "to look at a link moves nothing: b - a is new, -= changes an end in place"
-    expect_unchanged("the pair of places", places(pair), before)
+    about.cause = "Finding contacts must not move anything. Compute b - a; -= works in place."
+    expect_unchanged("the pair of positions", places(pair), before)
 
 
 @pytest.mark.exercise("B7.7")
@@ -101,15 +104,15 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
     if not anchored:
         pair[0].mass = math.inf
         told_ends = told_ends.replace("a at", "a, immovable, at")
-    to_the_end = "a cable that is too long, also by a little, pulls its ends together: the normal "
-    to_the_end += "leads to the other end, with length 1"
+    to_the_end = "A cable that is even a little too long pulls its ends together. The normal is "
+    to_the_end += "the unit vector from a to the other end."
     before = places(pair)
     for max_length, cause in (
         (0.75 * length, to_the_end),
         (1023.0 / 1024.0 * length, to_the_end),
         (
             length,
-            "a cable that is just as long as it may be is taut, with a penetration of 0: >=, not >",
+            "A cable at exactly its maximum length is taut. Return a contact of penetration 0.",
         ),
     ):
         about.cause = cause
@@ -128,21 +131,21 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
     about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, {1.25 * length}); "
     about.call += "c.contacts()"
-    about.cause = "a cable that is shorter than it may be has no contact"
+    about.cause = "A cable that is shorter than its maximum length has no contact."
     before = places(pair)
     cable = make(*pair, 1.25 * length)
     for max_length in (1.25 * length, 1025.0 / 1024.0 * length):
         cable.max_length = max_length
-        expect_contacts(f"{about.call}, {max_length} long", cable, pair, [])
+        expect_contacts(f"{about.call}, max_length {max_length}", cable, pair, [])
         now = [pair[0], cable.anchor] if anchored else pair
         expect_ends(now, before)
-    about.call += "; c.max_length, c.restitution changed to a quarter of it, and 0.5; c.contacts()"
-    about.cause = "read the attributes each time: a winch draws it in"
+    about.call += "; c.max_length /= 4; c.restitution = 0.5; c.contacts()"
+    about.cause = "Read max_length and restitution again on every call. A winch changes them."
     cable.max_length, cable.restitution = 0.3125 * length, 0.5
     wanted = [(0, -1 if anchored else 1, n, 0.5, 0.6875 * length)]
     expect_contacts(about.call, cable, pair, wanted)
-    about.call += "; the other end moved to the other side of a; c.contacts()"
-    about.cause = "look where the ends are each time"
+    about.call += "; the other end moved to the opposite side of a; c.contacts()"
+    about.cause = "Read the positions of both ends again on every call."
     x, y, z = xyz(pair[0].position)
     back = (-n[0], -n[1], -n[2])
     there = Vector3(x - length * n[0], y - length * n[1], z - length * n[2])
@@ -153,12 +156,12 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     wanted = [(0, -1 if anchored else 1, back, 0.5, 0.6875 * length)]
     expect_contacts(about.call, cable, pair, wanted)
     n = back
-    about.cause = "to look at a link changes nothing: take vectors of your own"
+    about.cause = "Finding contacts must not move anything. Compute with new vectors."
     got = xyz(pair[0].position)
     there = cable.anchor if anchored else pair[1].position
     way = tuple(p - q for p, q in zip(xyz(there), got, strict=True))
     wanted_way = tuple(length * part for part in n)
-    expect_close(way, wanted_way, then="; the way from a to the other end")
+    expect_close(way, wanted_way, then="; the offset from a to the other end")
     got = xyz(pair[0].velocity)
     expect_unchanged("a.velocity", got, (1.0, 2.0, 3.0))
 
@@ -171,39 +174,39 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredRod, "AnchoredRod") if anchored else (Rod, "Rod")
     other = -1 if anchored else 1
     back = (-n[0], -n[1], -n[2])
-    both = "the text says always two contacts, one of them without a use (E-9): a rod has the one "
-    both += "of the side that it needs, or none"
-    two = [(2, both), (1, "it is just as long as it should be: no contact, not one of depth 0")]
+    both = "The rod has two contacts here, as the book's text says, but one of them does nothing "
+    both += "(E-9). Return the one that is needed, or none."
+    two = [(2, both), (1, "A rod of exactly the right length has no contact, not one of depth 0.")]
     for rod, wanted, cause in (
         (
             0.75 * length,
             [(0, other, n, 0.0, 0.25 * length)],
-            "a rod that is too long is a cable: one contact, the normal to the other end",
+            "A rod that is too long pulls like a cable. The normal points to the other end.",
         ),
         (
             1.25 * length,
             [(0, other, back, 0.0, 0.25 * length)],
-            "a rod that is too short pushes: one contact, the normal away from the other end, and "
-            "a penetration that is positive too",
+            "A rod that is too short pushes. The normal points away from the other end, and the "
+            "penetration is positive.",
         ),
         (
             1023.0 / 1024.0 * length,
             [(0, other, n, 0.0, length / 1024.0)],
-            "a little too long is too long",
+            "A rod that is a little too long pulls.",
         ),
         (
             1025.0 / 1024.0 * length,
             [(0, other, back, 0.0, length / 1024.0)],
-            "a little too short is too short",
+            "A rod that is a little too short pushes.",
         ),
-        (length, [], "a rod that is as long as it should be has no contact"),
+        (length, [], "A rod of exactly the right length has no contact."),
     ):
         about(f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, {rod}); ", cause=cause)
         about.call += "r.contacts()"
         link = make(*pair, rod)
         expect_contacts(about.call, link, pair, wanted, two, length)
         about.call += f"; r.length = {0.5 * length}; r.contacts()"
-        about.cause = "read the attributes each time"
+        about.cause = "Read the length again on every call."
         link.length = 0.5 * length
         wanted = [(0, other, n, 0.0, 0.5 * length)]
         expect_contacts(about.call, link, pair, wanted)
@@ -214,8 +217,8 @@ def test_a_rod_without_a_direction_stands_up(rng: Random) -> None:
     about.read = ROD
     p, length = components(rng), positive_number(rng)
     down = (0.0, -1.0, 0.0)
-    about.cause = "both ends at one place have no direction: +Y stands for the one from a to b, so "
-    about.cause += "a is pushed down; direction_of gives it, where normalized() stays zero"
+    about.cause = "The ends coincide, so take +Y as the direction from a to b: a is pushed down. "
+    about.cause += "direction_of does this, while normalized() would return zero."
     about.call = f"a and b at {p}; Rod(a, b, {length}).contacts()"
     pair = [Particle(Vector3(*p)), Particle(Vector3(*p))]
     expect_contacts(about.call, Rod(*pair, length), pair, [(0, 1, down, 0.0, length)])
@@ -223,7 +226,7 @@ def test_a_rod_without_a_direction_stands_up(rng: Random) -> None:
     rod = AnchoredRod(pair[0], Vector3(*p), length)
     expect_contacts(about.call, rod, pair, [(0, -1, down, 0.0, length)])
     about.call += "; r.anchor moved up by twice the length; r.contacts()"
-    about.cause = "read the attributes each time: anchors are moved"
+    about.cause = "Read the anchor again on every call, since it may be moved."
     rod.anchor = Vector3(p[0], p[1] + 2.0 * length, p[2])
     expect_contacts(about.call, rod, pair, [(0, -1, UP, 0.0, length)])
 
@@ -233,21 +236,21 @@ def test_a_pendulum_swings_in_its_period() -> None:
     about.read = "book 7.4.2; the period is 4 sqrt(L / g) K(sin^2(angle / 2))"
     for degrees, period in ((10.0, 1.99070708), (90.0, 2.34523957)):
         angle = math.radians(degrees)
-        about.call = f"1 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), let go at {degrees:g} "
-        about.call += "degrees, g = 10; velocity first and contact.resolve, h = 1/1000: its "
+        about.call = f"1 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), released at {degrees:g} "
+        about.call += "degrees, g = 10; semi-implicit steps of 1/1000 s and contact.resolve: the "
         about.call += "period, s"
-        about.cause = "a rod of restitution 0 takes the velocity along it, and no other"
+        about.cause = "The rod may only remove the velocity along itself. Its restitution is 0."
         bob = Particle(
             Vector3(math.sin(angle), -math.cos(angle), 0.0), acceleration=Vector3(0.0, -10.0, 0.0)
         )
         seen = swung(AnchoredRod(bob, Vector3(), 1.0), bob, 0.001, 1300)
         sides = [place[0] for place, _, _ in seen]
         turn = next((i for i in range(1, 1300) if sides[i - 1] > 0.0 >= sides[i]), 0)
-        # A quarter of the period; the error is of order h: 0.001 s of 0.5 s, with a margin of 5.
+        # A quarter of the period. The error is of order h: 0.001 s of 0.5 s, with a margin of 5.
         got = 4.0 * turn * 0.001
         expect_close(got, period, tolerance=0.01 * period)
-        name = f"{about.call}; how far it is from the anchor in the end, m"
-        about.cause = "resolve_penetration brings it back to its length in each frame"
+        name = f"{about.call}; the distance from the anchor at the end, m"
+        about.cause = "The contact's penetration brings the rod back to its length in each step."
         got = math.hypot(*seen[-1][0])
         expect_close(got, 1.0, call=name, tolerance=1e-12)
 
@@ -256,11 +259,11 @@ def test_a_pendulum_swings_in_its_period() -> None:
 def test_a_string_bears_three_times_the_weight() -> None:
     about.read = "book 7.4.2; at the bottom the pull is m g + m v^2 / L, and v^2 = 2 g L"
     mass = 2.0
-    about.call = "2 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), let go at 90 degrees, g = 10; "
-    about.call += "velocity first and contact.resolve, h = 1/2000: the largest pull on the way "
-    about.call += "down, in N"
-    about.cause = "a change of momentum of what the rod needs to keep its length: 3 m g at the "
-    about.cause += "bottom"
+    about.call = "2 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), released at 90 degrees, g = 10; "
+    about.call += "semi-implicit steps of 1/2000 s and contact.resolve: the largest pull on the "
+    about.call += "way down, N"
+    about.cause = "The rod carries the weight and bends the path into a circle. At the bottom that "
+    about.cause += "takes 3 m g."
     bob = Particle(Vector3(1.0, 0.0, 0.0), None, Vector3(0.0, -10.0, 0.0), mass=mass)
     seen = swung(AnchoredRod(bob, Vector3(), 1.0), bob, 0.0005, 1173)  # a quarter of its period
     got = max(pull for _, _, pull in seen[100:])
@@ -275,25 +278,22 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     back = (-n[0], -n[1], -n[2])
     c = round(rng.uniform(0.1, 0.9), 3)
     for low, high, wanted, cause in (
-        (0.5, 1.5, [], "between both limits it does nothing"),
-        (1023.0 / 1024.0, 1025.0 / 1024.0, [], "between both limits it does nothing"),
-        (0.25, 0.5, [(0, 1, n, c, 0.5 * length)], "too long it is a cable of max_length"),
-        (0.5, 1.0, [(0, 1, n, c, 0.0)], "at max_length it is taut: penetration 0"),
-        (
-            1.5,
-            2.0,
-            [(0, 1, back, c, 0.5 * length)],
-            "too short it pushes: the normal away from b, the penetration min_length - length",
-        ),
-        (1.0, 2.0, [(0, 1, back, c, 0.0)], "at min_length it touches: penetration 0"),
-        (0.0, 2.0, [], "a min_length of 0 is no limit"),
-    ):
+        (0.5, 1.5, [], "Between its two limits the link has no contact."),
+        (1023.0 / 1024.0, 1025.0 / 1024.0, [], "Between its two limits the link has no contact."),
+        (0.25, 0.5, [(0, 1, n, c, 0.5 * length)], "Beyond max_length it is a cable: the normal "
+         "points to b."),
+        (0.5, 1.0, [(0, 1, n, c, 0.0)], "At max_length it is taut, with a penetration of 0."),
+        (1.5, 2.0, [(0, 1, back, c, 0.5 * length)], "Below min_length it pushes: the normal points "
+         "away from b and the penetration is min_length - length."),
+        (1.0, 2.0, [(0, 1, back, c, 0.0)], "At min_length it touches, with a penetration of 0."),
+        (0.0, 2.0, [], "A min_length of 0 means that there is no lower limit."),
+    ):  # fmt: skip
         about.cause = cause
         about.call = f"{told_ends}; Limits(a, b, {low * length}, {high * length}, {c}).contacts()"
         link = Limits(*pair, low * length, high * length, c)
         expect_contacts(about.call, link, pair, wanted, far=length)
-    about.call += "; all of its attributes changed to 1, 2 and 0.5; l.contacts()"
-    about.cause = "read the attributes each time"
+    about.call += "; min_length, max_length and restitution changed to 1, 2 and 0.5; contacts()"
+    about.cause = "Read the attributes again on every call."
     link.min_length, link.max_length, link.restitution = 1.0, 2.0, 0.5
     wanted = [(0, 1, n, 0.5, length - 2.0)]
     expect_contacts(about.call, link, pair, wanted)
@@ -304,10 +304,10 @@ def test_equal_limits_both_act(rng: Random) -> None:
     about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
     about.call = f"{told_ends}; l = Limits(a, b, {length}, {length}, 0.5); l.contacts()"
-    about.cause = "both limits are reached, so both contacts are there, with opposite normals"
+    about.cause = "Both limits are reached, so return both contacts, with opposite normals."
     link = Limits(*pair, length, length, 0.5)
     got = told(link.contacts(), pair)
-    expect_exactly(len(got), 2, then=": how many")
+    expect_exactly(len(got), 2, then=": number of contacts")
     normals = sorted(contact[2] for contact in got)
     wanted = sorted([n, (-n[0], -n[1], -n[2])])
     for seen, right in zip(normals, wanted, strict=True):
@@ -316,14 +316,14 @@ def test_equal_limits_both_act(rng: Random) -> None:
     expect_close(got, (0, 1, 0.0) * 2, then=": ends and depths")
     same = [Particle(), Particle()]
     for low in (2.0, 0.5, 1e-3):
-        about.call = f"a and b at one place; l = Limits(a, b, {low}, 3); l.contacts()"
-        about.cause = "ends at one place have no direction: +Y stands for the one from a to b; and "
-        about.cause += "any min_length above 0 is a limit"
+        about.call = f"a and b at the same position; l = Limits(a, b, {low}, 3); l.contacts()"
+        about.cause = "The ends coincide, so take +Y as the direction from a to b. Any min_length "
+        about.cause += "above 0 is a limit."
         link = Limits(*same, low, 3.0)
         wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
         expect_contacts(about.call, link, same, wanted)
     about.call += "; l.min_length = 0; l.contacts()"
-    about.cause = "a min_length of 0 is no limit, not even where there is no distance"
+    about.cause = "A min_length of 0 means that there is no lower limit, even at distance 0."
     link.min_length = 0.0
     expect_contacts(about.call, link, same, [])
 
@@ -336,18 +336,18 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     for share in (0.75, 1023.0 / 1024.0, 1.0, 1.25):
         depth = (1.0 - share) * length
         about.call = f"{told_ends}; TwoSidedRod(a, b, {share * length}).contacts()"
-        about.cause = "one contact that pulls and one that pushes, always, with opposite normals "
-        about.cause += "and penetrations: the one of the side that is not reached is negative"
+        about.cause = "Return two contacts at any length: one pulls, one pushes. Their normals and "
+        about.cause += "penetrations are opposite, so one penetration is negative."
         wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
         rod = TwoSidedRod(*pair, share * length)
         expect_contacts(about.call, rod, pair, wanted)
         about.call += f"; its length changed to {0.5 * length}; contacts()"
-        about.cause = "read the attributes each time"
+        about.cause = "Read the length again on every call."
         rod.length = 0.5 * length
         wanted = [(0, 1, n, 0.0, 0.5 * length), (0, 1, back, 0.0, -0.5 * length)]
         expect_contacts(about.call, rod, pair, wanted)
-    about.call = "a and b at one place; TwoSidedRod(a, b, 2).contacts()"
-    about.cause = "ends at one place have no direction: +Y stands for the one from a to b"
+    about.call = "a and b at the same position; TwoSidedRod(a, b, 2).contacts()"
+    about.cause = "The ends coincide, so take +Y as the direction from a to b."
     same = [Particle(), Particle()]
     wanted = [(0, 1, UP, 0.0, -2.0), (0, 1, (0.0, -1.0, 0.0), 0.0, 2.0)]
     expect_contacts(about.call, TwoSidedRod(*same, 2.0), same, wanted)

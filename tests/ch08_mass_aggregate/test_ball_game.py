@@ -70,8 +70,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     expect_exactly(before[0], 10 * (rows - 1), then=": score before")
     about.cause = "once it is over nothing counts any more"
     got = list(seen[-1][:2])
-    name = f"{about.call}: score and lives in the end"
-    expect_exactly(got, [score, 3 - falls], call=name)
+    expect_exactly(got, [score, 3 - falls], then=": score and lives in the end")
 
 
 @pytest.mark.exercise("P8.1a")
@@ -224,14 +223,12 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     about.cause += "over the first row, 2 m above where the bridge begins, at rest"
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
     expect_exactly(seen["lives"], 2, then=": lives")
-    name = f"{about.call}: visited, of rows 2 and 4 before"
     kept = "it takes a life, and nothing else"
-    expect_exactly(seen["visited"], [2, 4], call=name, cause=kept)
+    expect_exactly(seen["visited"], [2, 4], then=": visited, of rows 2 and 4 before", cause=kept)
     got = seen["place"] + seen["velocity"]
-    name = f"{about.call}: place and velocity"
     place = (FIRST, 6.0, 0.0, 0.0, 0.0, 0.0)
     # The cables, too short at first, have pulled the row inwards by 0.13 m in that frame.
-    expect_close(got, place, call=name, tolerance=0.2)
+    expect_close(got, place, then=": place and velocity", tolerance=0.2)
     about.cause = "where its lowest point is no more than TOUCH, 1e-6 m, above the ground, a life "
     about.cause += "goes"
     for above, lives in ((5e-7, 2), (5e-6, 3)):
@@ -246,10 +243,13 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     about.cause += "it"
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
     expect_exactly(seen[-1]["lives"], 0, then=": lives")
-    name = f"{about.call}: place, as after the first of them"
-    expect_close(seen[-1]["place"], seen[0]["place"], call=name, tolerance=0.0)
-    name = f"{about.call}: is it still beside the bridge"
-    expect_exactly(seen[-1]["place"][0] > 7.0, True, call=name)
+    expect_close(
+        seen[-1]["place"],
+        seen[0]["place"],
+        then=": place, as after the first of them",
+        tolerance=0.0,
+    )
+    expect_exactly(seen[-1]["place"][0] > 7.0, True, then=": is it still beside the bridge")
 
 
 @pytest.mark.exercise("P8.1b")
@@ -264,5 +264,9 @@ def test_the_last_row_ends_the_game(rng: Random) -> None:
     seen = played(3, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=visited)
     scores = [frame["score"] for frame in seen]
     expect_exactly(scores, [160] * 3, then=": score")
-    name = f"{about.call}: place, as after the first of them"
-    expect_close(seen[-1]["place"], seen[0]["place"], call=name, tolerance=0.0)
+    expect_close(
+        seen[-1]["place"],
+        seen[0]["place"],
+        then=": place, as after the first of them",
+        tolerance=0.0,
+    )

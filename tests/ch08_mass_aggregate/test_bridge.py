@@ -68,17 +68,15 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
 
     links = [(i, j, depth) for i, j, _, _, depth in bridge_links(places)]
     got, wanted = picked(links), picked(wanted_links(places))
-    name = f"{about.call}: which"
     ends, right = ([(i, j) for i, j, _ in some] for some in (got, wanted))
     wrong = [(pair, "missing") for pair in right if pair not in ends]
     wrong += [(pair, "too many") for i, pair in enumerate(ends) if pair in ends[:i]]
     wrong += [(pair, "no such link") for pair in ends if pair not in right]
     why = f"{wrong[0][0]} is {wrong[0][1]}: {about.cause}" if wrong else about.cause
-    expect_exactly(ends, right, call=name, cause=why)
+    expect_exactly(ends, right, then=": which", cause=why)
     for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
-        name = f"{about.call}: how much that of {(i, j)} is"
         # Lengths of some metres, rounded a few times.
-        expect_close(depth, right, call=name, tolerance=1e-12)
+        expect_close(depth, right, then=f": how much that of {(i, j)} is", tolerance=1e-12)
 
 
 @pytest.mark.exercise("B8.4")
@@ -268,10 +266,11 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                 ((c, 0.5 * depth), "the depth is not shared: each contact has all of it"),
                 ((c, depth - radius), "the radius is left out: height + radius - y"),
             ]
-            name = f"{about.call}: restitution, penetration"
             got = (restitution, penetration)
             why = cause_of(got, mistakes, about.cause)
-            expect_close(got, (c, depth), call=name, cause=why, tolerance=1e-12)
+            expect_close(
+                got, (c, depth), then=": restitution, penetration", cause=why, tolerance=1e-12
+            )
     level = [((x, 4.0, -1.0), (x, 4.0, 1.0)) for x in (0.0, 2.0, 4.0)]
     for y, cause in (
         (4.5, "it touches where its lowest point is just at the deck: a contact of depth 0"),

@@ -80,8 +80,9 @@ def test_the_cube_is_rigid() -> None:
     about.cause += "needed"
     if left:
         about.cause += f"; they leave this motion: {told(left[0], 'corner')}"
-    name = f"{about.call}: how many motions they leave, besides those of a rigid body"
-    expect_exactly(len(left), 0, call=name)
+    expect_exactly(
+        len(left), 0, then=": how many motions they leave, besides those of a rigid body"
+    )
 
 
 def draw_rim(rng: Random, count: int) -> tuple[tuple[float, float, float], list]:
@@ -152,11 +153,9 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     done = driven(hub, force, places, already)
     for place, force_of_all, (got, after) in zip(places, wanted, done, strict=True):
         # The angle of a spoke of a centimetre is rounded to 1e-13.
-        name = f"{about.call}{place}"
-        expect_close(got, force_of_all, call=name, tolerance=1e-11)
-        name = f"{about.call}{place}; its place then"
+        expect_close(got, force_of_all, then=f"{place}", tolerance=1e-11)
         moves = "a force moves nothing by itself: work on a new vector"
-        expect_close(after, place, call=name, cause=moves, tolerance=0.0)
+        expect_close(after, place, then=f"{place}; its place then", cause=moves, tolerance=0.0)
     about.cause = "at the hub, and right before it, there is no direction, and no force"
     for place in (hub, (hub[0], hub[1], hub[2] + 1.0)):
         got = driven(hub, force, [place], already)[0][0]

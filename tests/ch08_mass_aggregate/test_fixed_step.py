@@ -33,13 +33,11 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
             (1, "one step only: make one while there is time for it"),
         ]
         seen = cause_of(row[0], mistakes, about.cause)
-        name = f"{about.call}: the steps that the last call returns"
-        expect_exactly(row[0], steps, call=name, cause=seen)
+        expect_exactly(row[0], steps, then=": the steps that the last call returns", cause=seen)
         mistakes = [((0.0, 0.0), "what is left over is lost: keep it for the next call")]
         seen = cause_of(row[1:], mistakes, about.cause)
-        name = f"{about.call}: left and dropped then"
         wanted = (0.25 * STEP * left, 0.0)
-        expect_close(row[1:], wanted, call=name, cause=seen, tolerance=0.0)
+        expect_close(row[1:], wanted, then=": left and dropped then", cause=seen, tolerance=0.0)
     about.cause = "every step has the same duration, whatever has passed"
     wanted = [STEP] * (sum(quarters) // 4)
     expect_exactly(done["made"], wanted, then=": the steps' durations")
@@ -105,8 +103,7 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         about.call = f"{start}{elapsed[: i + 1]} in turn"
         steps, left, dropped = wanted[i]
         seen = cause_of(row[0], [(limit + 1, "one step more than max_steps")], about.cause)
-        name = f"{about.call}: the steps of the last call"
-        expect_exactly(row[0], steps, call=name, cause=seen)
+        expect_exactly(row[0], steps, then=": the steps of the last call", cause=seen)
         mistakes = [
             ((0.0, left + dropped), "all that is left is dropped: less than a step stays left"),
             ((left + dropped, 0.0), "nothing is dropped: the next call would make up for it"),
@@ -114,18 +111,15 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
             ((left, STEP), "that is what the last call dropped: dropped adds up"),
         ]
         seen = cause_of(row[1:], mistakes, about.cause)
-        name = f"{about.call}: left, dropped"
-        expect_close(row[1:], (left, dropped), call=name, cause=seen, tolerance=1e-12)
+        expect_close(row[1:], (left, dropped), then=": left, dropped", cause=seen, tolerance=1e-12)
     count = sum(row[0] for row in wanted)
     about.call = f"{start}{elapsed} in turn"
-    name = f"{about.call}: how many steps were made"
-    expect_exactly(len(done["made"]), count, call=name)
+    expect_exactly(len(done["made"]), count, then=": how many steps were made")
     about.call = f"a FixedStep of 0.1 s, max_steps={limit}; advance by {0.1 * (limit + late)!r}"
     about.cause = "a step that rounding makes late is a whole step here as well"
     row = advanced(0.1, [0.1 * (limit + late)], limit)["rows"][0]
     # Rounding of a few times 0.1 s, many times less than a step.
-    name = f"{about.call}: left, dropped"
-    expect_close(row[1:], (0.0, 0.1 * late), call=name, tolerance=1e-9)
+    expect_close(row[1:], (0.0, 0.1 * late), then=": left, dropped", tolerance=1e-9)
     about.cause = "what lacks less than SHARE of a step is dropped with the others, and nothing "
     about.cause += "else is"
     for duration, lack in product((1e-6, STEP, 1000.0), (1e-7, 1e-10)):
@@ -133,9 +127,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         about.call = f"a FixedStep of {duration} s, max_steps=2; advance({elapsed!r})"
         row = advanced(duration, [elapsed], 2)["rows"][0]
         late = 2.0 if lack > 1e-9 else 3.0
-        name = f"{about.call}: left, dropped"
         wanted = (elapsed - (2.0 + late) * duration, late * duration)
-        expect_close(row[1:], wanted, call=name, tolerance=1e-9 * duration)
+        expect_close(row[1:], wanted, then=": left, dropped", tolerance=1e-9 * duration)
     about.call = f"a FixedStep of {STEP} s, no max_steps; advance by 5000 steps"
     about.cause = "None means no limit"
     row = advanced(STEP, [5000.0 * STEP])["rows"][0]
@@ -152,13 +145,14 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     about.cause = "take the time of a step off left after it was made: what it raises comes out, "
     about.cause += "and the step is made anew by the next call"
     done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
-    name = f"{about.call}: what the first call returns, -1 where the step's error comes out"
-    expect_exactly(done["rows"][0][0], -1, call=name)
-    name = f"{about.call}: left after the first call"
+    expect_exactly(
+        done["rows"][0][0],
+        -1,
+        then=": what the first call returns, -1 where the step's error comes out",
+    )
     got = done["rows"][0][1]
-    expect_close(got, (6 - good) * STEP, call=name, tolerance=1e-12)
-    name = f"{about.call}: the steps of the second call"
-    expect_exactly(done["rows"][1][0], 6 - good, call=name)
+    expect_close(got, (6 - good) * STEP, then=": left after the first call", tolerance=1e-12)
+    expect_exactly(done["rows"][1][0], 6 - good, then=": the steps of the second call")
 
 
 @pytest.mark.exercise("B8.3")

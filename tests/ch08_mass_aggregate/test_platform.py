@@ -58,10 +58,11 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
     expect_exactly(len(rods) > 0, True, then=": is there a rod")
     for i, j, length in rods:
         wanted = math.dist(places[i], places[j])
-        name = f"{about.call} of the one from {i} to {j}"
         old = "that is the distance in PLACES: the particles may be elsewhere by now"
         seen = cause_of(length, [(math.dist(PLACES[i], PLACES[j]), old)], about.cause)
-        expect_close(length, wanted, call=name, cause=seen, tolerance=1e-12)
+        expect_close(
+            length, wanted, then=f" of the one from {i} to {j}", cause=seen, tolerance=1e-12
+        )
 
 
 @pytest.mark.exercise("B8.7")
@@ -230,13 +231,11 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     about.cause = f"from {limit:.3f} kg at {x} m on, the left end sinks: mass times place, on both "
     about.cause += "sides"
     places = tipped(mass, x, 45, 1.0 / 60.0)
-    name = f"{about.call}: is it below the right one"
     sinks = places[2][1] < places[4][1]
-    expect_exactly(sinks, side == "heavy enough", call=name)
+    expect_exactly(sinks, side == "heavy enough", then=": is it below the right one")
     length = math.dist(places[2], places[4])
     about.cause = "the platform stays as long as it is: do the world's rods hold it?"
-    name = f"{about.call}: how long it is, to 1 cm"
-    expect_close(length, 7.0, call=name, tolerance=0.01)
+    expect_close(length, 7.0, then=": how long it is, to 1 cm", tolerance=0.01)
 
 
 @pytest.mark.exercise("8.1")
@@ -293,9 +292,7 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         for i, j in combinations(range(6), 2)
     )
     # A hundred iterations leave 0.2 mm at this frame rate.
-    name = f"{about.call}: does no distance change by more than 1 cm"
-    expect_exactly(off < 0.01, True, call=name)
+    expect_exactly(off < 0.01, True, then=": does no distance change by more than 1 cm")
     moved = after[0][0] - before[0][0]
     about.cause = "it falls to the right, and its pivot slides to the left"
-    name = f"{about.call}: has the pivot moved to the left by more than 1 cm"
-    expect_exactly(moved < -0.01, True, call=name)
+    expect_exactly(moved < -0.01, True, then=": has the pivot moved to the left by more than 1 cm")

@@ -120,10 +120,8 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     about.call = f"a particle of {mass} kg and {speed} m/s; 3 frames, fall_asleep()"
     about.cause = "what sleeps is immovable, and its velocity is cleared"
     done = slept(mass, speed)
-    name = f"{about.call}: inverse_mass"
-    expect_close(done["inverse mass asleep"], 0.0, call=name, tolerance=0.0)
-    name = f"{about.call}: velocity"
-    expect_close(done["velocity asleep"], (0.0,) * 3, call=name, tolerance=0.0)
+    expect_close(done["inverse mass asleep"], 0.0, then=": inverse_mass", tolerance=0.0)
+    expect_close(done["velocity asleep"], (0.0,) * 3, then=": velocity", tolerance=0.0)
     about.cause = "it falls asleep after the frame, so three frames have moved it; then nothing "
     about.cause += "does"
     place = (1.0 + 3.0 * speed / 60.0, 2.0, 3.0)

@@ -87,8 +87,11 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         ("below the pivot", flight(angle - 1.0, -height), False, "it must be above the pivot"),
     ):
         about.cause = cause
-        name = f"{about.call}{what}: {how[0]} m above the pivot, velocity {how[1]}"
-        expect_exactly(lets_go(design, [how])[0], wanted, call=name)
+        expect_exactly(
+            lets_go(design, [how])[0],
+            wanted,
+            then=f"{what}: {how[0]} m above the pivot, velocity {how[1]}",
+        )
     about.call = f"a release angle of 0; lets_go() {height} m above the pivot, velocity ({speed}, "
     about.call += "0, 0)"
     got = lets_go((*design[:4], 0.0), [(height, (speed, 0.0, 0.0))])[0]
@@ -205,6 +208,7 @@ def test_your_own_trebuchet(metres: int, percent: int) -> None:
     distance, share = thrown(*design)
     about.cause = f"worked out by Lagrange's equations, it throws {distance:.1f} m, and "
     about.cause += f"{share:.0%} of the energy reach the projectile"
-    name = f"{about.call}: range of {metres} m or more, share of {percent} % or more"
     got = (distance >= metres, share >= 0.01 * percent)
-    expect_exactly(list(got), [True, True], call=name)
+    expect_exactly(
+        list(got), [True, True], then=f": range of {metres} m or more, share of {percent} % or more"
+    )

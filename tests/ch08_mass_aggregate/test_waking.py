@@ -94,11 +94,11 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         done = pushed(*change)
         expect_exactly(done["before"], [0], then=": who slept")
         about.cause = "the accumulators of what sleeps are empty before and afterwards"
-        name = f"{about.call}: what its accumulator held while it slept"
-        expect_exactly(done["sums"], [(0.0, 0.0, 0.0)], call=name)
+        expect_exactly(
+            done["sums"], [(0.0, 0.0, 0.0)], then=": what its accumulator held while it slept"
+        )
         about.cause = "a change of more than SAME, 1 %, of what acts wakes; it moves in this very "
         about.cause += "frame, and each force counts once: clear what you added up to compare"
-        name = f"{about.call}: velocity after the frame in which it wakes"
         woken = done["velocity"] is not None
         expect_exactly(woken, True, then=": does it wake within 10 frames")
         got = done["velocity"] or (math.nan,) * 3
@@ -106,10 +106,11 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         if any(velocity):
             seen = "the forces count twice: clear what was added up to compare"
             blame(got, [(twice, seen)])
-        expect_close(got, velocity, call=name, tolerance=1e-12)
+        expect_close(
+            got, velocity, then=": velocity after the frame in which it wakes", tolerance=1e-12
+        )
         about.cause = "generators are told the duration of the frame"
-        name = f"{about.call}: what they were told"
-        expect_exactly(done["durations"], [1.0 / 60.0], call=name)
+        expect_exactly(done["durations"], [1.0 / 60.0], then=": what they were told")
 
 
 @pytest.mark.exercise("G8.1")
@@ -138,9 +139,10 @@ def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
     about.cause = "what changes by SAME or less wakes nothing: compare with the acceleration of "
     about.cause += "then"
     for new in (push, 1.009 * push, 0.991 * push):
-        name = f"{about.call}, then by {new} N/kg: who sleeps after each of 25 frames"
         seen = woken_by_force(push, new, 25)
-        expect_exactly(seen, [[0]] * 26, call=name)
+        expect_exactly(
+            seen, [[0]] * 26, then=f", then by {new} N/kg: who sleeps after each of 25 frames"
+        )
 
 
 @pytest.mark.exercise("G8.1")
@@ -158,12 +160,14 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool
     hit = next((i for i, now in enumerate(done["seen"]) if now != [0, 1, 2]), -1)
     about.cause = "the contact wakes the first ball, the contacts are looked for again, and it "
     about.cause += "wakes the next one, all in the same frame"
-    name = f"{about.call}: who sleeps after the first frame in which any of them wakes"
-    expect_exactly(done["seen"][hit], [], call=name)
+    expect_exactly(
+        done["seen"][hit], [], then=": who sleeps after the first frame in which any of them wakes"
+    )
     about.cause = "they are awake, with their masses, before the contact is resolved: momentum is "
     about.cause += "kept"
-    name = f"{about.call}: momentum along X after that frame"
-    expect_close(done["momenta"][hit], speed, call=name, tolerance=1e-9)
+    expect_close(
+        done["momenta"][hit], speed, then=": momentum along X after that frame", tolerance=1e-9
+    )
 
 
 @pytest.mark.exercise("G8.1")
@@ -200,8 +204,7 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     expect_exactly(before, [0, 1], then=": who slept before")
     about.cause = "what wakes, wakes its neighbours: those that it touched when it fell asleep"
     expect_exactly(1 in after, False, then=": does the upper one sleep")
-    name = f"{about.call}: how fast it moves, along Y"
-    expect_close(speed, -1.0, call=name, tolerance=0.01)
+    expect_close(speed, -1.0, then=": how fast it moves, along Y", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
             about.call = f"five particles, contacts of {pairs} but in the frame in which they fall "
@@ -221,9 +224,10 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     expect_exactly(seen[1], [], then=": who sleeps after a frame")
     about.cause = "forces of springs are equal and opposite: the middle of the three moves at 2 m/s"
     drift = 2.0 * sum(0.9 ** (i / 60.0) for i in range(1, 21)) / 60.0
-    name = f"{about.call}: how far the middle has moved after 20 frames"
     middle = math.fsum(place[0] for place in places) / 3.0 - 1.0
-    expect_close(middle, drift, call=name, tolerance=1e-9)
+    expect_close(
+        middle, drift, then=": how far the middle has moved after 20 frames", tolerance=1e-9
+    )
 
 
 @pytest.mark.exercise("G8.1")
@@ -255,8 +259,9 @@ def test_what_sleeps_costs_no_work(rng: Random) -> None:
     about.cause = "give the integrator only what is awake"
     expect_exactly(given, 20 * awake, then=": particles that it was given")
     about.cause = "the generators of what sleeps are asked in every tenth frame, and once each"
-    name = f"{about.call}: how often generators were asked"
-    expect_exactly(asked, 20 * awake + 2 * (count - awake), call=name)
+    expect_exactly(
+        asked, 20 * awake + 2 * (count - awake), then=": how often generators were asked"
+    )
 
 
 @pytest.mark.exercise("G8.1")
@@ -283,7 +288,8 @@ def test_a_frame_without_a_duration_is_refused_here_too() -> None:
         about.cause = "positive() refuses it, before anything changes"
         name, force = refused(duration)
         expect_exactly(name, error, then=": the error, '' for none")
-        what = f"{about.call}: the force that was added before it"
-        expect_close(force, (1.0, 2.0, 3.0), call=what, tolerance=0.0)
+        expect_close(
+            force, (1.0, 2.0, 3.0), then=": the force that was added before it", tolerance=0.0
+        )
     about.call, about.cause = "world.run_physics(0.1)", "what is right must not be refused"
     expect_exactly(refused(0.1)[0], "", then=": the error, '' for none")

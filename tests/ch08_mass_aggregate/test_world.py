@@ -95,8 +95,9 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     about.cause = "clear_forces() of every particle, and nothing else"
     done = started(bodies, force)
     for i, body in enumerate(bodies):
-        name = f"{about.call}; particles[{i}].force_accumulator"
-        expect_close(done["after"][i], ZERO, call=name, tolerance=0.0)
+        expect_close(
+            done["after"][i], ZERO, then=f"; particles[{i}].force_accumulator", tolerance=0.0
+        )
         name = f"{about.call}; place and velocity of particles[{i}]"
         expect_close(done["states"][i][0], body[0], call=name, tolerance=0.0)
         expect_close(done["states"][i][1], body[1], call=name, tolerance=0.0)
@@ -117,9 +118,10 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     seen = cause_of(len(got), [(0, first)], about.cause)
     expect_exactly(len(got), 3 * count, then=": how many", cause=seen)
     order = "one generator after the other, in the order of contact_generators"
-    name = f"{about.call}: in which order, by depth"
     runs = [round(depth, 9) for depth in got[::count]]
-    expect_exactly(runs, [0.0, low - 1.0, high - 1.0], call=name, cause=order)
+    expect_exactly(
+        runs, [0.0, low - 1.0, high - 1.0], then=": in which order, by depth", cause=order
+    )
     expect_close(got, wanted)
     about.call, about.cause = (
         "world.contacts() without a generator",
@@ -234,14 +236,13 @@ def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
         ((0.25, fallen, 0.0), "it is in the floor: the contacts of the new place are not resolved")
     ]
     seen = cause_of(place, mistakes, about.cause)
-    name = f"{about.call}; particle.position"
-    expect_close(place, (0.25, 0.0, 0.0), call=name, cause=seen, tolerance=1e-12)
-    name = f"{about.call}; particle.velocity"
-    expect_close(velocity, (2.0, 0.0, 0.0), call=name, tolerance=1e-12)
+    expect_close(place, (0.25, 0.0, 0.0), then="; particle.position", cause=seen, tolerance=1e-12)
+    expect_close(velocity, (2.0, 0.0, 0.0), then="; particle.velocity", tolerance=1e-12)
     about.cause = "what is in no contact flies on"
-    name = f"{about.call}; another particle, far above: velocity"
     got = done["states"][1][1]
-    expect_close(got, (2.0, -speed, 0.0), call=name, tolerance=1e-12)
+    expect_close(
+        got, (2.0, -speed, 0.0), then="; another particle, far above: velocity", tolerance=1e-12
+    )
 
 
 @pytest.mark.exercise("B8.2")
@@ -257,9 +258,12 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     done = frame(bodies, "run_physics", h, floors=[low, high], record=True)
     calls = [row for row in done["diary"] if row[0] == "resolve"]
     expect_exactly(len(calls), 1, then=": calls of the resolver")
-    name = f"{about.call}: the resolver's duration, and the depths of its contacts"
     depths = [low - 1.0] * 3 + [high - 1.0] * 3
-    expect_close((calls[0][1], *calls[0][2]), (h, *depths), call=name)
+    expect_close(
+        (calls[0][1], *calls[0][2]),
+        (h, *depths),
+        then=": the resolver's duration, and the depths of its contacts",
+    )
     asked = [row[1] for row in done["diary"] if row[0] == "contacts"]
     expect_exactly(asked, [low, high], then=": which floors were asked")
     about.call = f"three particles at a height of 1, above a floor at 0.5; run_physics({h})"
@@ -309,10 +313,9 @@ def test_a_frame_without_a_duration_is_refused(method: str) -> None:
         expect_exactly(done["error"], error, then=": the error, '' for none")
         about.cause = "what is refused loses nothing: not a place, not a velocity, not an added "
         about.cause += "force"
-        name = f"{about.call}; position, velocity, force_accumulator"
         got = tuple(number for part in done["left"] for number in part)
         wanted = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
-        expect_close(got, wanted, call=name, tolerance=0.0)
+        expect_close(got, wanted, then="; position, velocity, force_accumulator", tolerance=0.0)
     done = frame([(ZERO, ZERO, (1.0, 0.0, 0.0), 1.0)], method, 0.5)
     about.call, about.cause = f"world.{method}(0.5)", "what is right must not be refused"
     expect_close(done["states"][0][1], (0.5, 0.0, 0.0), then="; velocity")

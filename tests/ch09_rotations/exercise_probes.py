@@ -1,4 +1,4 @@
-"""What must run beside the student's code: lists that cross as copies, and numbers that count."""
+"""Helpers that must run beside the student's code: numbers that count, and lists."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Stones = list[tuple[str, float, float, float]]
 
 
 class Counted(float):
-    """A number that counts how often one like it is multiplied."""
+    """A number that counts the multiplications of all numbers of this class."""
 
     made = 0
 
@@ -26,7 +26,7 @@ class Counted(float):
 
 
 def multiplications(a: tuple[float, float], b: tuple[float, float]) -> int:
-    """Return how many multiplications product_without_j_and_k makes of two numbers each."""
+    """Return the number of multiplications in product_without_j_and_k."""
     first, second = Quaternion(), Quaternion()
     for q, (r, i) in ((first, a), (second, b)):
         q.r, q.i, q.j, q.k = (Counted(part) for part in (r, i, 0.0, 0.0))
@@ -36,7 +36,7 @@ def multiplications(a: tuple[float, float], b: tuple[float, float]) -> int:
 
 
 def stones_after(name: str, stones: Stones) -> tuple[object, Stones]:
-    """Return what a function of exercise 9.7 returns, and has left of the list it was given."""
+    """Return the result of a function of exercise 9.7, and its list after the call."""
     stones = [*stones]
     if name == "center_of_stones":
         return center_of_stones(stones), stones

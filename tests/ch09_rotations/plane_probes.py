@@ -1,4 +1,4 @@
-"""What becomes of lists, which cross between processes as copies: it must run beside the code."""
+"""Runs beside the student's code, since lists cross between processes as copies."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ Point = tuple[float, float]
 
 
 def masses_after(masses: list[float], positions: list[Point]) -> tuple[list[float], list[Point]]:
-    """Return what center_of_mass has left of the lists that it was given."""
+    """Return the lists that center_of_mass got, after the call."""
     masses, positions = [*masses], [*positions]
     center_of_mass(masses, positions)
     return masses, positions

@@ -1,4 +1,4 @@
-"""What must run beside the student's code: loops. Each function takes and returns plain numbers."""
+"""Loops that run beside the student's code. Every function takes and returns plain numbers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Quad = tuple[float, float, float, float]
 
 
 def in_parts(velocity: Components, time: float, parts: int) -> Quad:
-    """Turn the reference on by rotate_by, in equal parts of a steady turn; return where it ends."""
+    """Return the orientation after a steady rotation in equal parts, by rotate_by."""
     q = Quaternion()
     part = Vector3(*velocity) * (time / parts)
     for _ in range(parts):
@@ -31,5 +31,5 @@ def steps(
 
 
 def entered_stones() -> list[tuple[str, float, float, float]]:
-    """Return what the student has entered in stones.csv."""
+    """Return the stones in the student's stones.csv."""
     return read_stones(own_stones())

@@ -1,4 +1,4 @@
-"""The velocity of a point, a step, and what Eq. 9.5 lacks: build tasks B9.18 and B9.19."""
+"""The velocity of a point, rotation steps, and the drift of Eq. 9.5: tasks B9.18 and B9.19."""
 
 from __future__ import annotations
 
@@ -45,12 +45,13 @@ def test_a_point_of_what_turns() -> None:
     about.read = POINT
     about.call = "velocity_of_point(q, p, p', w), with q = Vector3(1, 0, 0), p and p' = Vector3(), "
     about.call += "w = Vector3(0, 0, 2)"
-    about.cause = "it is w x (q - p), counter-clockwise about Z, so that a point on X moves along Y"
+    about.cause = "The velocity is w x (q - p). The rotation is counter-clockwise about Z, so a "
+    about.cause += "point on X moves along +Y."
     args = [Vector3(1, 0, 0), Vector3(), Vector3(), Vector3(0, 0, 2)]
     got = xyz(velocity_of_point(*args))
     slips = {
-        "the other way round, (q - p) x w or w x (p - q)": (0.0, -2.0, 0.0),
-        "no turning at all": (0.0, 0.0, 0.0),
+        "the cross product in the wrong order, (q - p) x w": (0.0, -2.0, 0.0),
+        "the velocity without any rotation": (0.0, 0.0, 0.0),
         "the angular velocity itself": (0.0, 0.0, 2.0),
     }
     expect_close(got, (0.0, 2.0, 0.0), cause=named(got, about.cause, slips))
@@ -62,28 +63,27 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     point, place, v, w = (components(rng) for _ in range(4))
     given = [Vector3(*a) for a in (point, place, v, w)]
     about.call = f"velocity_of_point(Vector3{point}, Vector3{place}, Vector3{v}, Vector3{w})"
-    about.cause = "w x (q - p) + p': the arm is from the position to the point"
+    about.cause = "The velocity is w x (q - p) + p', where q - p is the offset from the position."
     got = xyz(velocity_of_point(*given))
-    # Of two vectors, (0, w) times (0, arm) has the vector product as its last three.
+    # The vector part of (0, w) times (0, arm) is their cross product.
     turning, about_world = (
         hamilton((0.0, *w), (0.0, *arm))[1:] for arm in (subtracted(point, place), point)
     )
     wanted = added(turning, v)
     slips = {
-        "the turning alone, without the velocity": turning,
-        "what comes of turning about the world's origin": added(about_world, v),
-        "the turning and the velocity, one subtracted from the other": subtracted(turning, v),
-        "the velocity alone": v,
+        "the rotation alone, without the velocity p'": turning,
+        "the result for a rotation about the world's origin": added(about_world, v),
+        "the difference of w x (q - p) and p', not their sum": subtracted(turning, v),
+        "the velocity p' alone, without the rotation": v,
     }
     why = named(got, about.cause, slips)
-    # Two products of up to 200.
+    # Two products of up to 200 each.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
     names = ("point", "position", "velocity", "angular_velocity")
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
         expect_unchanged(name, xyz(now), before, cause=UNCHANGED)
-    about.call = f"v = Vector3{v}; velocity_of_point(q, p, v, Vector3(0, 0, 0)), which is "
-    about.call += "inverted; v"
-    about.cause = "a new vector, where nothing turns too"
+    about.call = f"v = Vector3{v}; velocity_of_point(q, p, v, Vector3(0, 0, 0)).invert(); v"
+    about.cause = "Return a new vector, even if nothing rotates."
     same = velocity_of_point(*given[:3], Vector3())
     same.invert()
     expect_unchanged("v", xyz(given[2]), v)
@@ -94,7 +94,7 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
 def test_a_point_that_is_nowhere_is_refused() -> None:
     about.read = "the docstring of velocity_of_point"
     good = (1.0, 2.0, 3.0)
-    about.cause = "finite_vector of arguments.py refuses it, for each of the four"
+    about.cause = "Check each of the four arguments with finite_vector from arguments.py."
     for place in range(4):
         for bad in ((1.0, math.nan, 3.0), (1.0, 2.0, math.inf), None):
             vectors = [Vector3(*good) for _ in range(4)]
@@ -113,25 +113,25 @@ def test_a_point_that_is_nowhere_is_refused() -> None:
 
 
 def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str, Quad]:
-    """Return what likely mistakes make of the orientation in a step."""
+    """Return the orientations that likely mistakes give after a step."""
     mean = tuple(0.5 * (a + b) for a, b in zip(old, new, strict=True))
     change = hamilton((0.0, *new), q)
     longer = tuple(a + 0.5 * h * b for a, b in zip(q, change, strict=True))
     size = math.hypot(*new)
     return {
-        "a turn by the old w": hamilton(quad(old, h * math.hypot(*old)), q),
-        "a turn by the mean of the old w and the new one": hamilton(
+        "a rotation by the old w": hamilton(quad(old, h * math.hypot(*old)), q),
+        "a rotation by the mean of the old and the new w": hamilton(
             quad(mean, h * math.hypot(*mean)), q
         ),
-        "a step of Eq. 9.5, normalised, and right to the first order only": tuple(
+        "a normalized step of Eq. 9.5, which is accurate to first order only": tuple(
             component / math.hypot(*longer) for component in longer
         ),
-        "a step of Eq. 9.5, not normalised (E-31)": longer,
-        "a turn by w', without the duration": hamilton(quad(new, size), q),
-        "a turn about an axis of the object, and not of the world": hamilton(
+        "a step of Eq. 9.5 without normalizing (E-31)": longer,
+        "a rotation by w' without the duration": hamilton(quad(new, size), q),
+        "a rotation about an axis of the object, not of the world": hamilton(
             q, quad(new, h * size)
         ),
-        "q as it was, but it turns in place": q,
+        "the old orientation": q,
     }
 
 
@@ -142,26 +142,26 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     h = positive_number(rng, 0.05, 0.2)
     orientation, velocity, acceleration = Quaternion(*q), Vector3(*w), Vector3(*a)
     about.call = f"q, w = Quaternion{q}, Vector3{w}; integrate_rotation(q, w, Vector3{a}, {h}); "
-    about.cause = "w' = w + alpha h, in place"
+    about.cause = "Change the vector in place to w' = w + alpha h."
     returned = integrate_rotation(orientation, velocity, acceleration, h)
     new = tuple(p + h * r for p, r in zip(w, a, strict=True))
     got = xyz(velocity)
     slips = {
-        "w as it was, where another vector may have been made and lost": w,
-        "w and alpha, without the duration": added(w, a),
+        "the old w (was the result assigned to a new vector and lost?)": w,
+        "w + alpha, without the duration": added(w, a),
         "alpha h, without the old w": subtracted(new, w),
     }
     why = named(got, about.cause, slips)
     expect_close(got, new, then="w", cause=why, tolerance=TIGHT)
     wanted = hamilton(quad(new, h * math.hypot(*new)), q)
-    about.cause = "first w' = w + alpha h, then turn by w' h with rotate_by"
+    about.cause = "First compute w' = w + alpha h, then rotate by w' h with rotate_by."
     got = same_sign(rijk(orientation), wanted)
     slips = {name: same_sign(slip, wanted) for name, slip in step_slips(q, w, new, h).items()}
     why = named(got, about.cause, slips)
     expect_close(got, wanted, then="q", cause=why, tolerance=TIGHT)
     expect_unchanged("the acceleration", xyz(acceleration), a, cause=UNCHANGED)
-    about.cause = "what changes in place returns nothing"
-    expect_exactly(returned, None, then="what it returns")
+    about.cause = "This function works in place and returns nothing."
+    expect_exactly(returned, None, then="the returned value")
 
 
 @pytest.mark.exercise("B9.18")
@@ -174,7 +174,7 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     w, a = tuple(speed * u for u in unit), tuple(gain * u for u in unit)
     about.call = f"{count} times integrate_rotation(q, Vector3{w}, Vector3{a}, {h}), from "
     about.call += "Quaternion(); q"
-    about.cause = "step k turns by (w + k alpha h) h, about the same axis"
+    about.cause = "Step k rotates by (w + k alpha h) h about the same axis."
     got, after, alpha = steps((1.0, 0.0, 0.0, 0.0), w, a, h, count)
     angle = speed * h * count + gain * h * h * count * (count + 1) / 2.0
     wanted = quad(unit, angle)
@@ -182,14 +182,14 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     got = same_sign(got, wanted)
     expect_close(got, wanted, tolerance=1e-11)
     wanted = [p + h * count * r for p, r in zip(w, a, strict=True)]
-    about.cause = "it gains alpha h in each step"
+    about.cause = "Each step adds alpha h to the angular velocity."
     expect_close(after, wanted, call=f"{about.call[:-1]}w", tolerance=1e-11)
     expect_unchanged("alpha", alpha, a, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("B9.18")
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
-    about(cause="normalise at the end of the step, so that nothing adds up", read=STEP)
+    about(cause="Normalize at the end of the step, so that errors do not accumulate.", read=STEP)
     for off in (1.001, 1.0 + 5e-7):
         q = tuple(off * component for component in draw_quad(rng))
         orientation = Quaternion(*q)
@@ -208,8 +208,8 @@ def test_a_step_from_rest(rng: Random) -> None:
         orientation, velocity = Quaternion(*q), Vector3()
         about.call = f"q, w = Quaternion{q}, Vector3(); integrate_rotation(q, w, "
         about.call += f"Vector3{acceleration}, {h})"
-        about.cause = "what does not turn has no axis, and is left where it is; what gains speed "
-        about.cause += "turns"
+        about.cause = "If w' is zero there is no axis, so leave the orientation as it is. "
+        about.cause += "Otherwise rotate by w' h."
         integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
         new = tuple(h * component for component in acceleration)
         expect_close(xyz(velocity), new, then="; w", tolerance=TIGHT)
@@ -223,7 +223,8 @@ def test_a_step_from_rest(rng: Random) -> None:
 def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
-    about.cause = "refuse it before anything is changed: positive and finite_vector of arguments.py"
+    about.cause = "Check all arguments before you change anything. Call positive and finite_vector "
+    about.cause += "from arguments.py."
     nan = math.nan
     for velocity, acceleration, h, error in (
         (w, a, 0.0, ValueError),
@@ -257,7 +258,7 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
         lambda: integrate_rotation(q, spin, Vector3(*a), 0.1),
         TypeError,
         allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-        cause="four numbers are no Quaternion",
+        cause="The orientation must be a Quaternion. Raise TypeError for a tuple.",
     )
     expect_unchanged("the velocity", xyz(spin), w)
     for name, velocity, acceleration in (
@@ -272,13 +273,13 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
             ),
             TypeError,
             allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-            cause="three numbers are no Vector3: finite_vector of arguments.py refuses them",
+            cause="Check both vectors with finite_vector from arguments.py.",
         )
         expect_unchanged("q", rijk(orientation), q)
 
 
 def drift_of(speed: float, duration: float, count: int) -> tuple[float, float]:
-    """Return length and missing angle of steps of Eq. 9.5, made one by one in the plane."""
+    """Return the length and the missing angle after steps of Eq. 9.5, one by one in the plane."""
     point, turned = complex(1.0, 0.0), 0.0
     for _ in range(count):
         new = point * complex(1.0, 0.5 * speed * duration / count)
@@ -289,37 +290,38 @@ def drift_of(speed: float, duration: float, count: int) -> tuple[float, float]:
 
 
 def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
-    """Return what likely mistakes make of the length."""
+    """Return the lengths that likely mistakes give."""
     turn = abs(speed) * duration / count
     growth = 1.0 + 0.25 * turn * turn
     return {
-        "the squared length, without its root": growth**count,
-        "the length after one step": math.sqrt(growth),
-        "what comes of adding up the growth of the steps": 1.0 + count * (math.sqrt(growth) - 1.0),
+        "the squared length, without the square root": growth**count,
+        "the length after a single step": math.sqrt(growth),
+        "the growth of the steps added up instead of multiplied": 1.0
+        + count * (math.sqrt(growth) - 1.0),
         "only the first term, 1 + steps (w h)^2 / 8": 1.0 + 0.125 * count * turn * turn,
-        "what comes of w h in place of w h / 2": (1.0 + turn * turn) ** (0.5 * count),
+        "the result with w h in place of w h / 2": (1.0 + turn * turn) ** (0.5 * count),
     }
 
 
 def lag_slips(right: float, turn: float) -> dict[str, float]:
-    """Return what likely mistakes make of the angle that is missing, of a whole turn."""
+    """Return the missing angles that likely mistakes give, out of a whole turn."""
     return {
-        "half of it, that of the quaternion's components": 0.5 * right,
-        "the angle it has turned by, not what is missing": turn - right,
-        "right but for the sign": -right,
-        "an angle in degrees": math.degrees(right),
+        "half of the angle, the one between the quaternions": 0.5 * right,
+        "the angle that was turned, not the one that is missing": turn - right,
+        "the angle with the wrong sign": -right,
+        "the angle in degrees": math.degrees(right),
     }
 
 
 @pytest.mark.exercise("B9.19")
 def test_a_turn_a_second_in_sixty_frames() -> None:
     about("first_order_drift(2 pi, 1, 60)", read=DRIFT)
-    about.cause = "each step multiplies the length by the root of 1 + (w h / 2)^2"
+    about.cause = "Each step multiplies the length by sqrt(1 + (w h / 2)^2)."
     length, lag = first_order_drift(math.tau, 1.0, 60)
-    # Four decimals, of the known figure of E-31.
+    # Four decimals of the known figure of E-31.
     why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
     expect_close(length, 1.0856, then=", length", cause=why, tolerance=5e-5)
-    about.cause = "each step turns by 2 atan(w h / 2) in place of w h"
+    about.cause = "Each step rotates by 2 atan(w h / 2) instead of w h."
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
     why = named(lag, about.cause, lag_slips(wanted, math.tau))
     expect_close(lag, wanted, then=", angle", cause=why, tolerance=TIGHT)
@@ -331,16 +333,16 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
     for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (7, -9.0, -3.0), (500, 20.0, 30.0)):
         speed, duration = positive_number(rng, low, high), positive_number(rng, 0.5, 1.5)
         about.call = f"first_order_drift({speed}, {duration}, {steps_})"
-        about.cause = "the steps multiply: (1 + (w h / 2)^2) to the power of half as many as there "
-        about.cause += "are"
+        about.cause = "The growth of all steps multiplies, so the length is "
+        about.cause += "(1 + (w h / 2)^2)^(steps / 2)."
         length, lag = first_order_drift(speed, duration, steps_)
         wanted, missing = drift_of(speed, duration, steps_)
         # Rounding of 500 steps.
         near = 1e-10 * wanted
         why = named(length, about.cause, length_slips(speed, duration, steps_))
         expect_close(length, wanted, then=", length", cause=why, tolerance=near)
-        about.cause = "w t less what the steps turn by, which is less: negative for a negative "
-        about.cause += "speed"
+        about.cause = "The missing angle is w t minus the angle of all steps. It is negative for a "
+        about.cause += "negative speed."
         why = named(lag, about.cause, lag_slips(missing, speed * duration))
         expect_close(lag, missing, then=", angle", cause=why, tolerance=1e-10)
 
@@ -348,7 +350,7 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
 @pytest.mark.exercise("B9.19")
 def test_what_does_not_turn_does_not_drift() -> None:
     about("first_order_drift(0, 2, 10)", read=DRIFT)
-    about.cause = "nothing turns: the length stays 1, and no angle is missing"
+    about.cause = "Without rotation the length stays 1 and no angle is missing."
     got = tuple(first_order_drift(0.0, 2.0, 10))
     expect_close(got, (1.0, 0.0), tolerance=TIGHT)
 
@@ -358,12 +360,12 @@ def test_what_does_not_turn_does_not_drift() -> None:
 def test_a_drift_of_nothing_is_refused() -> None:
     about.read = DRIFT
     expect_finite_numbers(
-        "first_order_drift(...), with speed and duration, in 3 steps: ",
+        "first_order_drift(speed, duration, 3) with ",
         lambda speed, duration: first_order_drift(speed, duration, 3),
         (1, 1),
         ((1, 0.0), (1, -1.0)),
     )
-    about.cause = "whole of arguments.py asks for a whole number of 1 or more"
+    about.cause = "Check the number of steps with whole from arguments.py."
     for bad, error in ((0, ValueError), (-2, ValueError), (2.0, TypeError), ("2", TypeError)):
         expect_error(
             lambda bad=bad: first_order_drift(1.0, 1.0, bad),

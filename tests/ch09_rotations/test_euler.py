@@ -1,4 +1,4 @@
-"""Three angles for an orientation, build task B9.17."""
+"""Euler angles, build task B9.17."""
 
 from __future__ import annotations
 
@@ -39,30 +39,30 @@ from turning import (
     turned,
 )
 
-ANGLES = "book 9.2.1, and the first lines of euler.py"
+ANGLES = "book 9.2.1, and the docstring at the top of euler.py"
 RATES = "the docstring of rate_map"
 BACK = "the docstring of euler_rates"
 
 
 def draw_angles(rng: Random) -> Components:
-    """Draw three angles, none near zero, and the middle one not near a quarter turn."""
+    """Draw three angles away from zero, the middle one also away from a quarter turn."""
     return number(rng, 0.3, 2.9), number(rng, 0.3, 1.2), number(rng, 0.3, 2.9)
 
 
 def in_order(x: float, y: float, z: float) -> Quad:
-    """Return the turn about X, then Y, then Z, axes of the world."""
+    """Return the rotation about X, then Y, then Z, which are axes of the world."""
     return hamilton(quad(Z_AXIS, z), hamilton(quad(Y_AXIS, y), quad(X_AXIS, x)))
 
 
 def map_of(_x: float, y: float, z: float) -> tuple[float, ...]:
-    """Return the axes of the three angles, as columns; the first angle has no part in them."""
+    """Return the axes of the three angles as columns. They do not depend on the first angle."""
     turn = quad(Z_AXIS, z)
     columns = (turned(turn, turned(quad(Y_AXIS, y), X_AXIS)), turned(turn, Y_AXIS), Z_AXIS)
     return tuple(column[row] for row in range(3) for column in columns)
 
 
 def map_to_own(x: float, y: float, z: float) -> tuple[float, ...]:
-    """Return the axes of the three angles as the object has them, as columns."""
+    """Return the axes of the three angles as columns, in the axes of the object."""
     r, *back = in_order(x, y, z)
     world = map_of(x, y, z)
     columns = [turned((r, *(-c for c in back)), world[column::3]) for column in range(3)]
@@ -74,23 +74,27 @@ def test_one_turn_after_another(rng: Random) -> None:
     about.read = ANGLES
     x, y, z = draw_angles(rng)
     far = math.copysign(math.pi - abs(y), y)
-    about.cause = "about X first, then Y, then Z, all axes of the world: the later turn stands on "
-    about.cause += "the left"
+    about.cause = "Rotate about the world's X first, then Y, then Z. The later rotation is on the "
+    about.cause += "left of the product."
     for angles in ((x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z), (x, y, z), (x, far, z)):
         about.call = f"euler_to_quaternion{angles}"
         wanted = in_order(*angles)
         got = same_sign(rijk(euler_to_quaternion(*angles)), wanted)
         turns = [quad(axis, t) for axis, t in zip((X_AXIS, Y_AXIS, Z_AXIS), angles, strict=True)]
         slips = {
-            f"the product {' '.join(names)} of the turns about these axes, not Z Y X": same_sign(
+            f"the product of the rotations about {', '.join(names)}, not Z, Y, X": same_sign(
                 hamilton(hamilton(*(turns["XYZ".index(name)] for name in names[:2])), last), wanted
             )
             for names in ("XYZ", "XZY", "YXZ", "YZX", "ZXY")
             for last in [turns["XYZ".index(names[2])]]
         }
-        slips["the angles with the wrong sign"] = same_sign(in_order(*(-t for t in angles)), wanted)
-        slips["made of degrees"] = same_sign(in_order(*map(math.radians, angles)), wanted)
-        slips["about Z by x, and about X by z"] = same_sign(in_order(*angles[::-1]), wanted)
+        slips["the result with the wrong sign of the angles"] = same_sign(
+            in_order(*(-t for t in angles)), wanted
+        )
+        slips["the result for angles in degrees"] = same_sign(
+            in_order(*map(math.radians, angles)), wanted
+        )
+        slips["the result with x and z swapped"] = same_sign(in_order(*angles[::-1]), wanted)
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
 
@@ -103,17 +107,17 @@ def test_what_the_rates_make(rng: Random) -> None:
     for x, y, z in (drawn, tuple(-a for a in drawn), steep, (0.4, 0.5 * math.pi, -0.7)):
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y}, {z})"
-        about.cause = "a column for each angle's axis: Z stays, Y is turned by z, X by y and then "
-        about.cause += "by z"
+        about.cause = "Each column is the axis of one angle: Z itself, Y rotated by z, and X "
+        about.cause += "rotated by y and then by z."
         got = entries(rate_map(x, y, z))
         slips = {
             "the identity, as if the rates were the angular velocity": IDENTITY,
-            "the axes as rows, and they are the columns": transposed(wanted),
+            "the transpose, with the axes as rows": transposed(wanted),
             "the map to axes of the object, not of the world": map_to_own(x, y, z),
-            "the map with the last angle's axis first": [
+            "the map with its columns in reverse order": [
                 wanted[3 * row + column] for row in range(3) for column in (2, 1, 0)
             ],
-            "the map of y and z exchanged": map_of(x, z, y),
+            "the map with y and z swapped": map_of(x, z, y),
         }
         why = named(got, about.cause, slips, wanted)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
@@ -124,51 +128,50 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
     about.read = BACK
     w = components(rng)
     velocity = Vector3(*w)
-    drawn = draw_angles(rng)  # first, for a plain message, and last, for what follows the loop
+    drawn = draw_angles(rng)  # first for a plain message, last for the code after the loop
     for angles in (drawn, (0.4, 2.5, 0.7), (0.4, -2.5, 0.7), (0.4, 4.0, 0.7), drawn):
         x, y, z = angles
         about.call = f"euler_rates({x}, {y}, {z}, Vector3{w})"
-        about.cause = "only where |cos y| is next to nothing there are no rates"
+        about.cause = "Rates exist unless |cos y| is nearly 0."
         if math.cos(y) < 0.0:
-            about.cause += ": beyond a quarter turn too there are some, and cos y is "
-            about.cause += f"{math.cos(y):.3g}"
+            about.cause += f" Here cos y is {math.cos(y):.3g}, so compare its absolute value."
         rates = xyz(euler_rates(*angles, velocity))
-        about.cause = "the rates are the inverse of the rate map times the angular velocity"
+        about.cause = "The rates are the inverse of the rate map times the angular velocity."
         there = map_of(*angles)
         slips = {
-            "the angular velocity as it was": w,
-            "the rate map itself times it": applied(there, w),
-            "the transpose times it, which is the inverse of rotations only": applied(
+            "the angular velocity itself": w,
+            "the rate map times the angular velocity": applied(there, w),
+            "the transpose times the angular velocity, which is right only for a rotation": applied(
                 transposed(there), w
             ),
         }
         about.cause = named(rates, about.cause, slips)
         got = applied(there, rates) if isinstance(rates, tuple) and len(rates) == 3 else rates
-        expect_close(got, w, then=": the angular velocity that these rates make", tolerance=1e-11)
+        expect_close(got, w, then=": the angular velocity of these rates", tolerance=1e-11)
     expect_unchanged("angular_velocity", xyz(velocity), w, cause=UNCHANGED)
     step = 1e-6
     x, y, z = (angle + step * rate for angle, rate in zip(angles, rates, strict=True))
     q = in_order(*angles)
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
-    about.call += f", after {step} s: the turn that they have made, per second"
-    about.cause = "these rates do not make this angular velocity"
+    about.call += f"; the angles change by these rates for {step} s: the rotation, per second"
+    about.cause = "These rates do not give this angular velocity."
     # First order in the step: 1e-6 of the square of rates of up to some 50.
     got = tuple(2.0 * component / step for component in got[1:])
     expect_close(got, w, tolerance=0.05)
 
 
 def draw_locked(rng: Random) -> tuple[float, float, Components]:
-    """Draw the first and the third angle beside a quarter turn, and an angular velocity."""
-    # The rows' lengths make 0.55 to 0.66 then: ten times SINGULAR of that is above 5e-13.
+    """Draw the first and third angle for a quarter turn of the second, and a velocity."""
+    # The product of the rows' lengths is then 0.55 to 0.66. Ten times SINGULAR of it exceeds 5e-13.
     return number(rng, 0.3, 2.9), number(rng, 0.45, 0.6), components(rng)
 
 
 @scoped
 def expect_rates_near_lock(x: float, z: float, w: Components, off: float) -> None:
-    """Expect rates of the angles where the second one is so far off a quarter turn."""
+    """Expect rates when the second angle is ``off`` a quarter turn."""
     about(f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{w})", read=BACK)
-    about.cause = f"this is near gimbal lock, and not in it: |cos y| is {abs(off)}, above "
-    about.cause += "SINGULAR, 1e-13"
+    about.cause = f"This is near gimbal lock but not in it: |cos y| is {abs(off)}, which is "
+    about.cause += "greater than SINGULAR (1e-13)."
     rates = euler_rates(x, 0.5 * math.pi + off, z, Vector3(*w))
     expect_vector(rates)
 
@@ -188,8 +191,8 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
     quarter = 0.5 * math.pi
     for off in (5e-13, -5e-13):
         expect_rates_near_lock(x, z, w, off)
-    about.cause = "at a quarter turn two axes are one: ask abs(cos y) > SINGULAR. Matrix3.inverse "
-    about.cause += "compares with the lengths of the rows, which may shrink with it"
+    about.cause = "Near a quarter turn two axes coincide. Refuse it unless abs(cos y) > SINGULAR. "
+    about.cause += "Matrix3.inverse does not refuse all of these, since a row may be tiny as well."
     for y, turn in (
         (quarter, z),
         (-quarter, z),
@@ -217,13 +220,13 @@ def test_angles_that_are_none_are_refused() -> None:
     expect_finite_numbers("euler_to_quaternion", euler_to_quaternion, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers("rate_map", rate_map, (1, 1, 1), (), read=ANGLES)
     expect_finite_numbers(
-        "euler_rates(...), with its three angles ",
+        "euler_rates(x, y, z, w) with x, y, z = ",
         lambda x, y, z: euler_rates(x, y, z, Vector3(1.0, 2.0, 3.0)),
         (1, 1, 1),
         (),
         read=ANGLES,
     )
-    about.cause = "finite_vector of arguments.py refuses it"
+    about.cause = "Check the angular velocity with finite_vector from arguments.py."
     good = (1.0, 2.0, 3.0)
     for bad, error in (((1.0, math.nan, 3.0), ValueError), ((math.inf, 2.0, 3.0), ValueError)):
         expect_error(
@@ -238,6 +241,6 @@ def test_angles_that_are_none_are_refused() -> None:
         TypeError,
         call="euler_rates(1, 1, 1, (1, 2, 3))",
         allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
-        cause="three numbers are no Vector3",
+        cause="The angular velocity must be a Vector3. Raise TypeError for a tuple.",
         read=ANGLES,
     )

@@ -1,4 +1,4 @@
-"""Exercises 9.1 to 9.4; the others are in test_read_off.py and test_stones.py."""
+"""Exercises 9.1 to 9.4. The others are in test_read_off.py and test_stones.py."""
 
 from __future__ import annotations
 
@@ -43,29 +43,29 @@ from turning import (
     turned,
 )
 
-FIRST_LINES = "the first lines of exercises.py"
+FIRST_LINES = "the docstring at the top of exercises.py"
 BACK = "the docstring of back_to_reference"
 PLANE = "the docstring of product_without_j_and_k"
 SENSE = "the docstring of turned_by_sense"
 BY_STEPS = "the docstring of turned_by_steps, and Eq. 9.5"
 
 
-# 9.1 Two turns, and two others
+# 9.1 Two rotations and two others
 
 
 @pytest.mark.exercise("9.1")
 def test_two_turns_end_where_two_others_do() -> None:
     about.read = "the docstring of two_other_turns"
-    about.call, about.cause = "two_other_turns()", "return two angles, in degrees"
+    about.call, about.cause = "two_other_turns()", "Return two angles in degrees, (a, b)."
     a, b = two_other_turns()
     both = hamilton(quad(X_AXIS, math.radians(b)), quad(Z_AXIS, math.radians(a)))
-    about.cause = "fixed axes, right-handed, in degrees: take a book, and follow its axes through "
-    about.cause += "both"
+    about.cause = "The axes are fixed, rotations are right-handed, and angles are in degrees. Take "
+    about.cause += "a book and follow its axes through both rotations."
     slips = {
-        "a and b exchanged": (90.0, -90.0),
-        "right but for the sign of a": (90.0, 90.0),
-        "right but for the sign of b": (-90.0, -90.0),
-        "in radians": (-0.5 * math.pi, 0.5 * math.pi),
+        "the right pair in the wrong order": (90.0, -90.0),
+        "the right pair with the wrong sign of a": (90.0, 90.0),
+        "the right pair with the wrong sign of b": (-90.0, -90.0),
+        "the right pair in radians": (-0.5 * math.pi, 0.5 * math.pi),
     }
     about.cause = named((a, b), about.cause, slips)
     for name, axis, wanted in (
@@ -73,8 +73,8 @@ def test_two_turns_end_where_two_others_do() -> None:
         ("Y", Y_AXIS, (1.0, 0.0, 0.0)),
         ("Z", Z_AXIS, (0.0, -1.0, 0.0)),
     ):
-        about.call = f"two_other_turns(): by {a} degrees about Z, then by {b} about X, the "
-        about.call += f"object's {name}"
+        about.call = f"two_other_turns(); the object's {name} axis after {a} degrees about Z and "
+        about.call += f"then {b} degrees about X"
         got = tuple(round(component, 9) for component in turned(both, axis))
         expect_close(got, wanted, tolerance=0.0)
 
@@ -82,33 +82,34 @@ def test_two_turns_end_where_two_others_do() -> None:
 @pytest.mark.exercise("9.1")
 def test_the_angles_are_within_half_a_turn() -> None:
     about.read = "the docstring of two_other_turns"
-    about.call, about.cause = "two_other_turns()", "degrees from -180 to 180: 270 is -90"
+    about.call = "two_other_turns()"
+    about.cause = "Give the angles in degrees from -180 to 180, so -90 instead of 270."
     for letter, angle in zip("ab", two_other_turns(), strict=True):
-        name = f"{about.call}, {letter}, which is {angle}: is it from -180 to 180"
+        name = f"{about.call}, {letter} = {angle}; is it from -180 to 180?"
         allowed = isinstance(angle, (int, float)) and abs(angle) <= 180.0
         expect_exactly(allowed, True, call=name)
 
 
-# 9.2 One turn back to the reference
+# 9.2 One rotation back to the reference
 
 
 @scoped
 def way_back(q: Quad) -> tuple:
-    """Return axis and angle of the way back as plain numbers."""
+    """Return the axis and angle of back_to_reference as plain numbers."""
     about(f"back_to_reference(Quaternion{q})", read=BACK)
-    about.cause = "return a pair: a Vector3 of length 1, and an angle in radians"
+    about.cause = "Return (axis, angle): a unit Vector3 and an angle in radians."
     orientation = Quaternion(*q)
     axis, angle = back_to_reference(orientation)
     expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
     unit = expect_vector(axis, then=", the axis")
     length = math.hypot(*unit)
     expect_close(length, 1.0, then=", the axis's length", tolerance=TIGHT)
-    about.cause = "from -pi to pi: a turn by more is one by less about the opposite axis"
+    about.cause = "The angle is from -pi to pi. Instead of a larger one, use the opposite axis."
     turn = math.degrees(2.0 * math.atan2(math.hypot(*q[1:]), abs(q[0])))
-    slips = {"an angle in degrees, not in radians": turn, "an angle in degrees": -turn}
+    slips = {"the angle in degrees": turn, "the angle in degrees, about the opposite axis": -turn}
     if angle:
         about.cause = named(angle, about.cause, slips)
-    name = f"{about.call}: is its angle, {angle}, from -pi to pi"
+    name = f"{about.call}, angle = {angle}; is it from -pi to pi?"
     allowed = isinstance(angle, (int, float)) and abs(angle) <= math.pi + 1e-12
     expect_exactly(allowed, True, call=name)
     return unit, angle
@@ -118,18 +119,17 @@ def way_back(q: Quad) -> tuple:
 def test_one_turn_leads_back(rng: Random) -> None:
     about.read = BACK
     axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
-    about.cause = "the turn that undoes it is its conjugate, about the same axis by the opposite "
-    about.cause += "angle"
+    about.cause = "The conjugate undoes a rotation: the same axis with the opposite angle."
     drawn = [draw_quad(rng), quad(axis, small), quad(axis, large), quad(axis, -small)]
     for q in ((0.5, 0.5, 0.5, 0.5), *drawn):
         unit, angle = way_back(q)
-        about.call = f"back_to_reference(Quaternion{q}): after a turn by {angle} about {unit} it "
-        about.call += "is at"
+        about.call = f"back_to_reference(Quaternion{q}); the orientation after rotating by {angle} "
+        about.call += f"about {unit}"
         reference = (1.0, 0.0, 0.0, 0.0)
         got = same_sign(hamilton(quad(unit, angle), q), reference)
         slips = {
-            "where the turn there, made once more, leads": same_sign(hamilton(q, q), reference),
-            "where half the angle leads": same_sign(quad(q[1:], math.acos(q[0])), reference),
+            "the result of rotating further, not back": same_sign(hamilton(q, q), reference),
+            "the result of half the angle": same_sign(quad(q[1:], math.acos(q[0])), reference),
         }
         why = named(got, about.cause, slips)
         expect_close(got, reference, cause=why, tolerance=TIGHT)
@@ -137,24 +137,24 @@ def test_one_turn_leads_back(rng: Random) -> None:
 
 @pytest.mark.exercise("9.2")
 def test_the_way_back_at_the_ends(rng: Random) -> None:
-    about(cause="it is at the reference: the angle is 0, about any axis", read=BACK)
+    about(cause="This is the reference already. The angle is 0, about any axis.", read=BACK)
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
         _, angle = way_back(q)
         about.call = f"back_to_reference(Quaternion{q}), the angle"
         expect_close(angle, 0.0, tolerance=0.0)
     axis, near = turned(draw_quad(rng), X_AXIS), math.pi - 2e-7
-    about.cause = "half a turn is undone by half a turn about the same axis, either way"
+    about.cause = "A half-turn is undone by a half-turn about the same axis, in either direction."
     for q, turn in (((0.0, *axis), math.pi), (quad(axis, near), near)):
         unit, angle = way_back(q)
         got, wanted = (abs(angle), *same_sign(unit, axis)), (turn, *axis)
-        about.call = f"back_to_reference(Quaternion{q}), the angle without its sign, and the axis"
+        about.call = f"back_to_reference(Quaternion{q}); the absolute value of the angle, the axis"
         expect_close(got, wanted, tolerance=TIGHT)
 
 
 @pytest.mark.exercise("9.2")
 @pytest.mark.robust
 def test_no_way_back_from_what_is_no_orientation() -> None:
-    about.cause = "to_axis_angle refuses what has not length 1"
+    about.cause = "This quaternion is not an orientation. to_axis_angle refuses it."
     for numbers in ((1.0, 1.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)):
         expect_error(
             lambda numbers=numbers: back_to_reference(Quaternion(*numbers)),
@@ -168,7 +168,7 @@ def test_no_way_back_from_what_is_no_orientation() -> None:
         TypeError,
         call="back_to_reference((1, 0, 0, 0))",
         allowed=lambda: back_to_reference(Quaternion(0.6, 0.8, 0.0, 0.0)),
-        cause="four numbers are no Quaternion: TypeError",
+        cause="The orientation must be a Quaternion. Raise TypeError for a tuple.",
         read=FIRST_LINES,
     )
 
@@ -181,7 +181,7 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     about.read = PLANE
     (r, i), (s, j) = ((number(rng, 1.5), number(rng, 1.5)) for _ in range(2))
     about.call = f"product_without_j_and_k(Quaternion({r}, {i}, 0, 0), Quaternion({s}, {j}, 0, 0))"
-    about.cause = "the scalar part is r r' - i i', since i i is -1, and beside i stands r i' + i r'"
+    about.cause = "The result has r = r1 r2 - i1 i2 and i = r1 i2 + i1 r2, since i i = -1."
     a, b = Quaternion(r, i, 0.0, 0.0), Quaternion(s, j, 0.0, 0.0)
     got = rijk(product_without_j_and_k(a, b))
     product = complex(r, i) * complex(s, j)
@@ -189,13 +189,13 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     expect_unchanged("a", rijk(a), (r, i, 0.0, 0.0), cause=UNCHANGED)
     expect_unchanged("b", rijk(b), (s, j, 0.0, 0.0), cause=UNCHANGED)
     slips = {
-        "what comes of i i = 1": (r * s + i * j, product.imag, 0.0, 0.0),
-        "component times component": (r * s, i * j, 0.0, 0.0),
+        "the product with i i = 1 instead of -1": (r * s + i * j, product.imag, 0.0, 0.0),
+        "the product component by component": (r * s, i * j, 0.0, 0.0),
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
-    name = f"{about.call}: multiplications, where more than four are made"
-    about.cause = "a * b makes sixteen: leave out what is zero"
+    name = f"{about.call}: number of multiplications (up to four count as four)"
+    about.cause = "a * b takes sixteen multiplications. Leave out the terms that are zero."
     got = max(4, multiplications((r, i), (s, j)))
     expect_exactly(got, 4, call=name)
 
@@ -206,7 +206,7 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
     about.read = PLANE
     r, i, n = number(rng), number(rng), number(rng)
     good = (r, i, 0.0, 0.0)
-    about.cause = "a j or a k that is not zero would be lost: ValueError; a NaN is not zero either"
+    about.cause = "Raise ValueError if j or k is not zero, since it would be lost. NaN is not zero."
     pairs = [(n, 0.0), (-n, 0.0), (0.0, n), (0.0, -n), (n, n), (n, -n), (math.nan, 0.0)]
     for bad in ((r, i, *pair) for pair in (*pairs, (0.0, math.nan), (1e-12, 0.0), (0.0, -1e-12))):
         for a, b in ((bad, good), (good, bad)):
@@ -217,20 +217,20 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
                 allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
             )
     for which, attempt in (
-        ("a complex number, and a Quaternion", lambda: product_without_j_and_k(2.0, Quaternion())),
-        ("a Quaternion, and a number", lambda: product_without_j_and_k(Quaternion(), 2.0)),
+        ("2.0, Quaternion()", lambda: product_without_j_and_k(2.0, Quaternion())),
+        ("Quaternion(), 2.0", lambda: product_without_j_and_k(Quaternion(), 2.0)),
     ):
         expect_error(
             attempt,
             TypeError,
-            call=f"product_without_j_and_k(...), of {which}",
+            call=f"product_without_j_and_k({which})",
             allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
-            cause="a number is no Quaternion: TypeError",
+            cause="Both arguments must be Quaternions. Raise TypeError for a number.",
             read=FIRST_LINES,
         )
 
 
-# 9.4 A steady turn, by sense and by steps
+# 9.4 A steady rotation, in one step and in many
 
 
 @pytest.mark.exercise("9.4")
@@ -241,34 +241,33 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         duration = positive_number(rng, 0.5, 3.0)
         orientation = Quaternion(*q)
         about.call = f"turned_by_sense(Quaternion{q}, {rate}, {duration})"
-        about.cause = "one turn by rate times duration about the world's X, on the left of the "
-        about.cause += "product"
+        about.cause = "Rotate once, by rate * duration about the world's X axis. The rotation is "
+        about.cause += "on the left of the product."
         if rate == 0.0:
-            about.cause = "a rate of 0 turns nothing, about any axis: the axis is X, and the angle "
-            about.cause += "is 0"
+            about.cause = "With a rate of 0 the angle about X is 0, and nothing rotates."
         turn = quad(X_AXIS, rate * duration)
         wanted = hamilton(turn, q)
         got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
         slips = {
-            "the turn on the right of the product, about the object's own X": hamilton(q, turn),
-            "the turn alone, without the orientation before it": turn,
-            "a turn by half the angle": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
-            "a turn by the rate, whatever the duration": hamilton(quad(X_AXIS, rate), q),
-            "a turn the other way round": hamilton(quad(X_AXIS, -rate * duration), q),
-            "one step of Eq. 9.5, and not a turn": stepped(q, rate, duration, 1),
+            "the rotation on the right of the product, about the object's own X": hamilton(q, turn),
+            "the rotation alone, without the orientation before it": turn,
+            "a rotation by half the angle": hamilton(quad(X_AXIS, 0.5 * rate * duration), q),
+            "a rotation by the rate, without the duration": hamilton(quad(X_AXIS, rate), q),
+            "a rotation in the opposite direction": hamilton(quad(X_AXIS, -rate * duration), q),
+            "one step of Eq. 9.5 instead of a rotation": stepped(q, rate, duration, 1),
         }
         slips = {name: same_sign(slip, wanted) for name, slip in slips.items()}
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
-    about.call = f"q = Quaternion{q}; turned_by_sense(q, 0, 1), which is changed then; q"
-    about.cause = "a new one, where nothing turns too"
+    about.call = f"q = Quaternion{q}; turned_by_sense(q, 0, 1).r = 9.0; q"
+    about.cause = "Return a new quaternion, even if nothing rotates."
     turned_by_sense(orientation, 0.0, 1.0).r = 9.0
     expect_unchanged("q", rijk(orientation), q)
 
 
 def stepped(q: Quad, rate: float, duration: float, steps: int) -> Quad:
-    """Return where steps of Eq. 9.5 about X end, normalised."""
+    """Return the normalized orientation after steps of Eq. 9.5 about X."""
     half = 0.5 * rate * duration / steps
     for _ in range(steps):
         change = hamilton((0.0, half, 0.0, 0.0), q)
@@ -283,14 +282,14 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
     for q, steps, share in (
         ((0.5, 0.5, 0.5, 0.5), 1, 1.0),
         (draw_quad(rng), 2, -1.0),
-        (draw_quad(rng), 1000, 0.3),  # so little is missing that acos tells nothing of it
+        (draw_quad(rng), 1000, 0.3),  # so little is missing that acos would lose it
         (draw_quad(rng), 3, 0.0),
     ):
         rate, duration = share * positive_number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
         orientation = Quaternion(*q)
         about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration}, {steps})"
-        about.cause = "add_scaled in steps of duration / steps, on a copy, which is normalised at "
-        about.cause += "the end"
+        about.cause = "On a copy, call add_scaled with duration / steps in each step, and "
+        about.cause += "normalize at the end."
         if steps == 1:
             about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration})"
             result, error = turned_by_steps(orientation, rate, duration)
@@ -302,29 +301,29 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         half = 0.5 * rate * duration / steps
         size = (1.0 + half * half) ** (0.5 * steps)
         slips = {
-            "what comes of steps that are as long as the whole duration": stepped(
+            "the result of steps that each take the whole duration": stepped(
                 q, rate, duration * steps, steps
             ),
-            "what comes of one step of the whole duration": stepped(q, rate, duration, 1),
-            "not normalised": [size * component for component in wanted],
-            "the exact turn, not that of Eq. 9.5": hamilton(quad(X_AXIS, rate * duration), q),
-            "the orientation as it was": q,
+            "the result of a single step over the whole duration": stepped(q, rate, duration, 1),
+            "the result without normalizing": [size * component for component in wanted],
+            "the exact rotation, not that of Eq. 9.5": hamilton(quad(X_AXIS, rate * duration), q),
+            "the old orientation": q,
         }
         slips = {label: same_sign(slip, wanted) for label, slip in slips.items()}
         why = named(got, about.cause, slips)
         expect_close(got, wanted, call=name, cause=why, tolerance=TIGHT)
         turn = abs(rate * duration)
         missing = turn - 2.0 * steps * math.atan(0.5 * turn / steps)
-        about.cause = "the angle of the turn from the one to the other, in radians and not negative"
+        about.cause = "The error is the angle between the two results, in radians and at least 0."
         name = f"{about.call}, the error"
         slips = {
-            "half the angle": 0.5 * missing,
-            "the angle with its sign": -missing,
-            "an angle in degrees": math.degrees(missing),
+            "half of the angle": 0.5 * missing,
+            "the angle with a negative sign": -missing,
+            "the angle in degrees": math.degrees(missing),
         }
         why = named(error, about.cause, slips)
         if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
-            why = f"acos loses half of the digits where the turn is small, as here: {about.cause}"
+            why = f"acos loses half of the digits of so small an angle. {about.cause}"
         expect_close(error, missing, call=name, cause=why, tolerance=1e-11)
         expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
 
@@ -334,8 +333,8 @@ def test_an_error_is_at_most_half_a_turn() -> None:
     about.read = BY_STEPS
     q = (0.5, 0.5, 0.5, 0.5)
     about.call = f"turned_by_steps(Quaternion{q}, 3, 2), the error"
-    about.cause = "a turn by more than pi is one by less the other way round"
-    # It should turn by 6 rad, and turns by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 too many.
+    about.cause = "A rotation by more than pi is a smaller one in the opposite direction."
+    # Of 6 rad it rotates by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 the other way round.
     wanted = math.tau - (6.0 - 2.0 * math.atan(3.0))
     got = turned_by_steps(Quaternion(*q), 3.0, 2.0)[1]
     expect_close(got, wanted, tolerance=1e-11)
@@ -346,20 +345,20 @@ def test_an_error_is_at_most_half_a_turn() -> None:
 def test_a_turn_of_nothing_is_refused() -> None:
     bad = ((1, 0.0), (1, -1.0))
     expect_finite_numbers(
-        "turned_by_sense(...), with rate and duration ",
+        "turned_by_sense(q, rate, duration) with rate, duration = ",
         lambda rate, duration: turned_by_sense(Quaternion(), rate, duration),
         (1, 2),
         bad,
         read=SENSE,
     )
     expect_finite_numbers(
-        "turned_by_steps(...), with rate and duration ",
+        "turned_by_steps(q, rate, duration) with rate, duration = ",
         lambda rate, duration: turned_by_steps(Quaternion(), rate, duration),
         (1, 2),
         bad,
         read=BY_STEPS,
     )
-    about.cause = "whole of arguments.py asks for a whole number of 1 or more"
+    about.cause = "Check the number of steps with whole from arguments.py."
     for steps, error in ((0, ValueError), (-1, ValueError), (2.0, TypeError)):
         expect_error(
             lambda steps=steps: turned_by_steps(Quaternion(), 1.0, 2.0, steps),
@@ -368,7 +367,7 @@ def test_a_turn_of_nothing_is_refused() -> None:
             allowed=lambda: turned_by_steps(Quaternion(), 1.0, 2.0, 3),
             read=BY_STEPS,
         )
-    about.cause = "its length is not 1: to_axis_angle refuses it, or you do"
+    about.cause = "This quaternion is not an orientation. Refuse it, or let to_axis_angle do so."
     for length in (2.0, 1.000002):
         expect_error(
             lambda length=length: turned_by_steps(Quaternion(length, 0.0, 0.0, 0.0), 1.0, 2.0),
@@ -386,6 +385,6 @@ def test_a_turn_of_nothing_is_refused() -> None:
             TypeError,
             call=f"turned_by_{name}((1, 0, 0, 0), 1, 2)",
             allowed=lambda function=function: function(Quaternion(), 1.0, 2.0),
-            cause="four numbers are no Quaternion: TypeError",
+            cause="The orientation must be a Quaternion. Raise TypeError for a tuple.",
             read=FIRST_LINES,
         )

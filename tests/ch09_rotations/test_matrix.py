@@ -29,7 +29,7 @@ INVERSE = "book 9.4.3, and the docstring of Matrix3.inverse"
 
 
 def in_place(m: Nine, a: Components) -> Components:
-    """Return what comes of a vector that is written to while it is read."""
+    """Return the result of overwriting the vector while it is still being read."""
     x, y, z = a
     x = m[0] * x + m[1] * y + m[2] * z
     y = m[3] * x + m[4] * y + m[5] * z
@@ -42,12 +42,12 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     m, a = draw_matrix(rng), components(rng)
     v = Vector3(*a)
     about.call = f"Matrix3{m}.transform(Vector3{a})"
-    about.cause = "each row of the matrix times the vector, like a scalar product"
+    about.cause = "Each component is the dot product of a row of the matrix with the vector."
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
     slips = {
-        "each column times the vector, so the transpose": applied(transposed(m), a),
-        "what comes of y and z made from the new x and y": in_place(m, a),
+        "each column times the vector, which is the transpose": applied(transposed(m), a),
+        "the result of using the new x for y, and the new x and y for z": in_place(m, a),
     }
     why = named(got, about.cause, slips)
     # Three products of numbers up to 90.
@@ -63,20 +63,20 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     about.read = TIMES
     m, n = draw_matrix(rng), draw_matrix(rng)
     about.call = f"Matrix3{m}.product(Matrix3{n})"
-    about.cause = "each row of self times each column of m: the order matters"
+    about.cause = "Each number is a row of self times a column of m. The order matters."
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))
     slips = {
         "the product in the other order": times(n, m),
-        "number times number": [p * q for p, q in zip(m, n, strict=True)],
-        "rows times rows": times(m, transposed(n)),
-        "columns times columns": times(transposed(m), n),
+        "the product number by number": [p * q for p, q in zip(m, n, strict=True)],
+        "the product of rows with rows": times(m, transposed(n)),
+        "the product of columns with columns": times(transposed(m), n),
         "the transpose of the product": transposed(times(m, n)),
     }
     why = named(got, about.cause, slips, times(m, n))
     expect_close(got, times(m, n), cause=why, tolerance=1e-11)
-    expect_unchanged("the first", entries(first), m, cause=UNCHANGED)
-    expect_unchanged("the second", entries(second), n, cause=UNCHANGED)
+    expect_unchanged("the first matrix", entries(first), m, cause=UNCHANGED)
+    expect_unchanged("the second matrix", entries(second), n, cause=UNCHANGED)
     about.call = f"Matrix3{m} @ Matrix3{n}, which calls Matrix3.product"
     got = entries(first @ second)
     expect_close(got, times(m, n), tolerance=1e-11)
@@ -85,16 +85,16 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
 @pytest.mark.exercise("B9.4")
 @pytest.mark.robust
 def test_a_matrix_times_something_else_is_refused() -> None:
-    about.read = "the first lines of matrix.py"
+    about.read = "the docstring at the top of matrix.py"
     v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
-    about.cause = "three numbers are no Vector3: TypeError"
+    about.cause = "The argument must be a Vector3. Raise TypeError for a tuple."
     expect_error(
         lambda: m.transform((1.0, 2.0, 3.0)),
         TypeError,
         call="Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1).transform((1, 2, 3))",
         allowed=lambda: [m.transform(v), m.transform(Vector3(math.inf, math.nan, 0.0))],
     )
-    about.cause = "a vector is no Matrix3, and a Matrix4 or a number is none: TypeError"
+    about.cause = "The argument must be a Matrix3. Raise TypeError for anything else."
     twelve = Matrix4(1, 0, 0, 4, 0, 1, 0, 5, 0, 0, 1, 6)
     for name, other in (("Vector3(1, 2, 3)", v), ("2.0", 2.0), ("Matrix4(...)", twelve)):
         expect_error(
@@ -111,16 +111,17 @@ def test_rows_become_columns(rng: Random) -> None:
     m = draw_matrix(rng)
     matrix = Matrix3(*m)
     about.call = f"Matrix3{m}.transpose()"
-    about.cause = "what stands in row i and column j comes to stand in row j and column i"
+    about.cause = "The number in row i and column j moves to row j and column i."
     got = entries(matrix.transpose())
-    slips = {"the matrix as it was": m, "turned over the other diagonal": transposed(m)[::-1]}
+    other = transposed(m)[::-1]
+    slips = {"the matrix itself": m, "the matrix flipped over the other diagonal": other}
     why = named(got, about.cause, slips, transposed(m))
     expect_close(got, transposed(m), cause=why, tolerance=0.0)
     expect_unchanged("the matrix", entries(matrix), m, cause=UNCHANGED)
 
 
 def ring_and_swap() -> tuple[Nine, Nine]:
-    """Return two regular matrices that have no number on the diagonal, or only one."""
+    """Return two regular matrices with only one number, or none, on the diagonal."""
     return (
         (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, 5.0, 0.0, 0.0),
         (0.0, 2.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.0, 5.0),
@@ -128,7 +129,7 @@ def ring_and_swap() -> tuple[Nine, Nine]:
 
 
 def determinant_slips(m: Nine) -> dict[str, float]:
-    """Return what likely mistakes make of a determinant."""
+    """Return the determinants that likely mistakes give."""
     a, b, c, d, e, f, g, h, i = m
     right = determinant(m)
     products = {
@@ -145,13 +146,14 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         "+ c (d h - e g)": c * (d * h - e * g),
     }
     signs = {
-        f"right but for one sign, which is {name} (rows a b c, d e f, g h i)": right - 2.0 * product
+        f"the determinant with the wrong sign of one term, {name} (rows a b c, d e f, g h i)": right
+        - 2.0 * product
         for name, product in products.items()
     }
     return signs | {
-        "the determinant without its sign, or with the wrong one": -right,
-        "the product of the diagonal alone": a * e * i,
-        "all six products with a plus": a * e * i
+        "the determinant with the wrong sign": -right,
+        "the product of the diagonal only": a * e * i,
+        "the sum of all six products, without the minus signs": a * e * i
         + b * f * g
         + c * d * h
         + c * e * g
@@ -164,7 +166,7 @@ def determinant_slips(m: Nine) -> dict[str, float]:
 def test_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
-    about.cause = "first . (second x third), of the rows: a mirrored one is negative"
+    about.cause = "With the rows as vectors it is first . (second x third). It may be negative."
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
         about.call = f"Matrix3{n}.determinant()"
@@ -172,12 +174,12 @@ def test_the_determinant(rng: Random) -> None:
         # Six products of up to 700.
         why = named(got, about.cause, determinant_slips(n))
         expect_close(got, determinant(n), cause=why, tolerance=1e-10)
-    about.cause += "; a zero on the diagonal makes no determinant zero"
+    about.cause += " Zeros on the diagonal do not make it zero."
     for n in ring_and_swap():
         about.call = f"Matrix3{n}.determinant()"
         got = Matrix3(*n).determinant()
         expect_close(got, determinant(n))
-    about.cause = "it is small, and not zero: nothing is rounded here"
+    about.cause = "The determinant is small but not zero. Do not round it."
     n = tuple(number * 1e-7 for number in m)
     about.call = f"Matrix3{n}.determinant()"
     got = Matrix3(*n).determinant()
@@ -188,8 +190,10 @@ def test_the_determinant(rng: Random) -> None:
 def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     about.read = INVERSE
     m = draw_matrix(rng)
-    plain = "the columns are second x third, third x first, first x second, each / determinant"
-    small = "what is small is not singular: SINGULAR is a share of the product of the rows' lengths"
+    plain = "The columns are second x third, third x first and first x second, each divided by the "
+    plain += "determinant."
+    small = "A small matrix is not singular. Compare with SINGULAR times the product of the rows' "
+    small += "lengths."
     mirrored = (*m[3:6], *m[0:3], *m[6:9])  # its determinant has the other sign
     for rows, scale, how in (
         (m, 1.0, plain),
@@ -199,40 +203,41 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     ):
         n = tuple(number * scale for number in rows)
         matrix = Matrix3(*n)
-        about.call = f"m = Matrix3{n}; m times m.inverse()"
-        about.cause = f"its determinant is {determinant(n):.4g}, and not 0: it has an inverse"
+        about.call = f"m = Matrix3{n}; m @ m.inverse()"
+        about.cause = f"The determinant is {determinant(n):.4g}, so the matrix has an inverse."
         if scale != 1.0:
             about.cause = small
         got = entries(matrix.inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         slips = {
-            "what comes of an inverse that is not divided by the determinant": [
+            "the result without dividing by the determinant": [
                 determinant(n) * one for one in IDENTITY
             ],
-            "what comes of dividing by the determinant twice": [
+            "the result of dividing by the determinant twice": [
                 one / determinant(n) for one in IDENTITY
             ],
-            "what comes of the sign of the determinant lost": [-one for one in IDENTITY],
+            "the result without the determinant's sign": [-one for one in IDENTITY],
             "m times its transpose": times(n, transposed(n)),
             "m times m": times(n, n),
         }
         if product is not got and all(type(number) in (int, float) for number in got):
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
-                slips["what comes of rows and columns swapped in the inverse"] = product
+                slips["the result with rows and columns of the inverse swapped"] = product
         why = named(product, how, slips)
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
         expect_unchanged("m", entries(matrix), n, cause=UNCHANGED)
-    about.cause = "a zero on the diagonal, or rows of all sizes, make no matrix singular"
+    about.cause = "Zeros on the diagonal, or rows of very different lengths, do not make a matrix "
+    about.cause += "singular."
     for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):
-        about.call = f"m = Matrix3{n}; m times m.inverse()"
+        about.call = f"m = Matrix3{n}; m @ m.inverse()"
         got = entries(Matrix3(*n).inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         expect_close(product, IDENTITY, tolerance=TIGHT)
 
 
 def expect_no_inverse(m: Nine) -> None:
-    """Expect a ValueError of this matrix, and none of a regular one."""
+    """Expect a ValueError for this matrix, and none for a regular one."""
     expect_error(
         lambda: Matrix3(*m).inverse(),
         ValueError,
@@ -245,12 +250,12 @@ def expect_no_inverse(m: Nine) -> None:
 @pytest.mark.exercise("B9.5")
 @pytest.mark.robust
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
-    about.cause = "the rows lie in one plane, or are zero: the determinant is 0, and so are the "
-    about.cause += "limits"
+    about.cause = "The rows are zero or lie in a plane, so the determinant is 0. Refuse a "
+    about.cause += "determinant that equals the limit, too."
     expect_no_inverse((0.0,) * 9)
     expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0))
-    about.cause = "rounding leaves 1e-15 of the determinant: compare with SINGULAR times the "
-    about.cause += "lengths"
+    about.cause = "Rounding leaves 1e-15 of the rows' lengths as a determinant. Compare it with "
+    about.cause += "SINGULAR times the product of these lengths."
     for scale in (1.0, 1e6):
         for _ in range(6):
             a, b = components(rng), components(rng)
@@ -263,16 +268,17 @@ def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
 @pytest.mark.robust
 def test_how_near_to_singular_is_too_near() -> None:
     about.read = INVERSE
-    # Rows of lengths 2, 4 and 8 whose determinant is 64 times the small number, without rounding.
+    # Rows of lengths 2, 4 and 8. The determinant is exactly 64 times the small number.
     for small, regular in ((1.1e-13, True), (1e-13, False), (0.9e-13, False)):
         m = (2.0, 0.0, 0.0, 4.0, 4.0 * small, 0.0, 0.0, 0.0, 8.0)
-        about.cause = "|determinant| is above 1e-13 of the product of the rows' lengths: it has one"
+        about.cause = "|determinant| exceeds 1e-13 of the product of the rows' lengths, so there "
+        about.cause += "is an inverse."
         if not regular:
-            about.cause = f"|determinant| is {small} of the product of the rows' lengths: not "
-            about.cause += "above 1e-13"
+            about.cause = f"|determinant| is {small} of the product of the rows' lengths. That "
+            about.cause += "does not exceed 1e-13, so refuse it."
             expect_no_inverse(m)
             continue
-        about.call = f"Matrix3{m}.inverse(), its first number"
+        about.call = f"Matrix3{m}.inverse().entries[0]"
         got = entries(Matrix3(*m).inverse())[0]
         expect_close(got, 0.5)
 
@@ -281,6 +287,6 @@ def test_how_near_to_singular_is_too_near() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_has_no_inverse(bad: float) -> None:
-    about.cause = "ask for what is wanted: if not abs(determinant) > limit"
+    about.cause = "Test `if not abs(determinant) > limit`, which refuses NaN too."
     expect_no_inverse((bad, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
     expect_no_inverse((1.0, 2.0, 0.0, 3.0, bad, 0.0, 0.0, 0.0, 1.0))

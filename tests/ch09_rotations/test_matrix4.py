@@ -32,7 +32,7 @@ from turning import (
 POINT = "book 9.4.2, and the docstring of Matrix4.transform"
 TIMES = "book 9.4.2, and the docstring of Matrix4.product"
 INVERSE = "book 9.4.3, and the docstring of Matrix4.inverse"
-FIRST_LINES = "the first lines of matrix.py"
+FIRST_LINES = "the docstring at the top of matrix.py"
 
 
 @pytest.mark.exercise("B9.14")
@@ -42,14 +42,14 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     twelve = joined(m, p)
     v = Vector3(*a)
     about.call = f"Matrix4{twelve}.transform(Vector3{a})"
-    about.cause = "each row's first three numbers times the vector, and then its last number"
+    about.cause = "Multiply the first three numbers of each row by the vector, then add the fourth."
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
-        "the point turned, and not moved": applied(m, a),
-        "the point moved first, and then turned": applied(m, added(a, p)),
-        "what comes of columns taken for rows": moved(transposed(m), p, a),
-        "the point moved the other way": subtracted(applied(m, a), p),
-        "the first nine entries taken for the three columns": applied(twelve[:9], a),
+        "the rotated point, without the translation": applied(m, a),
+        "the point translated first and then rotated": applied(m, added(a, p)),
+        "the result with rows and columns swapped": moved(transposed(m), p, a),
+        "the point translated in the opposite direction": subtracted(applied(m, a), p),
+        "the result of taking the first nine entries as the matrix": applied(twelve[:9], a),
     }
     why = named(got, about.cause, slips)
     expect_close(got, moved(m, p, a), cause=why, tolerance=LOOSE)
@@ -66,39 +66,43 @@ def test_one_transformation_after_another(rng: Random) -> None:
     first, second = joined(m, p), joined(n, q)
     one, other = Matrix4(*first), Matrix4(*second)
     about.call = f"Matrix4{first}.product(Matrix4{second})"
-    about.cause = "the second takes the origin to its translation, and the first takes that on"
+    about.cause = "The translation of m is transformed by self, as any point is."
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
     slips = {
-        "right but for the last column, where the translations are added": joined(
+        "the right product except the last column, which adds the translations": joined(
             times(m, n), added(p, q)
         ),
-        "right but for the last column, where the first translation is missing": joined(
+        "the right product except the last column, which lacks the translation of self": joined(
             times(m, n), applied(m, q)
         ),
-        "right but for the last column, which is the first translation": joined(times(m, n), p),
-        "right but for the last column, which is the second translation": joined(times(m, n), q),
-        "right but for the last column, which is moved before it is turned": joined(
+        "the right product except the last column, which is the translation of self": joined(
+            times(m, n), p
+        ),
+        "the right product except the last column, which is the translation of m": joined(
+            times(m, n), q
+        ),
+        "the right product except the last column, which is translated before the rotation": joined(
             times(m, n), applied(m, added(p, q))
         ),
         "the product in the other order": joined(times(n, m), moved(n, q, p)),
     }
     why = named(got, about.cause, slips, wanted)
     expect_close(got, wanted, cause=why, tolerance=LOOSE)
-    expect_unchanged("the first", entries(one), first, cause=UNCHANGED)
-    expect_unchanged("the second", entries(other), second, cause=UNCHANGED)
+    expect_unchanged("the first matrix", entries(one), first, cause=UNCHANGED)
+    expect_unchanged("the second matrix", entries(other), second, cause=UNCHANGED)
     about.call = f"Matrix4{first} @ Matrix4{second}, which calls Matrix4.product"
     got = entries(one @ other)
     expect_close(got, wanted, tolerance=LOOSE)
 
 
 def printed_determinant(m: Nine) -> float:
-    """Return the determinant as printed: the first product, data[8] data[5] data[2], is added."""
+    """Return the determinant as printed, with a plus before data[8] data[5] data[2]."""
     return determinant(m) + 2.0 * m[6] * m[4] * m[2]
 
 
 def overwritten(m: Nine, p: Components) -> tuple[Nine, Components]:
-    """Return the inverse as the listing's lines make it, in its order, of the matrix itself."""
+    """Return the inverse as the book's listing computes it, in place and in its order."""
     d, det = [*joined(m, p)], determinant(m)
     d[0] = (d[5] * d[10] - d[9] * d[6]) / det
     d[4] = (d[8] * d[6] - d[4] * d[10]) / det
@@ -133,17 +137,17 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     m, p = draw_mirror(rng), components(rng)
     twelve = joined(m, p)
     about.call = f"Matrix4{twelve}.determinant()"
-    about.cause = "that of the nine numbers without the last column"
+    about.cause = "Use the nine numbers without the last column."
     got = Matrix4(*twelve).determinant()
     slips = {
-        "the book's, whose first product has a plus for a minus (E-28)": printed_determinant(m),
+        "the book's determinant, with a plus in place of a minus (E-28)": printed_determinant(m),
         "the determinant of the first nine entries": determinant(twelve[:9]),
         "the determinant with the wrong sign": -determinant(m),
-        "the product of the diagonal alone": m[0] * m[4] * m[8],
+        "the product of the diagonal only": m[0] * m[4] * m[8],
     }
     why = named(got, about.cause, slips)
     expect_close(got, determinant(m), cause=why, tolerance=1e-10)
-    about.cause = "it is small, and not zero: nothing is rounded here"
+    about.cause = "The determinant is small but not zero. Do not round it."
     small = tuple(1e-7 * number for number in m)
     about.call = f"Matrix4{joined(small, p)}.determinant()"
     got = Matrix4(*joined(small, p)).determinant()
@@ -156,20 +160,19 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     drawn = draw_matrix(rng)
     small = tuple(1e-7 * number for number in drawn)
     ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.0, 0.0)
-    listing = "a Matrix4 has entries 0 to 11, and the book's listing reads entry 15 too (E-13)"
-    tiny = "what is small is not singular: Matrix3.inverse, of the nine numbers, knows that"
-    zeros = (
-        "a zero on the diagonal makes no matrix singular: Matrix3.inverse, of the nine numbers, "
-    )
-    zeros += "knows that"
+    listing = "A Matrix4 has entries 0 to 11. The book's listing also reads entry 15 (E-13)."
+    tiny = "A small matrix is not singular. Call Matrix3.inverse for the nine numbers."
+    zeros = "Zeros on the diagonal do not make a matrix singular. Call Matrix3.inverse for the "
+    zeros += "nine numbers."
     for m, size, how in ((drawn, 1.0, listing), (small, 1e-7, tiny), (ring, 1.0, zeros)):
         p, a = tuple(size * component for component in components(rng)), components(rng)
         twelve = joined(m, p)
         matrix = Matrix4(*twelve)
         there = moved(m, p, a)
-        about(f"m = Matrix4{twelve}; m.inverse() at {there}, where m takes {a}", cause=how)
+        about(f"m = Matrix4{twelve}; m.inverse() @ Vector3{there}, which is m @ Vector3{a}")
+        about.cause = how
         got = entries(matrix.inverse())
-        about.cause = "the nine numbers I by Matrix3.inverse, the translation -I p"
+        about.cause = "Invert the nine numbers with Matrix3.inverse. The translation is then -I p."
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])
             got = moved(linear, move, there)
@@ -178,20 +181,20 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                 applied(transposed(m), subtracted(there, p)),
             )
             slips = {
-                "what comes of a translation of -p": subtracted(plain, p),
-                "what comes of a translation of p": added(plain, p),
-                "what comes of a translation of I p, without its minus": added(
+                "the result of the translation -p": subtracted(plain, p),
+                "the result of the translation p": added(plain, p),
+                "the result of the translation I p, without the minus": added(
                     plain, applied(linear, p)
                 ),
-                "what comes of a translation of 0": plain,
-                "what comes of the transpose, which is the inverse of rotations only": turned_back,
-                "what comes of an inverse that is not divided by the determinant": [
+                "the result without a translation": plain,
+                "the result of the transpose, which is right only for a rotation": turned_back,
+                "the result without dividing by the determinant": [
                     determinant(m) * component for component in a
                 ],
-                "what comes of the book's determinant, with a plus for a minus (E-28)": [
+                "the result of the book's determinant, with a plus for a minus (E-28)": [
                     determinant(m) / printed_determinant(m) * component for component in a
                 ],
-                "what comes of the listing where it reads what it has just written (E-30)": moved(
+                "the result of the listing, which reads entries it has overwritten (E-30)": moved(
                     *overwritten(m, p), there
                 ),
             }
@@ -205,10 +208,10 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
 def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     about.read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
-    about.cause = "its nine numbers are singular, whatever the translation: Matrix3.inverse "
-    about.cause += "refuses them"
+    about.cause = "The nine numbers are singular, whatever the translation is. Matrix3.inverse "
+    about.cause += "refuses them."
     planes = []
-    for _ in range(6):  # in one plane but for rounding, of which now and then none is left
+    for _ in range(6):  # rows in one plane, apart from rounding errors, which may be zero
         a, b = components(rng), components(rng)
         plane = (*a, *b, *(1.3 * x - 0.7 * y for x, y in zip(a, b, strict=True)))
         planes += [plane, tuple(1e6 * number for number in plane)]
@@ -224,7 +227,7 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
 
 
 def small_pair() -> tuple:
-    """Return a Matrix4, and what is none and no vector: a Matrix3 and three numbers."""
+    """Return a Matrix4, and two objects of other types: a Matrix3 and a tuple."""
     return Matrix4(*joined(IDENTITY, (1.0, 2.0, 3.0))), Matrix3(*IDENTITY), (1.0, 2.0, 3.0)
 
 
@@ -233,16 +236,16 @@ def small_pair() -> tuple:
 def test_only_vectors_and_matrices_of_twelve() -> None:
     about.read = FIRST_LINES
     matrix, nine, three = small_pair()
-    about.cause = "three numbers are no Vector3, and a Matrix3 is no Matrix4: TypeError"
+    about.cause = "Raise TypeError for a tuple, and for a matrix or vector of the wrong type."
     v = Vector3(1.0, 2.0, 3.0)
     for name, attempt, allowed in (
-        ("transform((1, 2, 3))", lambda: matrix.transform(three), lambda: matrix.transform(v)),
-        ("product(Matrix3(...))", lambda: matrix.product(nine), lambda: matrix.product(matrix)),
-        ("product(Vector3(...))", lambda: matrix.product(v), lambda: matrix.product(matrix)),
+        ("m.transform((1, 2, 3))", lambda: matrix.transform(three), lambda: matrix.transform(v)),
+        ("m.product(Matrix3(...))", lambda: matrix.product(nine), lambda: matrix.product(matrix)),
+        ("m.product(Vector3(...))", lambda: matrix.product(v), lambda: matrix.product(matrix)),
     ):
         expect_error(
             attempt,
             TypeError,
-            call=f"m = Matrix4(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3); Matrix4.{name} of m",
+            call=f"m = Matrix4(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3); {name}",
             allowed=allowed,
         )

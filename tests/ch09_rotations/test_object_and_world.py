@@ -35,7 +35,7 @@ from turning import (
 
 WORLD = "book 9.4.5"
 BASIS = "book 9.4.6, and the docstring of change_basis"
-FIRST_LINES = "the first lines of matrix.py"
+FIRST_LINES = "the docstring at the top of matrix.py"
 METHODS = pytest.mark.parametrize(
     "method", ["transform_inverse", "transform_direction", "transform_inverse_direction"]
 )
@@ -47,18 +47,20 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     q, p = draw_quad(rng), components(rng)
     place, orientation = Vector3(*p), Quaternion(*q)
     about.call = f"Matrix4.from_orientation_and_position(Quaternion{q}, Vector3{p})"
-    about.cause = "Matrix3.from_quaternion for the first three columns, and the position as the "
-    about.cause += "last one"
+    about.cause = "The first three columns are Matrix3.from_quaternion(q), and the last column is "
+    about.cause += "the position."
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     m = matrix_of(q)
     wanted = joined(m, p)
     slips = {
-        "right but for the last column, where the position is turned too": joined(m, applied(m, p)),
-        "right but for the last column, which is the negative position": joined(
+        "the right matrix except the last column, where the position is rotated": joined(
+            m, applied(m, p)
+        ),
+        "the right matrix except the last column, which is the negative position": joined(
             m, subtracted((0.0, 0.0, 0.0), p)
         ),
-        "the nine numbers first, and then the position": (*m, *p),
-        "the rotation transposed, as the book prints it (E-11)": joined(transposed(m), p),
+        "the nine numbers followed by the position; they belong row by row": (*m, *p),
+        "the transposed rotation, as the book prints it (E-11)": joined(transposed(m), p),
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
@@ -66,7 +68,7 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     near = tuple(component * (1.0 + 5e-7) for component in q)
     orientation = Quaternion(*near)
     about.call = f"Matrix4.from_orientation_and_position(Quaternion{near}, Vector3{p})"
-    about.cause = "a length that is_unit lets pass is near enough"
+    about.cause = "A length that is_unit accepts is near enough to 1."
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     expect_close(got, wanted, tolerance=1e-5)
     expect_unchanged("q", rijk(orientation), near, cause=UNCHANGED)
@@ -77,12 +79,13 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
 def test_no_matrix_of_what_is_no_orientation() -> None:
     about.read = "the docstring of from_orientation_and_position"
     p, q = Vector3(1.0, 2.0, 3.0), Quaternion(0.6, 0.0, 0.8, 0.0)
+    off = "The length of this quaternion is not 1. Matrix3.from_quaternion refuses it."
     for name, attempt, error, cause in (
         (
             "Quaternion(0.6, 0, 0.81, 0), Vector3(1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position(Quaternion(0.6, 0.0, 0.81, 0.0), p),
             ValueError,
-            "its length is not 1: Matrix3.from_quaternion refuses it",
+            off,
         ),
         (
             "Quaternion(0.6000012, 0, 0.8000016, 0), Vector3(1, 2, 3)",
@@ -90,25 +93,25 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
                 Quaternion(0.6000012, 0.0, 0.8000016, 0.0), p
             ),
             ValueError,
-            "its length is 1 + 2e-6, which is_unit does not let pass",
+            "The length is 1 + 2e-6, which is_unit does not accept. Refuse it.",
         ),
         (
             "Quaternion(nan, 0, 0, 0), Vector3(1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position(Quaternion(math.nan, 0.0, 0.0, 0.0), p),
             ValueError,
-            "its length is not 1: Matrix3.from_quaternion refuses it",
+            off,
         ),
         (
             "(0.6, 0, 0.8, 0), Vector3(1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position((0.6, 0.0, 0.8, 0.0), p),
             TypeError,
-            "four numbers are no Quaternion",
+            "q must be a Quaternion. Raise TypeError for a tuple.",
         ),
         (
             "Quaternion(0.6, 0, 0.8, 0), (1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position(q, (1.0, 2.0, 3.0)),
             TypeError,
-            "three numbers are no Vector3",
+            "p must be a Vector3. Raise TypeError for a tuple.",
         ),
     ):
         about.cause = cause
@@ -121,28 +124,28 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
 
 
 def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
-    """Return what a point or direction comes to by this way or that between object and world.
+    """Return the results of wrong orders and directions between the object and the world.
 
-    ``m`` is a rotation, and a little more: each row times itself is 1 + 8e-6.
+    ``m`` is nearly a rotation: the dot product of each row with itself is 1 + 8e-6.
     """
     size = m[0] ** 2 + m[1] ** 2 + m[2] ** 2
     back = transposed(m)
     inverse = tuple(number / size for number in back)
     return {
-        "turned on, and then moved": moved(m, p, a),
-        "turned on, and not moved": applied(m, a),
-        "moved back first, and then turned on": applied(m, subtracted(a, p)),
-        "turned on, and then moved back": subtracted(applied(m, a), p),
-        "turned back, and not moved": applied(back, a),
-        "moved back first, and then turned back": applied(back, subtracted(a, p)),
-        "turned back first, and then moved back": subtracted(applied(back, a), p),
-        "turned back first, and then moved on": moved(back, p, a),
-        "moved on first, and then turned back": applied(back, added(a, p)),
-        "done by an inverse, which takes long, and undoes the scale of 1 + 4e-6 here": applied(
+        "the vector rotated forward and then translated": moved(m, p, a),
+        "the vector rotated forward, without a translation": applied(m, a),
+        "the vector translated back first and then rotated forward": applied(m, subtracted(a, p)),
+        "the vector rotated forward and then translated back": subtracted(applied(m, a), p),
+        "the vector rotated back, without a translation": applied(back, a),
+        "the vector translated back and then rotated back": applied(back, subtracted(a, p)),
+        "the vector rotated back first and then translated back": subtracted(applied(back, a), p),
+        "the vector rotated back first and then translated forward": moved(back, p, a),
+        "the vector translated forward and then rotated back": applied(back, added(a, p)),
+        "the result of an inverse, which is slower and undoes the scale of 1 + 4e-6 here": applied(
             inverse, subtracted(a, p)
         ),
-        "turned back by an inverse, which takes long, and undoes the scale of 1 + 4e-6 here": (
-            applied(inverse, a)
+        "the vector rotated back by an inverse, which is slower and undoes the scale here": applied(
+            inverse, a
         ),
     }
 
@@ -151,19 +154,19 @@ def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
 @METHODS
 def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     about.read = f"{WORLD}, and the docstring of {method}"
-    # What just passes for a rotation shows whether it is turned back by the inverse.
+    # A matrix that just passes for a rotation shows whether an inverse was used.
     m = tuple(number * (1.0 + 4e-6) for number in matrix_of(draw_quad(rng)))
     p, a = components(rng), components(rng)
     twelve = joined(m, p)
     wanted, about.cause = {
         "transform_inverse": (
             applied(transposed(m), subtracted(a, p)),
-            "take the translation off first, then turn back by the transpose, not by an inverse",
+            "Subtract the translation first, then rotate back by the transpose.",
         ),
-        "transform_direction": (applied(m, a), "a direction is turned, and not moved"),
+        "transform_direction": (applied(m, a), "Rotate a direction, but do not translate it."),
         "transform_inverse_direction": (
             applied(transposed(m), a),
-            "a direction is turned back by the transpose, not by an inverse, and not moved",
+            "Rotate a direction back by the transpose, but do not translate it.",
         ),
     }[method]
     v, matrix = Vector3(*a), Matrix4(*twelve)
@@ -187,7 +190,7 @@ def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
         TypeError,
         call=f"Matrix4{twelve}.{method}({a})",
         allowed=lambda: getattr(matrix, method)(Vector3(*a)),
-        cause="three numbers are no Vector3: TypeError",
+        cause="The argument must be a Vector3. Raise TypeError for a tuple.",
         read=FIRST_LINES,
     )
 
@@ -198,19 +201,19 @@ def test_a_turn_told_in_other_axes() -> None:
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
     about.call = f"change_basis(Matrix3{about_z}, Matrix3{z_to_x})"
-    about.cause = "a turn about Z, told in axes of which X is where Z was, is one about X: basis m "
-    about.cause += "basis^-1"
+    about.cause = "The result is basis m basis^-1. This basis takes Z to X, so a rotation about Z "
+    about.cause += "becomes one about X."
     got = entries(change_basis(Matrix3(*about_z), Matrix3(*z_to_x)))
     wanted = matrix_of(quad((1.0, 0.0, 0.0), 0.5 * math.pi))
     back = transposed(z_to_x)
     slips = {
-        "basis^-1 m basis, the other way round": times(times(back, about_z), z_to_x),
-        "basis m, from one side only": times(z_to_x, about_z),
-        "m basis, from one side only": times(about_z, z_to_x),
-        "m basis^-1, from one side only": times(about_z, back),
-        "basis^-1 m, from one side only": times(back, about_z),
+        "basis^-1 m basis, with the two swapped": times(times(back, about_z), z_to_x),
+        "basis m, without the inverse": times(z_to_x, about_z),
+        "m basis, without the inverse": times(about_z, z_to_x),
+        "m basis^-1, without the basis on the left": times(about_z, back),
+        "basis^-1 m, without the basis on the right": times(back, about_z),
         "basis m basis, without the inverse": times(times(z_to_x, about_z), z_to_x),
-        "m as it was": about_z,
+        "m itself": about_z,
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
@@ -221,12 +224,12 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     about.read = BASIS
     m, basis = draw_matrix(rng), draw_mirror(rng)
     one, other = Matrix3(*m), Matrix3(*basis)
-    about.call = f"change_basis(Matrix3{m}, Matrix3{basis}), times the basis"
-    about.cause = "basis m basis^-1, where the axes need not be at right angles"
+    about.call = f"change_basis(Matrix3{m}, Matrix3{basis}) @ basis"
+    about.cause = "The result is basis m basis^-1. The axes need not be at right angles."
     got = entries(change_basis(one, other))
     product = times(got, basis) if isinstance(got, tuple) and len(got) == 9 else got
     by_transpose = times(times(times(basis, m), transposed(basis)), basis)
-    slips = {"what comes of the transpose of the basis in place of its inverse": by_transpose}
+    slips = {"the result with the transpose of the basis, not its inverse": by_transpose}
     why = named(product, about.cause, slips)
     expect_close(product, times(basis, m), cause=why, tolerance=LOOSE)
     expect_unchanged("m", entries(one), m, cause=UNCHANGED)
@@ -239,9 +242,8 @@ def test_a_motion_told_from_another_place(rng: Random) -> None:
     m, p, basis, q = draw_matrix(rng), components(rng), draw_mirror(rng), components(rng)
     first, second = joined(m, p), joined(basis, q)
     a = components(rng)
-    about.call = f"change_basis(Matrix4{first}, Matrix4{second}).transform, where the basis takes "
-    about.call += f"{a}"
-    about.cause = "basis m basis^-1, of both with their translations"
+    about.call = f"change_basis(Matrix4{first}, Matrix4{second}) @ (basis @ Vector3{a})"
+    about.cause = "The result is basis m basis^-1, including both translations."
     told = change_basis(Matrix4(*first), Matrix4(*second))
     got = entries(told)
     if isinstance(got, tuple) and len(got) == 12:
@@ -260,20 +262,20 @@ def test_a_basis_must_fit(rng: Random) -> None:
     small, large = Matrix3(*nine), Matrix4(*twelve)
     flat = Matrix3(*(0.0,) * 9)
     v = Vector3(1.0, 2.0, 3.0)
-    sizes = "the two are of two sizes: ask type(m) is type(basis)"
-    none = "a vector is no matrix: ask isinstance for both"
+    sizes = "The two matrices have different sizes. Check that type(m) is type(basis)."
+    none = "A vector is not a matrix. Check the types of both arguments."
     for name, attempt, error, cause in (
-        ("a Matrix3, a Matrix4", lambda: change_basis(small, large), TypeError, sizes),
-        ("a Matrix4, a Matrix3", lambda: change_basis(large, small), TypeError, sizes),
-        ("a Vector3, a Vector3", lambda: change_basis(v, v), TypeError, none),
-        ("a Vector3, a Matrix3", lambda: change_basis(v, small), TypeError, none),
-        ("a Matrix3, a Vector3", lambda: change_basis(small, v), TypeError, none),
-        ("a Matrix4, a Vector3", lambda: change_basis(large, v), TypeError, none),
+        ("Matrix3(...), Matrix4(...)", lambda: change_basis(small, large), TypeError, sizes),
+        ("Matrix4(...), Matrix3(...)", lambda: change_basis(large, small), TypeError, sizes),
+        ("Vector3(...), Vector3(...)", lambda: change_basis(v, v), TypeError, none),
+        ("Vector3(...), Matrix3(...)", lambda: change_basis(v, small), TypeError, none),
+        ("Matrix3(...), Vector3(...)", lambda: change_basis(small, v), TypeError, none),
+        ("Matrix4(...), Vector3(...)", lambda: change_basis(large, v), TypeError, none),
         (
-            "a Matrix3, one of zeros",
+            "Matrix3(...), a Matrix3 of zeros",
             lambda: change_basis(small, flat),
             ValueError,
-            "it has no inverse",
+            "This basis has no inverse.",
         ),
     ):
         about.cause = cause

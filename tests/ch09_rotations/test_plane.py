@@ -1,4 +1,4 @@
-"""Angles, points and the centre of mass in the plane, build tasks B9.1 to B9.3."""
+"""Angles, points and the center of mass in the plane, build tasks B9.1 to B9.3."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MASS = "book 9.1.3, and the docstring of center_of_mass"
 @pytest.mark.exercise("B9.1")
 def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
     about.read = WRAP
-    about.cause = "take off whole turns, 2 pi each in radians, or add them: above -pi and up to pi"
+    about.cause = "Add or subtract whole turns of 2 pi until the angle is above -pi and at most pi."
     for turns in (0, 1, -1, 7, -12):
         for low, high in ((0.01, 1.5), (1.6, 3.1)):
             size = positive_number(rng, low, high)
@@ -33,10 +33,12 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
                 got = wrap_angle(angle + turns * math.tau)
                 slips = {
                     "an angle from 0 to 2 pi": angle % math.tau,
-                    "the angle as it came": angle + turns * math.tau,
-                    "one turn taken off, and no more": angle + (turns - 1) * math.tau,
-                    "one turn added, and no more": angle + (turns + 1) * math.tau,
-                    "an angle in degrees": math.degrees(angle),
+                    "the original angle": angle + turns * math.tau,
+                    "the angle minus one turn; take off as many as needed": angle
+                    + (turns - 1) * math.tau,
+                    "the angle plus one turn; add as many as needed": angle
+                    + (turns + 1) * math.tau,
+                    "the angle in degrees": math.degrees(angle),
                 }
                 why = named(got, about.cause, slips)
                 expect_close(got, angle, cause=why, tolerance=TIGHT)
@@ -45,23 +47,23 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
 @pytest.mark.exercise("B9.1", weight=0.5)
 def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
     about.read = WRAP
-    about.cause = "as many turns as there are: math.remainder, or %, takes them off at once"
+    about.cause = "Take off all whole turns at once, with math.remainder or %."
     size = positive_number(rng, 0.1, 3.0)
     for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
         about.call = f"wrap_angle({angle} + {turns} * 2 pi)"
         got = wrap_angle(angle + turns * math.tau)
-        # A loop that takes them off one by one rounds as often, each time by up to 6e-11.
+        # A loop that takes them off one by one makes as many rounding errors, of up to 6e-11 each.
         expect_close(got, angle, tolerance=2e-5)
 
 
 @pytest.mark.exercise("B9.1")
 def test_half_a_turn_is_pi_and_not_minus_pi() -> None:
-    about(cause="both are the same direction: pi belongs to the range, -pi does not", read=WRAP)
+    about(cause="pi and -pi are the same direction. The range contains pi but not -pi.", read=WRAP)
     for angle in (math.pi, -math.pi):
         about.call = f"wrap_angle({angle})"
         got = wrap_angle(angle)
         expect_close(got, math.pi, tolerance=0.0)
-    about.cause = "it lies within the range already: only -pi itself is made pi"
+    about.cause = "This angle is in the range already. Only -pi itself becomes pi."
     for angle in (1e-6 - math.pi, math.pi - 1e-6):
         about.call = f"wrap_angle({angle})"
         got = wrap_angle(angle)
@@ -83,7 +85,7 @@ def test_no_angle_is_no_direction() -> None:
 @pytest.mark.exercise("B9.2")
 def test_the_direction_of_an_angle(rng: Random) -> None:
     about.read = "book 9.1.1, Eq. 9.1"
-    about.cause = "the cosine along X, the sine along Y, of an angle in radians"
+    about.cause = "The direction is (cos(angle), sin(angle)), with the angle in radians."
     angle, small = positive_number(rng, 1.7, 3.0), positive_number(rng, 0.1, 1.4)
     for t in (angle, -angle, small, -small, small + 2.0 * math.tau, 0.0, 0.5 * math.pi, 4.0):
         about.call = f"angle_to_vector({t})"
@@ -91,29 +93,29 @@ def test_the_direction_of_an_angle(rng: Random) -> None:
         wanted = (math.cos(t), math.sin(t))
         taken = math.radians(t)
         slips = {
-            "sine and cosine swapped": (math.sin(t), math.cos(t)),
-            "the angle taken for degrees": (math.cos(taken), math.sin(taken)),
-            "the sine with the wrong sign": (math.cos(t), -math.sin(t)),
-            "the cosine with the wrong sign": (-math.cos(t), math.sin(t)),
+            "the result with sine and cosine swapped": (math.sin(t), math.cos(t)),
+            "the result for an angle in degrees": (math.cos(taken), math.sin(taken)),
+            "the result with the wrong sign of the sine": (math.cos(t), -math.sin(t)),
+            "the result with the wrong sign of the cosine": (-math.cos(t), math.sin(t)),
         }
         expect_close(got, wanted, cause=named(got, about.cause, slips))
 
 
 def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
-    """Return what likely mistakes make of a point that is to be turned and moved."""
+    """Return the results of likely mistakes when a point is rotated and moved."""
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
     ends = {
-        "clockwise": place + start / turn,
-        "moved first, and then turned": (start + place) * turn,
-        "turned, and not moved": start * turn,
-        "moved, and not turned": place + start,
-        "turned about the origin, as if the point were one of the world": place
+        "a clockwise rotation": place + start / turn,
+        "the result of moving first and rotating afterwards": (start + place) * turn,
+        "the rotated point, which was not moved": start * turn,
+        "the moved point, which was not rotated": place + start,
+        "a rotation about origin; the point is relative to the object": place
         + (start - place) * turn,
-        "the angle taken for degrees": place + start * cmath.rect(1.0, math.radians(angle)),
+        "the result for an angle in degrees": place + start * cmath.rect(1.0, math.radians(angle)),
     }
-    # A component that is changed before the other has read it.
+    # y computed from an x that has been changed already.
     x = turn.real * point[0] - turn.imag * point[1]
-    ends["y made from the new x, and not from the old"] = place + complex(
+    ends["the result of computing y from the new x; use the old one"] = place + complex(
         x, turn.imag * x + turn.real * point[1]
     )
     return {name: (end.real, end.imag) for name, end in ends.items()}
@@ -122,8 +124,8 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
 @pytest.mark.exercise("B9.2")
 def test_the_headlight_of_the_book() -> None:
     about("rotate_point((1.5, -0.75), 3 pi / 8, (4, 3.85))", read=POINT)
-    about.cause = "turn the point counter-clockwise about its own origin, then add the car's "
-    about.cause += "position"
+    about.cause = "Rotate the point counter-clockwise about the object's own origin, then add the "
+    about.cause += "car's position."
     got = rotate_point((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85))
     about.cause = named(got, about.cause, slips_of((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85)))
     # The book's two decimals.
@@ -137,7 +139,7 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
         x, y, across, up = (number(rng) for _ in range(4))
         angle = sign * positive_number(rng, 0.3, 2.9)
         about.call = f"rotate_point(({x}, {y}), {angle}, ({across}, {up}))"
-        about.cause = "x goes to x cos t - y sin t, y to x sin t + y cos t; then add origin"
+        about.cause = "The result is (x cos t - y sin t, x sin t + y cos t) plus origin."
         got = rotate_point((x, y), angle, (across, up))
         about.cause = named(got, about.cause, slips_of((x, y), angle, (across, up)))
         end = complex(across, up) + complex(x, y) * complex(math.cos(angle), math.sin(angle))
@@ -147,7 +149,7 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
 @pytest.mark.exercise("B9.2")
 @pytest.mark.robust
 def test_a_point_of_nothing_is_refused() -> None:
-    name = "rotate_point((x, y), angle, (p, q)), with x, y, angle, p and q: "
+    name = "rotate_point((x, y), angle, (p, q)) with x, y, angle, p, q = "
     expect_finite_numbers(
         name,
         lambda x, y, t, a, u: rotate_point((x, y), t, (a, u)),
@@ -160,13 +162,13 @@ def test_a_point_of_nothing_is_refused() -> None:
 @pytest.mark.exercise("B9.3")
 def test_the_centre_of_two_masses_is_nearer_to_the_larger() -> None:
     about("center_of_mass([6, 2], [(0, 0), (4, 8)])", read=MASS)
-    about.cause = "each position counts by its mass: add up m x and m y, and divide by the sum of m"
+    about.cause = "Sum m x and m y, and divide by the sum of the masses."
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
     slips = {
-        "the sum of m x and m y, not divided": (8.0, 16.0),
-        "the sum divided by how many there are": (4.0, 8.0),
-        "the mean of the places, whatever the masses": (2.0, 4.0),
-        "the other mass at each place": (3.0, 6.0),
+        "the sum of m x and m y, without dividing": (8.0, 16.0),
+        "the sum divided by the number of masses": (4.0, 8.0),
+        "the mean of the positions, which ignores the masses": (2.0, 4.0),
+        "the result with the masses swapped": (3.0, 6.0),
     }
     expect_close(got, (1.0, 2.0), cause=named(got, about.cause, slips))
 
@@ -174,10 +176,10 @@ def test_the_centre_of_two_masses_is_nearer_to_the_larger() -> None:
 @pytest.mark.exercise("B9.3")
 def test_the_centre_of_many_masses(rng: Random) -> None:
     about.read = MASS
-    about.cause = "add up m x and m y, and divide by the sum of m, not by how many there are"
+    about.cause = "Sum m x and m y, and divide by the sum of the masses, not by their number."
     for count in (1, 2, 5):
         masses = [positive_number(rng) for _ in range(count)]
-        masses[-1] = masses[0]  # two may well be equal
+        masses[-1] = masses[0]  # equal masses must work too
         positions = [(number(rng), number(rng)) for _ in range(count)]
         about.call = f"center_of_mass({masses}, {positions})"
         total = math.fsum(masses)
@@ -186,15 +188,15 @@ def test_the_centre_of_many_masses(rng: Random) -> None:
         got = center_of_mass([*masses], [*positions])
         last = dict(pairs)
         slips = {
-            "rounded down, as // does": [math.floor(w) for w in wanted],
-            "right only if no two masses are equal": [
+            "the result rounded down, as // does": [math.floor(w) for w in wanted],
+            "the result of a dict by mass, which loses equal masses": [
                 math.fsum(m * p[axis] for m, p in last.items()) / math.fsum(last) for axis in (0, 1)
             ],
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         after = masses_after(masses, positions)
-        cause_lists = "the call must not change its lists: sort, or take from, a copy"
+        cause_lists = "The call must not change its lists. Sort or pop from a copy."
         for name, now, before in (
             ("masses", after[0], masses),
             ("positions", after[1], positions),
@@ -210,7 +212,7 @@ def test_the_centre_of_many_masses(rng: Random) -> None:
 def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
     about.read = MASS
     m, x, y = positive_number(rng), number(rng), number(rng)
-    about.cause = "a mass without a position, a position without a mass, or none at all: ValueError"
+    about.cause = "Raise ValueError unless there is one position per mass, and at least one mass."
     for masses, positions in (
         ([], []),
         ((), ()),
@@ -230,7 +232,7 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
 @pytest.mark.robust
 def test_what_has_no_mass_has_no_centre() -> None:
     expect_finite_numbers(
-        "center_of_mass(...), with a mass, x and y beside another: ",
+        "center_of_mass([2, m], [(1, 1), (x, y)]) with m, x, y = ",
         lambda m, x, y: center_of_mass([2.0, m], [(1.0, 1.0), (x, y)]),
         (1, 2, 3),
         ((0, 0.0), (0, -1.0)),

@@ -16,24 +16,24 @@ from turning import Quad, draw_quad, hamilton, named, rijk
 LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
 NORMALIZE = "book 9.4.8, and the docstring of normalize"
 PRODUCT = "book 9.4.9"
-ONLY_LOOKS = "it only asks, and must not change the quaternion: work on numbers of your own"
+ONLY_LOOKS = "This method must not change the quaternion. Work with local numbers."
 
 
 def draw_four(rng: Random) -> Quad:
-    """Draw four components, none of them near zero."""
+    """Draw four components away from zero."""
     return number(rng), number(rng), number(rng), number(rng)
 
 
 @pytest.mark.exercise("B9.7")
 def test_the_length_of_four_components(rng: Random) -> None:
-    about(cause="the root of the sum of four squares: r is one of them", read=LENGTH)
+    about(cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2).", read=LENGTH)
     about.call = "Quaternion(1, -3, 5, 1).magnitude()"
     got = Quaternion(1.0, -3.0, 5.0, 1.0).magnitude()
     slips = {
-        "the sum of the squares, without the root": 36.0,
-        "the length of (i, j, k) alone, without r": math.sqrt(35.0),
-        "the sum of the four": 4.0,
-        "the sum of the four sizes": 10.0,
+        "the sum of the squares, without the square root": 36.0,
+        "the length of (i, j, k), without r": math.sqrt(35.0),
+        "the sum of the four components": 4.0,
+        "the sum of the four absolute values": 10.0,
     }
     expect_close(got, 6.0, cause=named(got, about.cause, slips))
     q = draw_four(rng)
@@ -59,16 +59,16 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
     ):
         scaled = tuple(component * length for component in q)
         about.call = f"Quaternion{scaled}.is_unit(), of length {abs(length)}"
-        about.cause = "within UNIT_TOLERANCE, 1e-6, on both sides of 1"
+        about.cause = "The length must be within UNIT_TOLERANCE (1e-6) of 1, above or below."
         if 0.0 < abs(length - 1.0) < 1e-5:
-            about.cause += f": the length is off by {abs(length - 1.0):.2g} here, and its square, "
-            about.cause += "which "
-            about.cause += "is not to be compared, by twice as much"
+            about.cause += f" Here it is off by {abs(length - 1.0):.2g}. Compare the length, since "
+            about.cause += "its square is off by twice as much."
         quaternion = Quaternion(*scaled)
         got = quaternion.is_unit()
         expect_exactly(got, wanted)
         expect_unchanged("q", rijk(quaternion), scaled, cause=ONLY_LOOKS)
-    about("Quaternion(0, 0.6, 0, 0.8).is_unit(), a half-turn", cause="its length is 1: r may be 0")
+    cause = "The length is 1. In a half-turn r is 0."
+    about("Quaternion(0, 0.6, 0, 0.8).is_unit()", cause=cause)
     got = Quaternion(0.0, 0.6, 0.0, 0.8).is_unit()
     expect_exactly(got, True)
 
@@ -80,30 +80,30 @@ def test_normalised_it_has_length_one(rng: Random) -> None:
     opposite = tuple(-component for component in drawn)
     for q in (drawn, opposite, tuple(component * (1.0 + 5e-7) for component in near)):
         length = math.hypot(*q)
-        about.cause = "divide all four by the length, which is worked out once, before the first "
-        about.cause += "changes"
+        about.cause = "Divide all four components by the length. Compute it once, before you "
+        about.cause += "change any of them."
         quaternion = Quaternion(*q)
         about.call = f"q = Quaternion{q}; q.normalize(); q"
         returned = quaternion.normalize()
         wanted = tuple(component / length for component in q)
         got = rijk(quaternion)
         slips = {
-            "the quaternion as it was, where it must change in place": q,
-            "what comes of dividing by the squared length": [c / length**2 for c in q],
+            "the original quaternion; change self in place": q,
+            "the result of dividing by the squared length": [c / length**2 for c in q],
         }
         if length != 1.0 and abs(length - 1.0) < 1e-6:
-            slips = {"the quaternion as it was, which is_unit lets pass, but not this": q}
-            about.cause = "normalize divides whatever the length"
+            slips = {"the original quaternion, whose length is not exactly 1": q}
+            about.cause = "Divide by the length even if is_unit accepts it."
         expect_close(got, wanted, cause=named(got, about.cause, slips))
-    about.cause = "what changes in place returns nothing"
-    about.call = f"Quaternion{q}.normalize(), what it returns"
+    about.cause = "This method works in place and returns nothing."
+    about.call = f"Quaternion{q}.normalize()"
     expect_exactly(returned, None)
 
 
 @pytest.mark.exercise("B9.7")
 def test_zero_becomes_the_reference() -> None:
     about("q = Quaternion(0, 0, 0, 0); q.normalize(); q", read=NORMALIZE)
-    about.cause = "zero has no direction: it becomes (1, 0, 0, 0), the turn of nothing"
+    about.cause = "Zero has no direction. It becomes (1, 0, 0, 0), the rotation by 0."
     quaternion = Quaternion(0.0, 0.0, 0.0, 0.0)
     quaternion.normalize()
     expect_close(rijk(quaternion), (1.0, 0.0, 0.0, 0.0))
@@ -114,15 +114,15 @@ def test_zero_becomes_the_reference() -> None:
 def test_what_is_huge_or_not_finite_is_no_turn(rng: Random) -> None:
     about.read = LENGTH
     q = draw_quad(rng)
-    about.cause = "NaN compares false with everything: ask whether the length is near 1, and not "
-    about.cause += "whether it is far"
+    about.cause = "NaN compares false with everything. Test whether the length is near 1, not "
+    about.cause += "whether it is far from 1."
     for length in (math.nan, math.inf):
         scaled = tuple(component * length for component in q)
-        about.call = f"Quaternion{scaled}.is_unit(), of length {length}"
+        about.call = f"Quaternion{scaled}.is_unit()"
         got = Quaternion(*scaled).is_unit()
         expect_exactly(got, False)
     about.call = "Quaternion(1e200, 0, 0, 1e200).is_unit()"
-    about.cause = "the square of 1e200 fits in no float: ask magnitude()"
+    about.cause = "The square of 1e200 is too large for a float. Use magnitude()."
     got = Quaternion(1e200, 0.0, 0.0, 1e200).is_unit()
     expect_exactly(got, False)
 
@@ -134,7 +134,7 @@ def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
     q = draw_four(rng)
     length = math.hypot(*q)
     wanted = tuple(component / length for component in q)
-    about.cause = "their squares fit in no float: math.hypot takes four numbers"
+    about.cause = "The squares do not fit into a float. math.hypot takes four numbers."
     for scale in (1e200, 1e-200):
         scaled = tuple(component * scale for component in q)
         about.call = f"Quaternion{scaled}.magnitude() / {scale}"
@@ -152,14 +152,14 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     q = draw_four(rng)
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.conjugate()"
-    about.cause = "r stays, and i, j and k change their signs, in a new quaternion"
+    about.cause = "Keep r, change the signs of i, j and k, and return a new quaternion."
     got = rijk(quaternion.conjugate())
     r, i, j, k = q
     wanted = (r, -i, -j, -k)
     slips = {
-        "all four with their signs changed, which is the same orientation": (-r, -i, -j, -k),
-        "the sign of r changed, and not the three others": (-r, i, j, k),
-        "the quaternion as it was": q,
+        "the result of changing all four signs, which is the same orientation": (-r, -i, -j, -k),
+        "the result of changing the sign of r, not of the other three": (-r, i, j, k),
+        "the original quaternion": q,
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=0.0)
@@ -175,17 +175,17 @@ def test_the_table_of_i_j_and_k() -> None:
         "j": (0.0, 0.0, 1.0, 0.0),
         "k": (0.0, 0.0, 0.0, 1.0),
     }
-    about.cause = "i j = k, j k = i and k i = j; the other way round the sign is turned; i i = -1"
+    about.cause = "i j = k, j k = i and k i = j, with a minus in the other order. i i = -1."
     products = []
     for first, a in units.items():
         for second, b in units.items():
             about.call = f"Quaternion{a} * Quaternion{b}, which is {first} {second}"
             one, other = Quaternion(*a), Quaternion(*b)
             products.append((about.call, a, b, rijk(one * other)))
-            expect_unchanged("the first", rijk(one), a, cause=UNCHANGED)
-            expect_unchanged("the second", rijk(other), b, cause=UNCHANGED)
+            expect_unchanged("the first factor", rijk(one), a, cause=UNCHANGED)
+            expect_unchanged("the second factor", rijk(other), b, cause=UNCHANGED)
     if all(got == hamilton(b, a) for _, a, b, got in products):
-        about.cause = f"this is the product in the other order: {about.cause}"
+        about.cause = f"This is the product in the other order. {about.cause}"
     for call, a, b, got in products:
         about.call = call
         expect_close(got, hamilton(a, b), tolerance=0.0)
@@ -197,8 +197,8 @@ def test_the_product_of_any_two(rng: Random) -> None:
     a, b = draw_four(rng), draw_four(rng)
     first, second = Quaternion(*a), Quaternion(*b)
     about.call = f"a, b = Quaternion{a}, Quaternion{b}; a * b"
-    about.cause = "the scalar part is r r' - v . v', the rest r v' + r' v + v x v', as a new "
-    about.cause += "quaternion"
+    about.cause = "The scalar part is r r' - v . v' and the vector part r v' + r' v + v x v'. "
+    about.cause += "Return a new quaternion."
     got = rijk(first * second)
     # Four products of up to 90.
     expect_close(got, hamilton(a, b), tolerance=1e-12)
@@ -209,10 +209,9 @@ def test_the_product_of_any_two(rng: Random) -> None:
 @pytest.mark.exercise("B9.8")
 @pytest.mark.robust
 def test_a_quaternion_times_a_number_is_refused(rng: Random) -> None:
-    about.read = "the first lines of quaternion.py"
+    about.read = "the docstring at the top of quaternion.py"
     q = draw_four(rng)
-    about.cause = "ask isinstance(q, Quaternion), and return NotImplemented: Python raises the "
-    about.cause += "TypeError"
+    about.cause = "If q is not a Quaternion, return NotImplemented. Python then raises TypeError."
     for other in (2.0, "2", None, (1.0, 0.0, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)):
         name = "Vector3(1, 2, 3)" if isinstance(other, Vector3) else repr(other)
         expect_error(

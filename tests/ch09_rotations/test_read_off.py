@@ -45,13 +45,13 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
     about.call = f"read_off(Matrix4{twelve})"
-    about.cause = "the rotation is the first three columns, as a Matrix3, the position the last one"
+    about.cause = "The first three columns are the rotation, a Matrix3. The last is the position."
     rotation, position = read_off(matrix)
     name = f"{about.call}, the rotation"
     got = entries(rotation)
     slips = {"the transpose of the rotation": transposed(m), "the first nine entries": twelve[:9]}
     why = named(got, about.cause, slips)
-    # Where an axis goes, less where the origin does, is rounded as numbers up to 11 are.
+    # If you compute it from transformed points, numbers up to 11 are rounded.
     expect_close(got, m, call=name, cause=why, tolerance=TIGHT)
     name = f"{about.call}, the position"
     got = xyz(position)
@@ -60,7 +60,7 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
         "the last row": twelve[8:11],
         "the last three entries": twelve[9:],
         "the first column": (m[0], m[3], m[6]),
-        "the position of the inverse": (-x, -y, -z),
+        "the position of the inverse matrix": (-x, -y, -z),
     }
     why = named(got, about.cause, slips)
     expect_close(got, p, call=name, cause=why, tolerance=0.0)
@@ -74,10 +74,10 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     m, p = draw_slight_turn(rng), components(rng)
     good = joined(m, p)
     near = tuple(n * (1.0 + 4e-6) for n in m)
-    about.call = f"read_off(Matrix4{joined(near, p)}): of how many parts"
-    about.cause = "its rows are of length 1 + 4e-6, which is_rotation() lets pass"
+    about.call = f"len(read_off(Matrix4{joined(near, p)}))"
+    about.cause = "The rows have the length 1 + 4e-6, which is_rotation() accepts."
     expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
-    about.cause = "what should be a rotation is none: ask is_rotation()"
+    about.cause = "The first three columns are not a rotation. Check them with is_rotation()."
     for linear in (
         tuple(2.0 * n for n in m),
         tuple(n * (1.0 + 7e-6) for n in m),
@@ -102,7 +102,7 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
             TypeError,
             call=f"read_off({name})",
             allowed=lambda: read_off(Matrix4(*good)),
-            cause="twelve numbers are no Matrix4, and a Matrix3 is none: TypeError",
+            cause="The argument must be a Matrix4. Raise TypeError for anything else.",
         )
 
 
@@ -113,21 +113,22 @@ def test_the_easy_inverse(rng: Random) -> None:
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
     about.call = f"easy_inverse(Matrix4{twelve})"
-    about.cause = "the transpose T of the rotation, and -T p in place of the position p"
+    about.cause = "The rotation becomes its transpose T, and the position p becomes -T p."
     got = entries(easy_inverse(matrix))
     t = transposed(m)
     x, y, z = applied(t, p)
     wanted = joined(t, (-x, -y, -z))
     turned_on = applied(m, p)
+    last = "the right matrix except the last column, which is"
     slips = {
-        "right but for the last column, which is -p": joined(t, subtracted((0.0, 0.0, 0.0), p)),
-        "right but for the last column, which is p": joined(t, p),
-        "right but for the last column, which is T p without its minus": joined(t, (x, y, z)),
-        "right but for the last column, which is turned on, not back": joined(
+        f"{last} -p": joined(t, subtracted((0.0, 0.0, 0.0), p)),
+        f"{last} p": joined(t, p),
+        f"{last} T p, without the minus": joined(t, (x, y, z)),
+        f"{last} rotated forward instead of back": joined(
             t, subtracted((0.0, 0.0, 0.0), turned_on)
         ),
-        "right but for the rotation, which is not transposed": joined(m, (-x, -y, -z)),
-        "-p, and the rotation as it was": joined(m, subtracted((0.0, 0.0, 0.0), p)),
+        "the right position with a rotation that is not transposed": joined(m, (-x, -y, -z)),
+        "the original rotation with -p": joined(m, subtracted((0.0, 0.0, 0.0), p)),
     }
     why = named(got, about.cause, slips)
     # Rounding of numbers up to 17.
@@ -145,8 +146,8 @@ def test_the_easy_inverse_of_something_else() -> None:
             TypeError,
             call=f"easy_inverse({name})",
             allowed=lambda: easy_inverse(Matrix4(*twelve)),
-            cause="twelve numbers are no Matrix4, and a Matrix3 is none: TypeError",
-            read="the first lines of exercises.py",
+            cause="The argument must be a Matrix4. Raise TypeError for anything else.",
+            read="the docstring at the top of exercises.py",
         )
 
 
@@ -156,9 +157,9 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
     m, p = tuple(2.0 * n for n in matrix_of(draw_quad(rng))), components(rng)
     for linear in (m, (0.0,) * 9):
         twelve = joined(linear, p)
-        about.call = f"easy_inverse(Matrix4{twelve}), of what is no rotation"
-        about.cause = "a general inverse divides by the determinant. Here nothing is looked at and "
-        about.cause += "nothing divided by: the transpose, for any matrix"
+        about.call = f"easy_inverse(Matrix4{twelve}), which is not a rotation"
+        about.cause = "Use the transpose without any check or division, for every matrix. A "
+        about.cause += "general inverse would divide by the determinant."
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)
         wanted = joined(transposed(linear), (-x, -y, -z))
@@ -172,8 +173,8 @@ def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     m, p, a = matrix_of(draw_quad(rng)), components(rng), components(rng)
     twelve = joined(m, p)
     there = moved(m, p, a)
-    about.call = f"easy_inverse(Matrix4{twelve}), at {there}, where the matrix takes {a}"
-    about.cause = "first the way back, and then the turn back"
+    about.call = f"easy_inverse(Matrix4{twelve}) @ Vector3{there}, which is the matrix @ Vector3{a}"
+    about.cause = "Subtract the position first, then rotate back."
     got = entries(easy_inverse(Matrix4(*twelve)))
     if isinstance(got, tuple) and len(got) == 12:
         got = moved((*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11]), there)

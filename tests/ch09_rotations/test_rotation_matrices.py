@@ -40,23 +40,22 @@ from turning import (
 IS_ROTATION = "the docstring of is_rotation"
 FROM = "book 9.4.4, and E-11"
 TO = "the docstring of to_quaternion"
-# Half a turn about (2, 2, 1), of whose determinant few terms alone have the right sign.
+# A half-turn about (2, 2, 1). Only few terms of its determinant have the right sign.
 HALF_TURN = tuple(n / 9.0 for n in (-1.0, 8.0, 4.0, 8.0, -1.0, 4.0, 4.0, 4.0, -7.0))
 
 
 @scoped
 def expect_rotation(m: Nine, wanted: bool) -> None:
-    """Expect a matrix to be a rotation, or to be none."""
+    """Expect is_rotation to accept or refuse a matrix."""
     about(f"Matrix3{m}.is_rotation()", read=IS_ROTATION)
     expect_exactly(Matrix3(*m).is_rotation(), wanted)
 
 
 @pytest.mark.exercise("B9.6")
 def test_rotations_are_known(rng: Random) -> None:
-    about.cause = "its rows have length 1, stand at right angles, and are right-handed: it is one"
+    about.cause = "The rows have length 1, are at right angles and right-handed: a rotation."
     expect_rotation(IDENTITY, True)
-    about.cause += ". Its numbers are rounded: ask whether a product is near, never whether it is "
-    about.cause += "equal"
+    about.cause += " The numbers are rounded, so test whether products are near 1 and 0."
     for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng)), HALF_TURN):
         expect_rotation(m, True)
 
@@ -65,22 +64,23 @@ def test_rotations_are_known(rng: Random) -> None:
 def test_what_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     a, b, c, d, e, f, g, h, i = m
-    about.cause = "it scales: each row times itself must be 1"
+    about.cause = "This matrix scales. The product of each row with itself must be 1."
     expect_rotation(tuple(2.0 * number for number in m), False)
     expect_rotation((0.0,) * 9, False)
     for row in range(3):
         n = [*m]
         n[3 * row : 3 * row + 3] = [1.5 * number for number in n[3 * row : 3 * row + 3]]
         expect_rotation(tuple(n), False)
-    about.cause = "it scales one axis up and another down, and its determinant is 1"
+    about.cause = "This matrix stretches one axis and shrinks another. Its determinant is 1, but "
+    about.cause += "the product of each row with itself must be 1 too."
     expect_rotation((2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0), False)
-    about.cause = "it is a mirror: its rows are orthonormal, but its determinant is -1"
+    about.cause = "This matrix is a mirror. Its rows are orthonormal, but its determinant is -1."
     expect_rotation((d, e, f, a, b, c, g, h, i), False)
     expect_rotation(tuple(-number for number in HALF_TURN), False)
-    # The determinant of a mirror that passes for orthonormal is near -1, on either side of it.
+    # The determinant of a mirror with nearly orthonormal rows is near -1, on either side of it.
     for scale in (-1.0, -1.0 - 4e-6, 4e-6 - 1.0):
         expect_rotation(tuple(scale * number for number in m), False)
-    about.cause = "it skews: rows of length 1 that do not stand at right angles"
+    about.cause = "This matrix shears. Its rows have length 1, but are not at right angles."
     s, t = math.sin(0.3), math.cos(0.3)
     for n in (
         (1.0, 0.0, 0.0, s, t, 0.0, 0.0, 0.0, 1.0),
@@ -93,16 +93,14 @@ def test_what_is_no_rotation(rng: Random) -> None:
 @pytest.mark.exercise("B9.6")
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
-    limit = "products of rows may be off by ROTATION_TOLERANCE, 1e-5"
+    limit = "Products of rows may be off by ROTATION_TOLERANCE (1e-5)."
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
-        about.cause = f"{limit}: each row times itself is off by {2.0 * scale:.2g} here. The "
-        about.cause += "determinant has no such limit: it only has to be positive, which tells a "
-        about.cause += "turn from a mirror"
+        about.cause = f"{limit} The product of each row with itself is off by {2.0 * scale:.2g} "
+        about.cause += "here. The determinant must only be positive, to exclude mirrors."
         expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted)
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
         n = (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0)
-        about.cause = f"{limit}: the first row times the second is {angle:.2g} here, and should be "
-        about.cause += "0"
+        about.cause = f"{limit} The product of the first two rows is {angle:.2g} here instead of 0."
         expect_rotation(n, wanted)
 
 
@@ -110,8 +108,8 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
 @pytest.mark.robust
 def test_what_is_huge_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
-    about.cause = "a square of 1e200 fits in no float, and ** raises OverflowError of it: use a "
-    about.cause += "product"
+    about.cause = "The square of 1e200 is too large for a float, and ** raises OverflowError. Use "
+    about.cause += "*."
     expect_rotation(tuple(1e200 * number for number in m), False)
 
 
@@ -119,7 +117,7 @@ def test_what_is_huge_is_no_rotation(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
-    about.cause = "NaN compares false with everything: ask whether each product is near enough"
+    about.cause = "NaN compares false with everything. Test whether each product is near enough."
     for place in range(9):
         m = [*IDENTITY]
         m[place] = bad
@@ -127,15 +125,15 @@ def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
 
 
 def from_slips(q: Quad) -> dict[str, Nine]:
-    """Return what likely mistakes make of the matrix of a quaternion."""
+    """Return the matrices that likely mistakes give for a quaternion."""
     m = matrix_of(q)
     halves = [number if place in (0, 4, 8) else 0.5 * number for place, number in enumerate(m)]
     diagonal = [0.5 * (1.0 + m[place]) if place in (0, 4, 8) else m[place] for place in range(9)]
     return {
-        "the matrix as the book prints it, which is the transpose (E-11)": transposed(m),
-        "without the factor 2 beside the diagonal": halves,
-        "without the factor 2 of the squares on the diagonal": diagonal,
-        "without any factor 2": [
+        "the transpose, which the book prints (E-11)": transposed(m),
+        "the matrix without the factor 2 outside the diagonal": halves,
+        "the matrix without the factor 2 on the diagonal": diagonal,
+        "the matrix without any factor 2": [
             diagonal[place] if place in (0, 4, 8) else halves[place] for place in range(9)
         ],
     }
@@ -145,13 +143,13 @@ def from_slips(q: Quad) -> dict[str, Nine]:
 def test_ninety_degrees_about_each_axis() -> None:
     about.read = FROM
     half = math.sqrt(0.5)
-    about.cause = "the columns are where X, Y and Z go"
+    about.cause = "The columns are the rotated axes X, Y and Z."
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
         ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
         ((half, 0.0, 0.0, half), "Z", (0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)),
     ):
-        about.call = f"Matrix3.from_quaternion(Quaternion{q}), 90 degrees about {axes}"
+        about.call = f"Matrix3.from_quaternion(Quaternion{q}), which is 90 degrees about {axes}"
         got = entries(Matrix3.from_quaternion(Quaternion(*q)))
         why = named(got, about.cause, from_slips(q), wanted)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
@@ -159,13 +157,13 @@ def test_ninety_degrees_about_each_axis() -> None:
 
 @pytest.mark.exercise("B9.12")
 def test_the_matrix_of_any_quaternion(rng: Random) -> None:
-    about(cause="nine terms, each to be looked at: mind the signs and the doubles", read=FROM)
+    about(cause="Check the signs and the factors 2 of all nine terms.", read=FROM)
     for scale in (1.0, -1.0, 1.0 + 5e-7, -1.0 - 5e-7):
         q = tuple(scale * component for component in draw_quad(rng))
         quaternion = Quaternion(*q)
         about.call = f"Matrix3.from_quaternion(Quaternion{q})"
         got = entries(Matrix3.from_quaternion(quaternion))
-        # A length that is 5e-7 off is let pass, and may be mended or not.
+        # A length that is off by 5e-7 is accepted, and may be corrected or not.
         near = TIGHT if abs(scale) == 1.0 else 1e-5
         why = named(got, about.cause, from_slips(q), matrix_of(q) if near == TIGHT else ())
         expect_close(got, matrix_of(q), cause=why, tolerance=near)
@@ -177,7 +175,7 @@ def test_the_matrix_of_any_quaternion(rng: Random) -> None:
 def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
     about.read = "the docstring of from_quaternion"
     q = draw_quad(rng)
-    about.cause = "ask is_unit() first: rounding is allowed for, up to 1e-6"
+    about.cause = "Call is_unit() first. It accepts rounding errors of up to 1e-6."
 
     def of_length(length: float) -> object:
         return Matrix3.from_quaternion(Quaternion(*(component * length for component in q)))
@@ -186,45 +184,45 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
         expect_error(
             lambda length=length: of_length(length),
             ValueError,
-            call=f"Matrix3.from_quaternion(q), of a q of length {length}",
+            call=f"Matrix3.from_quaternion(q) for a q of length {length}",
             allowed=lambda: [of_length(1.0 + 5e-7), of_length(1.0 - 5e-7)],
         )
-    about.cause = "four numbers are no Quaternion: TypeError"
+    about.cause = "The argument must be a Quaternion. Raise TypeError for a tuple."
     expect_error(
         lambda: Matrix3.from_quaternion(q),
         TypeError,
         call=f"Matrix3.from_quaternion({q})",
         allowed=lambda: of_length(1.0),
-        read="the first lines of matrix.py",
+        read="the docstring at the top of matrix.py",
     )
 
 
 def half_turn(axis: Sequence[float]) -> Quad:
-    """Return half a turn about an axis, with an r of exactly 0."""
+    """Return a half-turn about an axis. Its r is exactly 0."""
     x, y, z = (component / math.hypot(*axis) for component in axis)
     return 0.0, x, y, z
 
 
 @scoped
 def expect_back(q: Quad) -> None:
-    """Expect the quaternion, or its opposite, of this quaternion's matrix."""
+    """Expect q or -q from the matrix of the quaternion q."""
     about.read = TO
     m = matrix_of(q)
     about.call = f"Matrix3{m}.to_quaternion()"
     got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
     r, i, j, k = q
     slips = {
-        "right but for the sign of r, or for those of i, j and k": (-r, i, j, k),
-        "right but for the signs, which are lost": [abs(component) for component in q],
+        "the right quaternion except the sign of r, or the signs of i, j and k": (-r, i, j, k),
+        "the right quaternion without its signs": [abs(component) for component in q],
         "twice the quaternion": [2.0 * component for component in q],
-        "half the quaternion": [0.5 * component for component in q],
+        "half of the quaternion": [0.5 * component for component in q],
     }
     for place, letter in enumerate("ijk", start=1):
         other = [-c if p == place else c for p, c in enumerate(q)]
-        slips[f"right but for the sign of {letter}"] = other
-    # An r of next to nothing does not tell the conjugate from the right one.
+        slips[f"the right quaternion except the sign of {letter}"] = other
+    # If r is nearly 0, the conjugate cannot be told apart from the right result.
     slips = {name: same_sign(tuple(slip), q) for name, slip in slips.items() if abs(r) > 1e-6}
-    signs = "h - f is 4 i r, c - g is 4 j r, d - b is 4 k r, whichever of them is divided by"
+    signs = "The signs come from h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
     why = named(got, signs, slips)
     if why != signs:
         about.cause = why
@@ -234,26 +232,26 @@ def expect_back(q: Quad) -> None:
 
 @pytest.mark.exercise("B9.13", weight=2)
 def test_back_from_a_matrix(rng: Random) -> None:
-    about.cause = "the sum of the diagonal is 4 r^2 - 1; h - f is 4 i r, c - g is 4 j r, d - b is "
-    about.cause += "4 k r"
+    about.cause = "The sum of the diagonal is 4 r^2 - 1. Across the diagonal, h - f = 4 i r, c - g "
+    about.cause += "= 4 j r and d - b = 4 k r."
     expect_back((1.0, 0.0, 0.0, 0.0))
     for longest in range(3):
-        # Two of i, j and k are negative, so that no lost sign looks like another one.
+        # Two of i, j and k are negative, so that no two lost signs look alike.
         axis = [-positive_number(rng, 0.5, 5.0) for _ in range(3)]
         axis[longest] = 10.0
-        for angle in (0.9, 2.6):  # r is the largest, or that of the longest
+        for angle in (0.9, 2.6):  # either r or the component of the longest axis is the largest
             expect_back(quad(axis, angle))
     for _ in range(4):
         expect_back(draw_quad(rng))
     expect_back(quad(components(rng), -0.9))
-    about.cause = "it is a rotation, though the product of its diagonal is negative: ask "
-    about.cause += "is_rotation()"
+    about.cause = "This is a rotation, although the product of its diagonal is negative. Check it "
+    about.cause += "with is_rotation()."
     expect_back(quad((2.0, 2.1, 1.0), 3.0))
 
 
 @pytest.mark.exercise("B9.13")
 def test_back_from_a_half_turn(rng: Random) -> None:
-    about.cause = "r is 0 here, or as good as: divide by the largest of the four components"
+    about.cause = "Here r is 0 or nearly 0. Divide by the largest of the four components."
     for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
         expect_back((0.0, *axis))
     for longest in range(3):
@@ -262,23 +260,23 @@ def test_back_from_a_half_turn(rng: Random) -> None:
         expect_back(half_turn(axis))
         for short in (1e-3, 1e-9, -1e-9):
             expect_back(quad(axis, math.pi - short))
-    about.cause = "some components are equally large here, and no other is larger: divide by any "
-    about.cause += "of them"
+    about.cause = "Several components share the largest size here. Divide by any of them."
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
         expect_back(half_turn(axis))
-    about.cause = "the largest of all four: each with each must be compared"
+    about.cause = "Compare all four components to find the largest one."
     for axis in permutations((0.0, 1e-6, 1.0)):
         expect_back(half_turn(axis))
 
 
 @pytest.mark.exercise("B9.13")
 def test_what_comes_back_has_length_one(rng: Random) -> None:
-    about(cause="normalise what you return: the matrix may be off by rounding, or by more", read=TO)
+    cause = "Normalize the result, since the matrix may be slightly off."
+    about(cause=cause, read=TO)
     half_turns = [(0.0, 0.8, 0.6, 0.0), (0.0, 0.0, 0.8, 0.6), (0.0, 0.6, 0.0, 0.8)]
     half_turns.append((0.0, 2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0))
     for q in (draw_quad(rng), quad(components(rng), 0.3), *half_turns):
         m = tuple(number * (1.0 + 3e-6) for number in matrix_of(q))
-        about.call = f"Matrix3{m}.to_quaternion(), its length"
+        about.call = f"Matrix3{m}.to_quaternion(); its length"
         got = math.hypot(*rijk(Matrix3(*m).to_quaternion()))
         expect_close(got, 1.0, tolerance=TIGHT)
 
@@ -288,7 +286,7 @@ def test_what_comes_back_has_length_one(rng: Random) -> None:
 def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
     about.read = TO
     m = draw_slight_turn(rng)
-    about.cause = "ask is_rotation() first"
+    about.cause = "This matrix is not a rotation. Call is_rotation() first."
     for n in (
         tuple(2.0 * number for number in m),
         tuple(-number for number in m),

@@ -18,14 +18,14 @@ from turning import TIGHT, named
 CENTER = "the docstring of center_of_stones"
 OFFSET = "the docstring of balance_offset"
 BESIDE = "the docstring of masses_beside, and E-32"
-DATA = "exercise 9.7, and the first lines of stones.py"
+DATA = "exercise 9.7, and the docstring at the top of stones.py"
 
 Stones = list[tuple[str, float, float, float]]
-NAMES = ("a pebble", "slate", "a pebble", "quartz")  # two may have one name
+NAMES = ("a pebble", "slate", "a pebble", "quartz")  # two stones may share a name
 
 
 def draw_stones(rng: Random, count: int = 4) -> Stones:
-    """Draw stones within 1 m, two of one name and one mass."""
+    """Draw stones within 1 m. Two have the same name, and two the same mass."""
     masses = [positive_number(rng, 0.05, 0.9) for _ in range(3)]
     return [
         (
@@ -39,7 +39,7 @@ def draw_stones(rng: Random, count: int = 4) -> Stones:
 
 
 def draw_telling_stones(rng: Random) -> Stones:
-    """Draw masses of stones of which each likely mistake of an edge at 0.3 puts one amiss."""
+    """Draw stones for which every likely mistake puts one on the wrong side of an edge at 0.3."""
     a, b, c, d = (
         round(positive_number(rng, 0.9, 1.1) * mass, 3) for mass in (0.22, 0.07, 0.47, 0.51)
     )
@@ -53,18 +53,18 @@ def draw_telling_stones(rng: Random) -> Stones:
 
 
 def middle(stones: Stones) -> complex:
-    """Return the centre of mass as a complex number."""
+    """Return the center of mass as a complex number."""
     total = math.fsum(mass for _, mass, _, _ in stones)
     return sum(mass * complex(x, y) for _, mass, x, y in stones) / total
 
 
 def left_of(point: complex, angle: float) -> float:
-    """Return how far to the left of a line through 0 a point is."""
+    """Return the distance of a point to the left of a line through 0."""
     return (point * complex(math.cos(angle), -math.sin(angle))).imag
 
 
 def from_edge(stones: Stones, angle: float) -> list[tuple[float, float]]:
-    """Return how far to the left of the edge each stone is, and its mass."""
+    """Return the distance of each stone to the left of the edge, and its mass."""
     line = left_of(middle(stones), angle)
     return [(left_of(complex(x, y), angle) - line, mass) for _, mass, x, y in stones]
 
@@ -77,26 +77,27 @@ def beside(stones: Stones, angle: float) -> tuple[float, float]:
 
 
 def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
-    """Return what likely mistakes make of a centre of mass."""
+    """Return the centers of mass that likely mistakes give."""
     swapped = middle(stones).imag, middle(stones).real
     ends = {
-        "the mean of the places, whatever the masses": middle(
+        "the mean of the positions, which ignores the masses": middle(
             [(n, 1.0, x, y) for n, _, x, y in stones]
         ),
-        "what comes of leaving out the first stone, or of one stone for each name": middle(
+        "the result without the first stone, or with one stone per name": middle(
             stones[1:] or stones
         ),
-        "what comes of leaving out the last stone": middle(stones[:-1] or stones),
-        "the sum of mass times place, not divided": middle(stones)
+        "the result without the last stone": middle(stones[:-1] or stones),
+        "the sum of mass times position, without dividing": middle(stones)
         * sum(m for _, m, _, _ in stones),
     }
-    return {"x and y exchanged": swapped} | {name: (z.real, z.imag) for name, z in ends.items()}
+    slips = {name: (z.real, z.imag) for name, z in ends.items()}
+    return {"the result with x and y swapped": swapped} | slips
 
 
 @pytest.mark.exercise("9.7")
 def test_the_centre_of_a_box_with_stones(rng: Random) -> None:
     about.read = CENTER
-    about.cause = "center_of_mass of the second number of each stone, and of its third and fourth"
+    about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
     for count in (1, 4):
         stones = draw_stones(rng, count)
         about.call = f"center_of_stones({stones})"
@@ -107,21 +108,19 @@ def test_the_centre_of_a_box_with_stones(rng: Random) -> None:
 
 
 def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
-    """Return what likely mistakes make of where the edge lies."""
+    """Return the offsets that likely mistakes give."""
     center = middle(stones)
     sides = sorted((left_of(complex(x, y), angle), mass) for _, mass, x, y in stones)
     passed = accumulate(mass for _, mass in sides)
     half = 0.5 * math.fsum(mass for _, mass in sides)
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
     return {
-        "the offset to the right, not to the left": -left_of(center, angle),
+        "the offset to the right instead of the left": -left_of(center, angle),
         "the distance along the edge, not to the left of it": left_of(
             center, angle - 0.5 * math.pi
         ),
-        "what comes of the angle taken for degrees": left_of(center, math.radians(angle)),
-        "where the masses on both sides are as equal as they come, which is no balance (E-32)": (
-            offset
-        ),
+        "the result for an angle in degrees": left_of(center, math.radians(angle)),
+        "the offset with equal masses on both sides, where the box does not balance (E-32)": offset,
     }
 
 
@@ -129,11 +128,12 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
 def test_where_the_edge_must_lie(rng: Random) -> None:
     about.read = OFFSET
     stones = draw_stones(rng)
-    about(f"balance_offset({stones}, 0)", cause="an edge along X, below the centre of mass: its y")
+    cause = "An edge along X must be below the center of mass. Return its y."
+    about(f"balance_offset({stones}, 0)", cause=cause)
     got = balance_offset(stones, 0.0)
     why = named(got, about.cause, offset_slips(stones, 0.0))
     expect_close(got, middle(stones).imag, cause=why, tolerance=TIGHT)
-    about.cause = "the centre of mass times (-sin, cos), as a scalar product: mind the sign"
+    about.cause = "The offset is the center of mass . (-sin(angle), cos(angle))."
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
         about.call = f"balance_offset({stones}, {angle})"
@@ -148,19 +148,20 @@ def test_it_balances_though_the_masses_differ() -> None:
     about.read = BESIDE
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
     about.call = f"masses_beside({stones}, 0)"
-    about.cause = "y is 0.5 at the edge: 1 kg lies beyond, on the left of an edge along X, and 3 "
-    about.cause += "kg here"
+    about.cause = "The edge lies at y = 0.5. 1 kg is beyond it, on its left, and 3 kg are on its "
+    about.cause += "right."
     got = masses_beside(stones, 0.0)
     slips = {
-        "equal masses, as the book has them, which is wrong (E-32)": (2.0, 2.0),
-        "left and right exchanged": (3.0, 1.0),
-        "the numbers of stones, not their masses": (1.0, 1.0),
-        "all on the left, as of a line through the corner, not the centre of mass": (4.0, 0.0),
+        "half of the mass on each side, as in the book (E-32)": (2.0, 2.0),
+        "the result with left and right swapped": (3.0, 1.0),
+        "the number of stones on each side, not their mass": (1.0, 1.0),
+        "the result for a line through the corner, not the center of mass": (4.0, 0.0),
     }
     why = named(got, about.cause, slips)
     expect_close(got, (1.0, 3.0), cause=why, tolerance=TIGHT)
     about.call = f"masses_beside({stones}, pi / 2)"
-    about.cause = "x is 0.3 at the edge: an edge along Y has the smaller x on its left"
+    about.cause = "The edge lies at x = 0.3. Smaller values of x are on the left of an edge along "
+    about.cause += "Y."
     got = masses_beside(stones, 0.5 * math.pi)
     expect_close(got, (3.0, 1.0), tolerance=TIGHT)
 
@@ -168,11 +169,11 @@ def test_it_balances_though_the_masses_differ() -> None:
 @pytest.mark.exercise("9.7")
 def test_the_masses_on_both_sides(rng: Random) -> None:
     about.read = BESIDE
-    about.cause = "a stone is on the left where its own offset is larger than the edge's"
+    about.cause = "A stone is on the left if its own offset is greater than that of the edge."
     cases = [(draw_telling_stones(rng), 0.3)]
     while len(cases) < 4:
         stones, angle = draw_stones(rng), number(rng, 0.1, 3.0)
-        # A stone on the edge has a check of its own.
+        # Stones on the edge have a check of their own.
         if min(abs(side) for side, _ in from_edge(stones, angle)) > 1e-3:
             cases.append((stones, angle))
     for stones, angle in cases:
@@ -193,14 +194,14 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
         ("right of it", 0.7, x - across.real, y - across.imag),
     ]
     about.call = f"masses_beside({stones}, {angle})"
-    about.cause = "rounding leaves it at some 1e-16 m: within 1e-9 m is over the edge"
+    about.cause = "Rounding puts this stone 1e-16 m off the edge. Up to 1e-9 m counts as on it."
     got = tuple(masses_beside(stones, angle))
     expect_close(got, (0.7, 0.7), tolerance=TIGHT)
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
-        about.cause = f"within 1e-9 m is over the edge, and {off:.0e} m is "
-        about.cause += f"{'less' if off < 1e-9 else 'more'}"
+        about.cause = f"Up to 1e-9 m counts as on the edge, and {off:.0e} m is "
+        about.cause += f"{'less' if off < 1e-9 else 'more'}."
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
-        about.call = f"masses_beside({stones}, 0), {off} m from the edge"
+        about.call = f"masses_beside({stones}, 0); stones {off} m from the edge"
         got = tuple(masses_beside(stones, 0.0))
         expect_close(got, wanted, tolerance=TIGHT)
 
@@ -208,10 +209,10 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
 @pytest.mark.exercise("9.7", weight=0.5)
 @pytest.mark.parametrize("name", ["center_of_stones", "balance_offset", "masses_beside"])
 def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
-    about.read = "the first lines of exercises.py"
+    about.read = "the docstring at the top of exercises.py"
     stones = draw_telling_stones(rng)
     about.call = f"{name}({stones}{'' if name == 'center_of_stones' else ', 0.3'})"
-    about.cause = "the call must not change its list: sort, or take from, a copy"
+    about.cause = "The call must not change its list. Sort or pop from a copy."
     center = middle(stones)
     wanted = {
         "center_of_stones": (center.real, center.imag),
@@ -220,7 +221,7 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     }[name]
     got, after = stones_after(name, stones)
     expect_unchanged("the list", after, stones)
-    about.cause = "right for one list as for another"
+    about.cause = "The result is wrong for this list of stones."
     expect_close(got, wanted, tolerance=TIGHT)
 
 
@@ -233,7 +234,7 @@ def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
         ("balance_offset", balance_offset, (0.3,)),
         ("masses_beside", masses_beside, (0.3,)),
     )
-    about.cause = "center_of_mass refuses what is no box with stones"
+    about.cause = "Call center_of_mass for all stones. It refuses these."
     for name, function, more in calls:
         for stones in (
             [],
@@ -249,7 +250,7 @@ def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
                 allowed=lambda function=function, more=more: function(good, *more),
                 read=f"the docstring of {name}",
             )
-    about.cause = "finite of arguments.py refuses an angle that is none"
+    about.cause = "Check the angle with finite from arguments.py."
     for name, function, _ in calls[1:]:
         for angle in (math.nan, math.inf):
             expect_error(
@@ -264,17 +265,17 @@ def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
 @pytest.mark.exercise("9.7")
 def test_your_own_stones() -> None:
     about("center_of_stones(the stones of your stones.csv)", read=DATA)
-    about.cause = "enter your own, one a line, with plain numbers of kg and m, such as: a flat "
-    about.cause += "piece of slate,0.212,0.120,0.060"
+    about.cause = "Enter your own stones in stones.csv, one per line, in kg and m. For example: a "
+    about.cause += "flat piece of slate,0.212,0.120,0.060"
     stones = [tuple(stone) for stone in entered_stones()]
-    name = "your stones.csv: how many lines are there, if up to 4 count, three stones and the box"
+    name = "your stones.csv: number of lines, at most 4 (three stones and the box)"
     expect_exactly(min(len(stones), 4), 4, call=name)
-    about.cause = "measure where each lies"
+    about.cause = "Measure the position of each stone."
     places = {(x, y) for _, _, x, y in stones}
-    name = "your stones.csv: in how many places do stones lie, if up to 3 count"
+    name = "your stones.csv: number of different positions, at most 3"
     expect_exactly(min(len(places), 3), 3, call=name)
     about.call = "center_of_stones(your stones)"
     got = center_of_stones(stones)
     wanted = middle(stones)
-    about.cause = "center_of_mass of the second number of each stone, and of its third and fourth"
+    about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
     expect_close(got, (wanted.real, wanted.imag), tolerance=TIGHT)

@@ -37,30 +37,33 @@ from turning import (
 MAKE = "book 9.2.4, Eq. 9.4, and the docstring of from_axis_angle"
 BACK = "the docstring of to_axis_angle"
 ROTATE = "the docstring of rotate"
-FIRST_LINES = "the first lines of quaternion.py"
+FIRST_LINES = "the docstring at the top of quaternion.py"
 
 
 def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
-    """Return what likely mistakes make of an axis and an angle."""
+    """Return the results of likely mistakes in from_axis_angle."""
     cosine, sine, length = math.cos(0.5 * angle), math.sin(0.5 * angle), math.hypot(*axis)
     return {
-        "made of the whole angle": quad(axis, 2.0 * angle),
-        "made of the whole angle, and of an axis that is not normalised": (
+        "the result for the whole angle; use half of it": quad(axis, 2.0 * angle),
+        "the result for the whole angle, with an axis that is not normalized": (
             math.cos(angle),
             *(component * math.sin(angle) for component in axis),
         ),
-        "of an axis that is not normalised": (cosine, *(component * sine for component in axis)),
-        "made of degrees": quad(axis, math.radians(angle)),
-        "sine and cosine swapped": (sine, *(component / length * cosine for component in axis)),
-        "the axis not multiplied by the sine": (cosine, *(c / length for c in axis)),
-        "the turn the other way round": quad(axis, -angle),
+        "the result without normalizing the axis": (cosine, *(c * sine for c in axis)),
+        "the result for an angle in degrees": quad(axis, math.radians(angle)),
+        "the result with sine and cosine swapped": (sine, *(c / length * cosine for c in axis)),
+        "the result without multiplying the axis by the sine": (
+            cosine,
+            *(c / length for c in axis),
+        ),
+        "a rotation in the opposite direction": quad(axis, -angle),
     }
 
 
 @pytest.mark.exercise("B9.9")
 def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
     about("Quaternion.from_axis_angle(Vector3(1, 2, 3), 1.2)", read=MAKE)
-    about.cause = "the cosine of half the angle, and the axis, normalised, times its sine"
+    about.cause = "The result is cos(angle / 2), and the normalized axis times sin(angle / 2)."
     got = rijk(Quaternion.from_axis_angle(Vector3(1.0, 2.0, 3.0), 1.2))
     why = named(got, about.cause, make_slips((1.0, 2.0, 3.0), 1.2))
     # Eight decimals of SciPy's Rotation.from_rotvec.
@@ -72,7 +75,7 @@ def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
         about.call = f"Quaternion.from_axis_angle(Vector3{axis}, {t})"
         wanted = quad(axis, t)
         got = rijk(Quaternion.from_axis_angle(v, t))
-        if t > math.pi:  # a turn by t - 2 pi is the same, and has the opposite quaternion
+        if t > math.pi:  # a rotation by t - 2 pi is the same, and has the opposite quaternion
             got = same_sign(got, wanted)
         why = named(got, about.cause, make_slips(axis, t))
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
@@ -81,7 +84,7 @@ def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
 
 @scoped
 def expect_any_length(rng: Random, scale: float, cause: str) -> None:
-    """Expect an axis that is so many times as long to make the same quaternion."""
+    """Expect an axis that is scaled to make the same quaternion."""
     about(cause=cause, read=MAKE)
     axis, angle = draw_turn(rng)
     scaled = tuple(component * scale for component in axis)
@@ -92,14 +95,15 @@ def expect_any_length(rng: Random, scale: float, cause: str) -> None:
 
 @pytest.mark.exercise("B9.9")
 def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
-    expect_any_length(rng, 1e-3, "normalise the axis first, or rather a copy of it")
+    expect_any_length(rng, 1e-3, "Normalize a copy of the axis first.")
 
 
 @pytest.mark.exercise("B9.9")
 @pytest.mark.robust
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
     for scale in (1e200, 1e-200):
-        about.cause = "the squares of its components fit in no float: normalized of Vector3 copes"
+        about.cause = "The squares of these components do not fit into a float. Use normalized of "
+        about.cause += "Vector3."
         expect_any_length(rng, scale, about.cause)
 
 
@@ -116,14 +120,14 @@ def test_no_axis_or_no_angle_is_refused() -> None:
         ((0.0, 1.0, 1.0), "1.0", TypeError),
     ):
         about.call = f"Quaternion.from_axis_angle(Vector3{axis}, {angle!r})"
-        about.cause = "zero has no direction; finite_vector and finite of arguments.py refuse the "
-        about.cause += "rest"
+        about.cause = "Refuse a zero axis, which has no direction. Check the rest with "
+        about.cause += "finite_vector and finite from arguments.py."
         expect_error(
             lambda axis=axis, angle=angle: Quaternion.from_axis_angle(Vector3(*axis), angle),
             error,
             allowed=lambda: Quaternion.from_axis_angle(Vector3(0.0, 1.0, 1.0), 1.0),
         )
-    about.cause = "three numbers are no Vector3: finite_vector of arguments.py refuses them"
+    about.cause = "The axis must be a Vector3. Raise TypeError for a tuple."
     expect_error(
         lambda: Quaternion.from_axis_angle((0.0, 1.0, 1.0), 1.0),
         TypeError,
@@ -135,7 +139,7 @@ def test_no_axis_or_no_angle_is_refused() -> None:
 
 @scoped
 def axis_angle_of(q: Quad) -> tuple:
-    """Return axis and angle as plain numbers."""
+    """Return the result of to_axis_angle as plain numbers."""
     about(f"Quaternion{q}.to_axis_angle()", read=BACK)
     quaternion = Quaternion(*q)
     axis, angle = quaternion.to_axis_angle()
@@ -146,12 +150,12 @@ def axis_angle_of(q: Quad) -> tuple:
 
 @scoped
 def expect_small_turn(unit: Components, small: float) -> None:
-    """Expect the axis and the angle of a turn by an angle that is next to nothing."""
+    """Expect the axis and angle of a rotation by a very small angle."""
     about.read = BACK
     x, y, z = (component * 0.5 * small for component in unit)
     about.call = f"Quaternion{(1.0, x, y, z)}.to_axis_angle(), "
     got, turn = axis_angle_of((1.0, x, y, z))
-    # A sine is the angle but for its cube, 1e-11 of it and less here.
+    # The sine differs from the angle by its cube only, 1e-11 of it or less here.
     near = 1e-10 * small
     expect_close(turn, small, then="the angle", tolerance=near)
     expect_close(got, unit, then="the axis", tolerance=TIGHT)
@@ -160,29 +164,30 @@ def expect_small_turn(unit: Components, small: float) -> None:
 @pytest.mark.exercise("B9.9", weight=2)
 def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
     about.read = BACK
-    about.cause = "the angle is 2 atan2(|(i, j, k)|, |r|), and the axis (i, j, k) normalised"
-    for sign in (1.0, -1.0, 1.0 + 1e-14):  # the last is a length that rounding may leave
+    about.cause = "The angle is 2 atan2(|(i, j, k)|, |r|). The axis is (i, j, k), normalized."
+    for sign in (1.0, -1.0, 1.0 + 1e-14):  # the last is a length after rounding
         axis, angle = draw_turn(rng)
         length = math.hypot(*axis)
         wanted = tuple(component / length for component in axis)
         r, i, j, k = (sign * component for component in quad(axis, angle))
         about.call = f"Quaternion{(r, i, j, k)}.to_axis_angle(), "
         if r < 0.0:
-            about.cause += "; where r is negative, the same turn is that of -q: the axis turns "
-            about.cause += "round"
+            about.cause += (
+                " If r is negative, use -q, which is the same rotation: reverse the axis."
+            )
         got, turn = axis_angle_of((r, i, j, k))
         slips = {
-            "half the angle": 0.5 * angle,
-            "the angle of the longer way round, above pi": math.tau - angle,
-            "an angle in degrees": math.degrees(angle),
+            "half of the angle": 0.5 * angle,
+            "the angle above pi; use the shorter way": math.tau - angle,
+            "the angle in degrees": math.degrees(angle),
             "the angle with the wrong sign": -angle,
-            "half of the longer way round": math.pi - 0.5 * angle,
+            "half of the angle of the longer way": math.pi - 0.5 * angle,
         }
         why = named(turn, about.cause, slips)
         expect_close(turn, angle, then="the angle", cause=why, tolerance=TIGHT)
         slips = {
-            "the axis of the longer way round, with the angle of the shorter": [-c for c in wanted],
-            "(i, j, k) as they are, not normalised": (i, j, k),
+            "the axis of the longer way, but the angle of the shorter one": [-c for c in wanted],
+            "(i, j, k) without normalizing": (i, j, k),
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, then="the axis", cause=why, tolerance=TIGHT)
@@ -194,14 +199,14 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     axis, _ = draw_turn(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
-    about.cause = "there is nothing to turn: the angle is 0, and the axis X, for want of one"
+    about.cause = "This is a rotation by 0. Return the X axis, by convention, and the angle 0."
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
         about.call = f"Quaternion{q}.to_axis_angle(), "
         got, turn = axis_angle_of(q)
         expect_close(turn, 0.0, then="the angle", tolerance=0.0)
         expect_close(got, X_AXIS, then="the axis", tolerance=0.0)
-    about.cause = "r is 0 and the angle pi; the axis may point either way"
-    by_asin = "asin loses half of the digits near pi, as acos does near 0: atan2 of sine and cosine"
+    about.cause = "Here r is 0 and the angle is pi. The axis may point either way."
+    by_asin = "asin loses half of the digits near pi, and acos near 0. Use atan2."
     q = (0.0, *unit)
     about.call = f"Quaternion{q}.to_axis_angle(), "
     got, turn = axis_angle_of(q)
@@ -217,8 +222,7 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         wanted = math.pi - less
         expect_close(turn, wanted, then="the angle", tolerance=TIGHT)
         expect_close(got, unit, then="the axis", tolerance=TIGHT)
-    about.cause = "near 0 the cosine is 1 for every angle, so acos finds none: atan2 of sine and "
-    about.cause += "cosine"
+    about.cause = "Near 0 the cosine rounds to 1, so acos cannot find the angle. Use atan2."
     for small in (1e-5, 1e-9):
         expect_small_turn(unit, small)
 
@@ -229,8 +233,8 @@ def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     axis, _ = draw_turn(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
-    about.cause = "the squares of its components are 0 in a float: magnitude() and normalize() of "
-    about.cause += "Vector3 cope"
+    about.cause = "The squares of these components round to 0. Use magnitude() and normalize() of "
+    about.cause += "Vector3."
     expect_small_turn(unit, 1e-200)
 
 
@@ -240,8 +244,8 @@ def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
     drawn = draw_quad(rng)
     length = math.hypot(*drawn[1:])
     unit = tuple(component / length for component in drawn[1:])
-    about.cause = "a length that is_unit lets pass may be above 1 or below: atan2 asks only "
-    about.cause += "proportions"
+    about.cause = "A length that is_unit accepts may be slightly above or below 1. atan2 does not "
+    about.cause += "mind."
     for off in (1.0 + 5e-7, 1.0 - 5e-7):
         for whole in (drawn, (0.0, *unit), (1.0, 0.0, 0.0, 0.0)):
             q = tuple(component * off for component in whole)
@@ -257,9 +261,9 @@ def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
 @pytest.mark.exercise("B9.9", weight=0.5)
 def test_each_axis_is_a_new_vector() -> None:
     about.read = BACK
-    about.call = "axis, _ = Quaternion().to_axis_angle(), a second time, after the first axis is "
-    about.call += "inverted"
-    about.cause = "a new vector in every call: one that is kept is changed by whoever was given it"
+    about.call = "axis, _ = Quaternion().to_axis_angle(); axis.invert(); "
+    about.call += "Quaternion().to_axis_angle()[0]"
+    about.cause = "Return a new axis vector on every call. A shared one can be changed by a caller."
     first, _ = Quaternion().to_axis_angle()
     first.invert()
     second, _ = Quaternion().to_axis_angle()
@@ -268,14 +272,14 @@ def test_each_axis_is_a_new_vector() -> None:
 
 @scoped
 def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
-    """Expect a quaternion just off length 1 to be refused, and one that is nearer not to be."""
-    about(cause="ask is_unit() first: rounding is allowed for, up to 1e-6", read=read)
+    """Expect a quaternion to be refused if its length is off by 2e-6, but not by 5e-7."""
+    about(cause="Call is_unit() first. It accepts rounding errors of up to 1e-6.", read=read)
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
         scaled = tuple(component * length for component in q)
         expect_error(
             lambda scaled=scaled: use(Quaternion(*scaled)),
             ValueError,
-            call=f"Quaternion{scaled}{what}, of length {length}",
+            call=f"Quaternion{scaled}{what}, a quaternion of length {length}",
             allowed=lambda: [
                 use(Quaternion(*(component * near for component in q)))
                 for near in (1.0 + 5e-7, 1.0 - 5e-7)
@@ -290,16 +294,16 @@ def test_what_is_no_turn_has_no_axis(rng: Random) -> None:
 
 
 def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
-    """Return what likely mistakes make of a vector that is to be turned."""
+    """Return the results of likely mistakes in rotate."""
     back = (q[0], -q[1], -q[2], -q[3])
     once = hamilton(q, (0.0, *v))
     return {
-        "the turn of a q whose r has lost its sign": turned((abs(q[0]), *q[1:]), v),
-        "q* (0, v) q, which turns the other way": turned(back, v),
-        "q (0, v) alone, without q* on the right": once[1:],
-        "(0, v) q* alone, without q on the left": hamilton((0.0, *v), back)[1:],
+        "the result for a q whose r has lost its sign": turned((abs(q[0]), *q[1:]), v),
+        "q* (0, v) q, which rotates in the opposite direction": turned(back, v),
+        "q (0, v), without q* on the right": once[1:],
+        "(0, v) q*, without q on the left": hamilton((0.0, *v), back)[1:],
         "q (0, v) q, without the conjugate": hamilton(once, q)[1:],
-        "v as it was": v,
+        "the original v": v,
     }
 
 
@@ -308,25 +312,25 @@ def test_a_vector_is_turned(rng: Random) -> None:
     about.read = ROTATE
     half = math.sqrt(0.5)
     about.call = f"Quaternion({half}, 0, 0, {half}).rotate(Vector3(1, 0, 0)), 90 degrees about Z"
-    about.cause = "q (0, v) q*, in this order: X goes to Y, counter-clockwise"
+    about.cause = "The result is q (0, v) q*. A rotation by 90 degrees about Z takes X to Y."
     got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
     why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))
     expect_close(got, (0.0, 1.0, 0.0), cause=why, tolerance=TIGHT)
-    about.cause = "q (0, v) q*, in this order, or v + 2 r (u x v) + 2 u x (u x v), with u = (i, j, "
-    about.cause += "k)"
+    about.cause = "The result is q (0, v) q*, or v + 2 r (u x v) + 2 u x (u x v) with u = (i, j, "
+    about.cause += "k)."
     for sign in (1.0, -1.0, 1.0 + 5e-7):
         q, a = tuple(sign * component for component in draw_quad(rng)), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
         about.call = f"q = Quaternion{q}; q.rotate(Vector3{a})"
         got = xyz(quaternion.rotate(v))
-        # Rounding of a vector of a length up to 17; or what a length that is 5e-7 off may make.
+        # Rounding of a vector of length up to 17, or the effect of a length that is off by 5e-7.
         near = 1e-11 if abs(sign) == 1.0 else 1e-4
         why = named(got, about.cause, rotate_slips(q, a))
         expect_close(got, turned(q, a), cause=why, tolerance=near)
         expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
         expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
-    about.call = f"v = Vector3{a}; Quaternion().rotate(v), which is inverted then; v"
-    about.cause = "a new vector, where nothing turns too"
+    about.call = f"v = Vector3{a}; Quaternion().rotate(v).invert(); v"
+    about.cause = "Return a new vector, even if nothing rotates."
     same = Quaternion().rotate(v)
     same.invert()
     expect_unchanged("v", xyz(v), a)
@@ -342,7 +346,9 @@ def test_what_is_no_turn_turns_nothing(rng: Random) -> None:
 @pytest.mark.exercise("B9.10")
 @pytest.mark.robust
 def test_only_a_vector_is_turned(rng: Random) -> None:
-    about(cause="three numbers are no Vector3: TypeError", read=FIRST_LINES)
+    about(
+        cause="The argument must be a Vector3. Raise TypeError for anything else.", read=FIRST_LINES
+    )
     q = draw_quad(rng)
     for other in ((1.0, 2.0, 3.0), 1.0):
         expect_error(

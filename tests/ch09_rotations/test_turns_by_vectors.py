@@ -25,46 +25,46 @@ from turning import TIGHT, Quad, draw_quad, hamilton, named, quad, rijk, same_si
 
 BY_VECTOR = "book 9.4.10, the docstring of rotate_by, and E-12"
 ADD = "Eq. 9.5, the docstring of add_scaled, and E-31"
-FIRST_LINES = "the first lines of quaternion.py"
+FIRST_LINES = "the docstring at the top of quaternion.py"
 
 
 def unit(q: Quad) -> Quad:
-    """Return a quaternion normalised."""
+    """Return a normalized quaternion."""
     return tuple(component / math.hypot(*q) for component in q)
 
 
 def stepped(q: Quad, change: Quad, scale: float) -> Quad:
-    """Return q and so much of a change of it."""
+    """Return q + scale * change."""
     return tuple(old + scale * new for old, new in zip(q, change, strict=True))
 
 
 def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
-    """Return what likely mistakes make of a quaternion that is turned on by a vector."""
+    """Return the results of likely mistakes in rotate_by."""
     left, right, size = hamilton((0.0, *a), q), hamilton(q, (0.0, *a)), math.hypot(*a)
-    product = "the book's listing, q times (0, vector), which is no turn (E-12)"
+    product = "q times (0, vector), the book's listing, which is not a rotation (E-12)"
     return {
         product: right,
-        f"{product}, normalised": unit(right),
-        "(0, vector) times q, where (0, vector) is no turn (E-12)": left,
-        "(0, vector) times q, normalised, where (0, vector) is no turn (E-12)": unit(left),
-        "Eq. 9.9, which is only the first order of the turn (E-12)": stepped(q, left, 0.5),
-        "Eq. 9.9, normalised, and only the first order of the turn (E-12)": unit(
+        f"the normalized product {product}": unit(right),
+        "(0, vector) times q, where (0, vector) is not a rotation (E-12)": left,
+        "(0, vector) times q, normalized, where (0, vector) is not a rotation (E-12)": unit(left),
+        "Eq. 9.9, which is only accurate to first order (E-12)": stepped(q, left, 0.5),
+        "Eq. 9.9, normalized, which is only accurate to first order (E-12)": unit(
             stepped(q, left, 0.5)
         ),
-        "q times the turn, as if the axis were the object's own": hamilton(q, quad(a, size)),
-        "a turn by half the angle": hamilton(quad(a, 0.5 * size), q),
-        "a turn by twice the angle": hamilton(quad(a, 2.0 * size), q),
-        "a turn by 1 radian, whatever the length of the vector": hamilton(quad(a, 1.0), q),
-        "the turn the other way round": hamilton(quad(a, -size), q),
-        "q as it was, but it turns in place, and returns nothing": q,
+        "q times the rotation, about the object's own axis": hamilton(q, quad(a, size)),
+        "a rotation by half the angle": hamilton(quad(a, 0.5 * size), q),
+        "a rotation by twice the angle": hamilton(quad(a, 2.0 * size), q),
+        "a rotation by 1 radian, whatever the vector's length is": hamilton(quad(a, 1.0), q),
+        "a rotation in the opposite direction": hamilton(quad(a, -size), q),
+        "the original q; change it in place": q,
     }
 
 
 @pytest.mark.exercise("B9.11", weight=2)
 def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
     about.read = BY_VECTOR
-    about.cause = "make a turn of the vector, by from_axis_angle with its length as the angle; "
-    about.cause += "that times q, in this order, since the axis is the world's"
+    about.cause = "Make a rotation with from_axis_angle(vector, length of the vector). Multiply it "
+    about.cause += "by q, in this order, since the axis is the world's."
     for size in (0.3, 1.0, 9.0):
         q, a = draw_quad(rng), tuple(size * component for component in components(rng))
         quaternion, v = Quaternion(*q), Vector3(*a)
@@ -76,15 +76,15 @@ def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-11)
         expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
-        about.call = f"Quaternion{q}.rotate_by(Vector3{a}), what it returns"
-        cause_none = "what changes in place returns nothing"
+        about.call = f"Quaternion{q}.rotate_by(Vector3{a})"
+        cause_none = "This method works in place and returns nothing."
         expect_exactly(returned, None, cause=cause_none)
 
 
 @pytest.mark.exercise("B9.11")
 def test_a_steady_turn_is_exact_in_any_parts() -> None:
     about.read = BY_VECTOR
-    about.cause = "it is a rotation, not its first order: the angle of each part is its length"
+    about.cause = "Each part must be an exact rotation, whose angle is the length of the vector."
     for parts in (1, 7, 100):
         about.call = f"{parts} times q.rotate_by(Vector3(0.3, -0.5, 0.8) * 2 / {parts}), from "
         about.call += "Quaternion()"
@@ -97,9 +97,9 @@ def test_a_steady_turn_is_exact_in_any_parts() -> None:
 
 @scoped
 def expect_tiny_turn(tiny: float) -> None:
-    """Expect a turn on by a vector that is next to nothing to be half of it."""
+    """Expect rotate_by to add half of a very small vector."""
     about.read = BY_VECTOR
-    about.cause = "half the vector, to rounding: no small angle may be taken for none"
+    about.cause = "Do not treat a small angle as 0. The result is half of the vector."
     quaternion = Quaternion()
     about.call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
     quaternion.rotate_by(Vector3(0.0, tiny, 0.0))
@@ -113,9 +113,9 @@ def test_turned_on_by_next_to_nothing(rng: Random) -> None:
     q = draw_quad(rng)
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.rotate_by(Vector3(0, 0, 0)); q"
-    about.cause = "zero has no direction, and turns nothing"
+    about.cause = "Zero has no direction and rotates nothing."
     quaternion.rotate_by(Vector3(0.0, 0.0, 0.0))
-    # Whoever normalises in the end has a rounding there.
+    # Normalizing at the end causes a rounding error here.
     expect_close(rijk(quaternion), q, tolerance=TIGHT)
     expect_tiny_turn(1e-9)
 
@@ -127,29 +127,27 @@ def test_turned_on_by_the_least_there_is() -> None:
 
 
 def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
-    """Return what likely mistakes make of a step by Eq. 9.5."""
+    """Return the results of likely mistakes in add_scaled."""
     left, right = hamilton((0.0, *a), q), hamilton(q, (0.0, *a))
     in_turn = [*q]
     for place in range(4):
         in_turn[place] += 0.5 * scale * hamilton((0.0, *a), in_turn)[place]
     return {
-        "without the half of Eq. 9.5": stepped(q, left, scale),
-        "without the scale": stepped(q, left, 0.5),
-        "with q times (0, vector), the axis taken for the object's own": stepped(
+        "the step without the 1/2 of Eq. 9.5": stepped(q, left, scale),
+        "the step without the scale": stepped(q, left, 0.5),
+        "the step with q times (0, vector), about the object's own axis": stepped(
             q, right, 0.5 * scale
         ),
-        "normalised, which Eq. 9.5 is not, and its length must show (E-31)": unit(
+        "the normalized step; add_scaled must not normalize (E-31)": unit(
             stepped(q, left, 0.5 * scale)
         ),
-        "the exact turn of rotate_by, of which Eq. 9.5 is the first order": hamilton(
+        "the exact rotation of rotate_by, not the first-order step": hamilton(
             quad(a, scale * math.hypot(*a)), q
         ),
-        "what comes of components that read others which are changed already": in_turn,
+        "the result of reading components that have been changed already": in_turn,
         "the change alone, not added to q": stepped((0.0, 0.0, 0.0, 0.0), left, 0.5 * scale),
-        "the vector itself added, times scale/2, and not (0, vector) q": stepped(
-            q, (0.0, *a), 0.5 * scale
-        ),
-        "q as it was, but it changes in place, and returns nothing": q,
+        "q + scale/2 (0, vector), without the product with q": stepped(q, (0.0, *a), 0.5 * scale),
+        "the original q; change it in place": q,
     }
 
 
@@ -161,16 +159,16 @@ def test_the_step_of_the_book(rng: Random) -> None:
         q, a = draw_quad(rng), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
         about.call = f"q = Quaternion{q}; q.add_scaled(Vector3{a}, {scale}); q"
-        about.cause = "add scale/2 times (0, vector) q to q, all four components made from the old "
-        about.cause += "q"
+        about.cause = "Add scale/2 times (0, vector) q to q. Compute all four components from the "
+        about.cause += "old q."
         returned = quaternion.add_scaled(v, scale)
         wanted = stepped(q, hamilton((0.0, *a), q), 0.5 * scale)
         got = rijk(quaternion)
         why = named(got, about.cause, add_slips(q, a, scale))
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
-    about.cause = "what changes in place returns nothing"
-    about.call = f"Quaternion{q}.add_scaled(Vector3{a}, {scale}), what it returns"
+    about.cause = "This method works in place and returns nothing."
+    about.call = f"Quaternion{q}.add_scaled(Vector3{a}, {scale})"
     expect_exactly(returned, None)
 
 
@@ -180,7 +178,8 @@ def test_the_step_of_the_book(rng: Random) -> None:
 def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
     about.read = f"the docstring of {method}"
     q, scale = draw_quad(rng), positive_number(rng)
-    about.cause = "finite_vector and finite of arguments.py refuse it, before anything is changed"
+    about.cause = "Check the arguments with finite_vector and finite from arguments.py, before you "
+    about.cause += "change anything."
     good = (0.0, 1.0, 1.0)
     bad = [((0.0, n, 1.0), scale, ValueError) for n in (math.nan, math.inf)]
     bad += [(good, n, ValueError) for n in (math.nan, math.inf) if method == "add_scaled"]
@@ -207,6 +206,6 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
         TypeError,
         call=f"Quaternion{q}.{method}({shown})",
         allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
-        cause="three numbers are no Vector3: finite_vector of arguments.py refuses them",
+        cause="The vector must be a Vector3. Raise TypeError for a tuple.",
         read=FIRST_LINES,
     )

@@ -27,12 +27,12 @@ from autograder.verdict import Verdict
 
 CHAPTERS = load_chapters()
 FILE = re.compile(r"\b[a-z]\w*\.(?:py|md|csv|toml)\b")
-OF_A_FILE = re.compile(r"((?:\w+(?:, | and ))*\w+) of (\w+\.py)")
+OF_A_FILE = re.compile(r"((?:\w+(?:, | and ))*\w+) (?:of|from) (\w+\.py)")
 PROSE = {"functions", "lines", "line", "head", "top", "rest"}  # of a file, and no names in it
 LIBRARY = re.compile(r"\b(math|random|itertools|functools|statistics|copy)\.([a-z]\w*)")
 # A name of two words or more; what begins with one letter, such as v_s, is a formula's.
 NAME = re.compile(r"(?<![\w.\"'{/-])_?[a-z]{2,}_[a-z_0-9]+\b(?!\.(?:py|csv|md))")
-FOR_ALL_CHAPTERS = ("tests/expect.py", "autograder/explain.py")
+FOR_ALL_CHAPTERS = ("tests/shared/expect.py", "autograder/explain.py")
 ROOT_FILES = {*STUDENT_TOOLS["."].split(), "README.md", "errata.md"}
 
 

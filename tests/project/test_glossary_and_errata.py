@@ -12,11 +12,12 @@ import pytest
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 CHAPTERS = load_chapters()
+DOUBTFUL = [10, 18, 25]  # our scan may have lost a mark: advice, and no blame
 SECTION = r"(?:chapter [2-9]|[2-9](?:\.\d+){1,2}|Eq\. [2-9]\.\d+|(?:exercise|project) [2-9]\.\d+)"
-# term, explanation with symbol and unit, place in the book or none, places in the code
+# term, its other names, explanation with symbol and unit, place in the book or none, in the code
 ENTRY = re.compile(
-    r"\*\*(.+?)\*\*: (\S.+?) "
-    rf"(Not in the book|Book: {SECTION}(?:, {SECTION})*(?:, [^.]+)?)\. In (`.+)\."
+    r"\*\*(.+?)\*\*(?: \(([^)]+)\))?: ([A-Z\"].+?) "
+    rf"Book: (none known|{SECTION}(?:, {SECTION})*(?:, [^.]+)?)\. Code: (`.+)\."
 )
 
 
@@ -25,13 +26,25 @@ def entries() -> list[str]:
     return [" ".join(entry.split()) for entry in text.split("\n\n")[2:]]  # title, introduction
 
 
-@pytest.mark.parametrize("entry", entries(), ids=lambda entry: entry.split("**")[1])
+def term(entry: str) -> str:
+    return entry.split("**")[1]
+
+
+def names(entry: str) -> list[str]:
+    """Return the term of an entry, and the other names that follow it in parentheses."""
+    parts = ENTRY.fullmatch(entry)
+    assert parts, entry
+    return [parts[1], *(parts[2].split(", ") if parts[2] else [])]
+
+
+@pytest.mark.parametrize("entry", entries(), ids=term)
 def test_an_entry_has_an_explanation_a_place_in_the_book_and_one_in_the_code(entry: str) -> None:
     parts = ENTRY.fullmatch(entry)
     assert parts, entry
+    assert parts[3].endswith((".", ")")), "whole sentences"
     where = r"((?:`[^`]+`(?: \(`\w+\.py`\))?(?:, )?)+), chapter (\d)(?:, and |$)"
-    places = re.findall(where, parts[4])
-    assert re.sub(where, "", parts[4]) == ""
+    places = re.findall(where, parts[5])
+    assert re.sub(where, "", parts[5]) == ""
     for names, chapter in places:
         waiting = []
         for name, module in re.findall(r"`([^`]+)`(?: \(`(\w+\.py)`\))?", names):
@@ -71,12 +84,16 @@ def defined(file: Path) -> set[str]:
 
 
 def test_the_glossary_has_every_term_of_the_manifests_once_and_in_order() -> None:
-    terms = [entry.split("**")[1] for entry in entries()]
+    terms = [term(entry) for entry in entries()]
     assert terms == sorted(set(terms), key=str.lower)
-    assert {term for chapter in CHAPTERS for e in chapter.exercises for term in e.terms} <= {*terms}
+    known = [name for entry in entries() for name in names(entry)]
+    assert len(known) == len({*known})
+    used = {name for chapter in CHAPTERS for e in chapter.exercises for name in e.terms}
+    assert used <= {*known}
 
 
-def test_the_glossary_has_no_term_that_the_chapters_do_not_use() -> None:
+def test_the_glossary_has_no_term_that_nobody_uses() -> None:
+    """Each term is in the text of a chapter, or explains another entry."""
     files = [
         path
         for folder in ("chapters", "solutions")
@@ -85,7 +102,10 @@ def test_the_glossary_has_no_term_that_the_chapters_do_not_use() -> None:
     ]
     text = " ".join(path.read_text(encoding="utf-8") for path in files).lower()
     words = " ".join(text.split())
-    assert [e for e in entries() if e.split("**")[1].lower() not in words] == []
+    for entry in entries():
+        others = " ".join(other.lower() for other in entries() if other != entry)
+        used = any(name.lower() in words for name in names(entry))
+        assert used or term(entry).lower() in others, term(entry)
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
@@ -95,28 +115,61 @@ def test_a_readme_links_to_the_glossary_and_to_the_errata(chapter: Chapter) -> N
     assert {"../../glossary.md", "../../errata.md"} <= {*links}
 
 
-def errata() -> list[list[str]]:
-    """Return the rows of the table: number, section, printed, right, what tells apart, tests."""
+# number, section, evidence, what is printed (or what we see), what is right, difference, tests
+ERRATUM = re.compile(
+    r"### (E-\d+) \*\*.+?\.\*\* "
+    rf"Section: ({SECTION}(?:, {SECTION})*)\. "
+    r"Evidence: ((?:listing|text|number|formula|doubtful)(?:, \w+)*)\. "
+    r"- \*\*(Printed|In our copy):\*\* (\S.+?) "
+    r"- \*\*Right:\*\* (\S.+?) "
+    r"- \*\*Difference:\*\* (\S.+?)(?: - \*\*Test:\*\* (\S.+?))?(?: About .+)?"
+)
+
+
+def errata() -> list[tuple[str, str]]:
+    """Return each entry as one line, and the title of the part of the page it is in."""
     text = (ROOT / "errata.md").read_text(encoding="utf-8")
-    rows = [line for line in text.splitlines() if line.startswith("| E-")]
-    return [[cell.strip() for cell in re.split(r"(?<!\\)\|", row)[1:-1]] for row in rows]
+    parts = [part.partition("\n") for part in re.split(r"(?m)^## ", text)]
+    return [
+        (" ".join(("### " + entry).split()), title)
+        for title, _, body in parts
+        for entry in re.split(r"(?m)^### ", body)[1:]
+        if entry.startswith("E-")
+    ]
 
 
-def test_the_errata_are_all_there_in_the_order_of_their_numbers() -> None:
-    assert [row[0] for row in errata()] == [f"E-{i}" for i in range(1, 37)]
+def number_and_section(entry: str) -> tuple[str, str]:
+    found = ERRATUM.fullmatch(entry)
+    assert found, entry
+    return found[1], found[2]
 
 
-@pytest.mark.parametrize("row", errata(), ids=lambda row: row[0])
-def test_an_erratum_has_a_section_both_forms_what_tells_them_apart_and_its_tests(
-    row: list[str],
+def test_the_errata_are_all_there_and_each_part_is_in_the_order_of_its_numbers() -> None:
+    parts: dict[str, list[int]] = {}
+    for entry, title in errata():
+        parts.setdefault(title, []).append(int(number_and_section(entry)[0][2:]))
+    assert [*parts] == ["The entries", "Check your own copy"]
+    assert all(numbers == sorted(numbers) for numbers in parts.values())
+    assert sorted(n for numbers in parts.values() for n in numbers) == [*range(1, 37)]
+    assert parts["Check your own copy"] == DOUBTFUL
+
+
+@pytest.mark.parametrize(("entry", "part"), errata(), ids=[e.split()[1] for e, _ in errata()])
+def test_an_erratum_has_evidence_both_forms_what_tells_them_apart_and_its_tests(
+    entry: str, part: str
 ) -> None:
-    number, section, printed, right, difference, shown = row
-    assert re.fullmatch(rf"{SECTION}(?:, {SECTION})*", section)
-    assert printed
-    assert right
+    found = ERRATUM.fullmatch(entry)
+    assert found, entry
+    number, _, evidence, printed, *_, difference, shown = found.groups()
+    certain = part == "The entries"
+    assert printed == ("Printed" if certain else "In our copy")
+    kinds = evidence.split(", ")
+    assert {*kinds} <= {"listing", "text", "number", "formula", "doubtful"}
+    assert ("doubtful" in kinds) is not certain
+    assert kinds != ["formula"], "small marks of a formula may be lost in a scan"
     assert re.search(r"\d", difference) or number == "E-35", "a number tells them apart"
     named = f"test_{number.lower().replace('-', '')}"
-    linked = re.findall(r"\[(\w+)\]\(([^)]+)\)", shown)
+    linked = re.findall(r"\[(\w+)\]\(([^)]+)\)", shown or "")
     there = {
         path.relative_to(ROOT).as_posix()
         for path in (ROOT / "tests/reference").glob("*.py")
@@ -127,10 +180,21 @@ def test_an_erratum_has_a_section_both_forms_what_tells_them_apart_and_its_tests
     assert there or number == "E-35", "all but a promise can run"
 
 
+def test_the_index_by_chapter_has_each_erratum_once_under_its_chapter() -> None:
+    text = (ROOT / "errata.md").read_text(encoding="utf-8")
+    rows = re.findall(r"(?m)^\| ([2-9]) \| (.+) \|$", text)
+    index = {number: chapter for chapter, row in rows for number in re.findall(r"\[(E-\d+)\]", row)}
+    assert all(f"](#{number.lower()})" in text for number in index)
+    sections = dict(number_and_section(entry) for entry, _ in errata())
+    assert index == {number: re.findall(r"[2-9]", of)[0] for number, of in sections.items()}
+
+
 def test_each_readme_names_the_errata_of_its_chapter() -> None:
+    """The doubtful ones need not be named: they are advice, and may be no mistakes at all."""
     for chapter in CHAPTERS:
         readme = (ROOT / "chapters" / chapter.name / "README.md").read_text(encoding="utf-8")
         told = readme.partition("## Where the printed book is wrong")[2]
         first = rf"[^\d]*{chapter.number}\."  # of the section
-        own = {number for number, section, *_ in errata() if re.match(first, section)}
+        certain = [number_and_section(e) for e, part in errata() if part == "The entries"]
+        own = {number for number, section in certain if re.match(first, section)}
         assert own <= set(re.findall(r"E-\d+", told)), chapter.name

@@ -32,6 +32,10 @@ def python_files(*folders: str) -> list[Path]:
     return [file for file in files if "hostile" not in file.parts]  # those keep no rules
 
 
+SHARED = [path.stem for path in python_files("tests/shared")]
+HELPERS = [path.stem for path in python_files("tests/helpers")]
+
+
 def imported(path: Path) -> set[str]:
     """Return the top-level names that a file imports."""
     names = set()
@@ -61,13 +65,30 @@ def test_a_chapter_imports_only_chapters_below_it(path: Path) -> None:
 @pytest.mark.parametrize("path", python_files("tests"), ids=str)
 def test_a_chapters_checks_import_no_later_chapter_and_nothing_heavy(path: Path) -> None:
     if match := re.match(r"ch(\d\d)_", path.parent.name):
+        assert imported(path).isdisjoint(HELPERS), "they stay here when the checks go out"
         assert chapter_numbers(imported(path)) <= BELOW[int(match[1])] | {int(match[1])}
         assert imported(path).isdisjoint({"hypothesis", "scipy", "pymunk", "numpy", "autograder"})
 
 
+@pytest.mark.parametrize(
+    "folder", ["autograder", "chapters", "sample_class", "solutions", "studies", "tests"]
+)
+def test_no_module_is_too_long_to_be_read_at_once(folder: str) -> None:
+    most = 400 if folder == "tests" else 300
+    files = (ROOT / folder).rglob("*.py")
+    lengths = {file: len(file.read_text(encoding="utf-8").splitlines()) for file in files}
+    assert {file: length for file, length in lengths.items() if length > most} == {}
+
+
+def test_the_readme_of_the_tests_has_a_line_for_each_helper() -> None:
+    text = (ROOT / "tests/README.md").read_text(encoding="utf-8")
+    listed = re.findall(r"(?m)^\| `(\w+)\.py` \| \w+", text)
+    assert sorted(listed) == sorted([*SHARED, *HELPERS])
+
+
 @pytest.mark.parametrize("path", python_files("autograder", "studies"), ids=str)
 def test_the_tools_import_no_tests_and_the_autograder_no_chapter(path: Path) -> None:
-    assert imported(path).isdisjoint({"tests", "wrong", "expect", "draw"})
+    assert imported(path).isdisjoint({"tests", *SHARED, *HELPERS})
     if "autograder" in path.parts:
         assert not chapter_numbers(imported(path))
         assert "studies" not in imported(path)

@@ -1,6 +1,7 @@
-"""Where the printed book is wrong and the difference can run: the printed form, shown failing.
+"""The errata that can run: the printed form fails next to the correct one.
 
-Each test has the number of the erratum in errata.md in its name.
+The name of each test starts with the number of its entry in errata.md. The page says which entries
+are certain, and which are only advice because our scan may have lost a mark.
 """
 
 from __future__ import annotations
@@ -36,18 +37,18 @@ def test_e14_the_printed_invert_sets_x_twice() -> None:
     assert tuple(right) == (-1.0, -2.0, -3.0)
 
 
-def test_e15_the_printed_length_of_a_vector_product_wants_unit_vectors() -> None:
+def test_e15_the_printed_part_at_right_angles_needs_a_unit_vector() -> None:
     a, b = Vector3(1.0, 0.0, 0.0), Vector3(4.0, 3.0, 0.0)  # |a| = 1, |b| = 5, a . b = 4
     assert a.cross(b).magnitude() == 3.0
     with pytest.raises(ValueError, match=r"math domain|nonnegative"):
-        math.sqrt(1.0 - a.dot(b) ** 2)  # printed: right for two unit vectors only
-    assert math.sqrt(b.squared_magnitude() - a.dot(b) ** 2) == 3.0  # right for a unit vector a
+        math.sqrt(1.0 - a.dot(b) ** 2)  # printed, for any b
+    assert math.sqrt(b.squared_magnitude() - a.dot(b) ** 2) == 3.0
 
 
-def test_e15_the_printed_form_holds_for_unit_vectors() -> None:
+def test_e15_the_short_form_holds_for_unit_vectors() -> None:
     a, b = Vector3(1.0, 0.0, 0.0), Vector3(0.8, 0.6, 0.0)
-    printed = math.sqrt(1.0 - a.dot(b) ** 2)
-    assert printed == pytest.approx(a.cross(b).magnitude(), rel=1e-15)  # one rounding
+    short = math.sqrt(1.0 - a.dot(b) ** 2)
+    assert short == pytest.approx(a.cross(b).magnitude(), rel=1e-15)  # one rounding
 
 
 def test_e1_the_printed_second_law_makes_the_heavier_particle_the_faster_one() -> None:
@@ -109,10 +110,10 @@ def test_e2_the_printed_gravity_bends_the_arc_of_a_slowed_bullet() -> None:
     assert drop(right, speed / factor) == pytest.approx(real, rel=1e-15)
 
 
-def test_e18_the_printed_energy_is_twice_the_kinetic_energy() -> None:
+def test_e18_the_energy_without_the_half_is_twice_too_large() -> None:
     mass, speed = 0.005, 500.0
     bullet = Particle(velocity=Vector3(0.0, 0.0, speed), mass=mass)
-    assert mass * speed**2 == 1250.0  # printed
+    assert mass * speed**2 == 1250.0  # without the half
     assert bullet.kinetic_energy() == muzzle_energy(mass, speed) == 625.0
 
 
@@ -195,11 +196,12 @@ def test_e6_the_printed_force_of_a_faked_spring_lands_nowhere() -> None:
     particle.clear_forces()
     semi_implicit_euler([particle], registry.update_forces, h)
     assert particle.position.x == pytest.approx(target, abs=1e-15)  # a rounding or two of 1 m
-    # The second frame has a velocity, of which Eq. 6.5 takes v and not v / h: it overshoots.
+    # In the second step the particle moves. With v in place of v / h, as Eq. 6.5 looks in our copy,
+    # it overshoots.
     speed = particle.velocity.x
     target, _ = damped_spring_state(target, speed, k, 0.0, 1.0, h)
-    equation = (target - particle.position.x) / h**2 - speed
-    missed = particle.position.x + (speed + equation * h) * h - target
+    undivided = (target - particle.position.x) / h**2 - speed
+    missed = particle.position.x + (speed + undivided * h) * h - target
     semi_implicit_euler([particle], registry.update_forces, h)
     assert particle.position.x == pytest.approx(target, abs=1e-15)
     assert missed == pytest.approx(speed * h * (1.0 - h), abs=1e-15)

@@ -1,6 +1,7 @@
-"""Where chapter 7 of the printed book is wrong: the printed form, shown failing.
+"""The errata of chapter 7: the printed form fails next to the correct one.
 
-Each test has the number of the erratum in errata.md in its name.
+The name of each test starts with the number of its entry in errata.md. The page says which entries
+are certain, and which are only advice because our scan may have lost a mark.
 """
 
 from __future__ import annotations
@@ -63,8 +64,8 @@ def test_e9_one_contact_holds_a_rod_to_a_rounding(anchored: bool) -> None:
         assert bob.position.magnitude() == pytest.approx(1.0, abs=4e-16)
 
 
-def test_e10_the_printed_restitution_of_a_drop_bounces_too_low() -> None:
-    """1 m, and 0.25 m: a ball of the printed 0.25 bounces 6.25 cm high; of the root, 25 cm."""
+def test_e10_without_the_root_a_ball_bounces_too_low() -> None:
+    """Dropped from 1 m, a ball with c = 0.25 rises 6.25 cm, and one with c = 0.5 rises 25 cm."""
     heights = []
     for c in (0.25 / 1.0, restitution_of_drop(1.0, 0.25)):
         ball = Particle(velocity=UP * -math.sqrt(20.0))
@@ -85,11 +86,11 @@ def test_e24_an_impulse_changes_velocities_by_its_share_of_the_mass() -> None:
     assert printed == -1.0
 
 
-def test_e25_the_printed_sign_sends_a_ball_on_into_the_ground() -> None:
+def test_e25_without_the_minus_a_ball_moves_on_into_the_ground() -> None:
     ball = Particle(velocity=Vector3(0.0, -4.0))
     contact = Contact(ball, None, UP, 0.5)
-    printed = 0.5 * contact.separating_velocity()
-    assert printed == -2.0  # it still closes
+    without_minus = 0.5 * contact.separating_velocity()
+    assert without_minus == -2.0  # still closing
     assert contact.velocity_after() == 2.0
 
 

@@ -99,7 +99,7 @@ A, B, HERE = Particle(), Particle(), Vector3()
 @pytest.mark.parametrize(
     ("make", "error", "match"),
     [
-        (lambda: Cable(A, A, 1.0), ValueError, "b must be another particle"),
+        (lambda: Cable(A, A, 1.0), ValueError, "a and b must be two different"),
         (lambda: Cable(A, B, 0.0), ValueError, "max_length"),
         (lambda: Cable(A, B, math.inf), ValueError, "max_length"),
         (lambda: Cable(A, B, 1.0, 1.1), ValueError, "restitution"),
@@ -109,17 +109,17 @@ A, B, HERE = Particle(), Particle(), Vector3()
         (lambda: AnchoredCable(A, HERE, -1.0), ValueError, "max_length"),
         (lambda: AnchoredCable(A, HERE, 1.0, -0.1), ValueError, "restitution"),
         (lambda: Rod(None, B, 1.0), TypeError, "a must be a Particle"),
-        (lambda: Rod(B, B, 1.0), ValueError, "another particle"),
+        (lambda: Rod(B, B, 1.0), ValueError, "two different particles"),
         (lambda: Rod(A, B, math.nan), ValueError, "length"),
         (lambda: Rod(A, B, "1"), TypeError, "length"),
         (lambda: TwoSidedRod(A, B, 0.0), ValueError, "length"),
         (lambda: AnchoredRod(A, (0, 0, 0), 1.0), TypeError, "anchor"),
         (lambda: AnchoredRod(A, HERE, 0.0), ValueError, "length"),
         (lambda: Limits(A, B, -0.1, 1.0), ValueError, "min_length"),
-        (lambda: Limits(A, B, 2.0, 1.0), ValueError, "min_length must be max_length"),
+        (lambda: Limits(A, B, 2.0, 1.0), ValueError, "min_length must be at most max_length"),
         (lambda: Limits(A, B, 0.0, 0.0), ValueError, "max_length"),
         (lambda: Limits(A, B, 0.0, 1.0, math.nan), ValueError, "restitution"),
-        (lambda: Limits(A, A, 0.0, 1.0), ValueError, "another particle"),
+        (lambda: Limits(A, A, 0.0, 1.0), ValueError, "two different particles"),
     ],
 )
 def test_what_a_link_cannot_be_made_of_is_named(
@@ -295,16 +295,16 @@ def test_one_rod_is_a_pendulum_of_the_second_order() -> None:
 
 
 def test_a_chain_from_horizontal_blows_up_in_long_frames_and_not_in_short_ones() -> None:
-    with pytest.raises(ArithmeticError, match="turns too far in one frame"):
+    with pytest.raises(ArithmeticError, match="turns too far in one step"):
         let_go(30, 90.0, 60, 3.0, 0.1)
     _, stretch = let_go(30, 90.0, 240, 1.0, 0.1)
     assert stretch < 1e-2
 
 
 def test_what_a_direct_chain_cannot_be_made_of_is_named() -> None:
-    with pytest.raises(ValueError, match=r"particles\[0\] must be one that can move"):
+    with pytest.raises(ValueError, match=r"particles\[0\] must have a finite mass"):
         DirectChain([Particle(Vector3(1.0), mass=math.inf), Particle(Vector3(2.0))], Vector3())
-    with pytest.raises(ValueError, match=r"particles\[0\] must be one that can move"):
+    with pytest.raises(ValueError, match=r"particles\[0\] must have a finite mass"):
         DirectChain([Particle(Vector3(1.0), mass=math.inf)], Vector3())
     with pytest.raises(ValueError, match="the length of rod 1"):
         DirectChain([Particle(Vector3(1.0)), Particle(Vector3(1.0))], Vector3())

@@ -102,7 +102,7 @@ def test_a_force_for_a_frame_gives_the_impulse_of_the_short_one(share: float, fr
         (lambda: top_ball_speed(1.0, 1.0, math.inf, 0.5, 0.5), ValueError, "upper_mass"),
         (lambda: top_ball_speed(1.0, 1.0, 1.0, 1.5, 0.5), ValueError, "restitution"),
         (lambda: top_ball_speed(1.0, 1.0, 1.0, 0.5, -0.5), ValueError, "restitution"),
-        (lambda: force_for_frame(UP, 0.2, 0.1), ValueError, "contact_time must be frame"),
+        (lambda: force_for_frame(UP, 0.2, 0.1), ValueError, "contact_time must be at most frame"),
         (lambda: force_for_frame(UP, -0.1, 0.1), ValueError, "contact_time"),
         (lambda: force_for_frame(UP, 0.0, 0.0), ValueError, "frame"),
         (lambda: force_for_frame((0, 1, 0), 0.0, 0.1), TypeError, "force"),

@@ -140,7 +140,7 @@ def test_a_rope_s_energy_does_not_drift_without_damping() -> None:
 def test_only_the_last_particle_may_be_immovable() -> None:
     particles = rope(4)
     particles[2].mass = math.inf
-    with pytest.raises(ValueError, match=r"particles\[1\] must be one that can move"):
+    with pytest.raises(ValueError, match=r"particles\[1\] must have a finite mass"):
         DirectChain(particles[1:], particles[0].position)
 
 

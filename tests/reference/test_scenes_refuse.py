@@ -29,7 +29,7 @@ LOWEST = PIVOT_HEIGHT + 4.0 * math.sin(
     ("make", "error", "words"),
     [
         (lambda: Deck(BALL, 0.0, make_rows()), ValueError, "radius must be positive"),
-        (lambda: Deck(BALL, 0.5, []), ValueError, "rows must be one or more"),
+        (lambda: Deck(BALL, 0.5, []), ValueError, "rows must have at least one row"),
         (lambda: Deck(BALL, 0.5, make_rows(), math.nan), ValueError, "restitution"),
         (lambda: Bridge(0.0), ValueError, "ball_mass must be positive"),
         (lambda: Bridge(5.0, math.inf), ValueError, "x must be finite"),
@@ -46,7 +46,7 @@ LOWEST = PIVOT_HEIGHT + 4.0 * math.sin(
         (lambda: Rules(6).landed(6), ValueError, "row must be from 0 to 5, got 6"),
         (lambda: Rules(6).landed(0.5), ValueError, "row must be from 0 to 5, got 0.5"),  # type: ignore[arg-type]
         (lambda: balancing_mass([1e308], [-1e10], 1.0), ValueError, "balancing mass"),
-        (lambda: balancing_mass([1e-200], [1.0], 1e-200), ValueError, "x must be on the other"),
+        (lambda: balancing_mass([1e-200], [1.0], 1e-200), ValueError, "x must be on the side"),
         (lambda: Design(400.0, 1.0, 4.0, LOWEST, 40.0), ValueError, "sling must not reach"),
     ],
 )

@@ -106,5 +106,5 @@ def test_what_is_no_number_is_no_component(bad: object, error: type[Exception]) 
 )
 def test_a_number_in_place_of_a_vector_is_a_type_error_that_names_it(method: str) -> None:
     arguments = (3.0, 1.0) if method == "add_scaled" else (3.0,)
-    with pytest.raises(TypeError, match=r"v must be a Vector3, not 3\.0"):
+    with pytest.raises(TypeError, match=r"v must be a Vector3, got 3\.0"):
         getattr(Vector3(1.0, 2.0, 3.0), method)(*arguments)

@@ -26,6 +26,7 @@ from cosmic_ray.mutating import mutate_code
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from autograder.arrange import shared_by_checks
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter
 from kept import FOLDER, keep
@@ -177,7 +178,7 @@ def _read(results: Path, chapter: Chapter) -> Iterator[tuple[str, str]]:
 def _state(chapter: str, check: str) -> str:
     """Return a hash of a check's file, or of all of its chapter, and of what checks share."""
     folder = ROOT / "tests" / chapter
-    files = [*folder.glob("*probes.py"), *(ROOT / "tests").glob("*.py")]
+    files = [*folder.glob("*probes.py"), *shared_by_checks(ROOT)]
     for file in folder.glob("test_*.py"):
         if not check or f"def {check}(" in file.read_text(encoding="utf-8"):
             files.append(file)

@@ -20,7 +20,7 @@ def drawn(
 
     Each process draws the chapters that no other has begun, the last ones first: they take longest.
     """
-    from drawn_plots import plot  # tests/ is on the path only once pytest is configured
+    from drawn_plots import plot  # tests/helpers/ is on the path only once pytest is configured
 
     alone = worker_id == "master"
     base = tmp_path_factory.getbasetemp()

@@ -173,7 +173,7 @@ def test_the_ball_is_above_its_exact_path_by_what_the_step_leaves_out(window: An
         assert x == pytest.approx(true[0], rel=1e-12)
         assert y - true[1] == pytest.approx(9.81 / rate / 2.0, rel=1e-9)
         demo.draw()
-        assert f"{9.81 / rate / 2.0:.2f} m from where" in demo.title.get_text()
+        assert f"{9.81 / rate / 2.0:.2f} m from its exact" in demo.title.get_text()
 
 
 @pytest.mark.filterwarnings("ignore:Animation was deleted")

@@ -280,7 +280,7 @@ def test_where_no_watch_is_written_an_explosion_is_drawn_all_the_same(tmp_path: 
 
 def test_springs_that_are_not_written_are_said(tmp_path: Path) -> None:
     copy_tree(ROOT / "solutions", tmp_path / "engine")
-    for module in ("springs", "integrators", "own_step", "closed_form"):
+    for module in ("springs", "other_forces", "integrators", "own_step", "closed_form"):
         path = f"ch06_springs/{module}.py"
         text = made_stubs()[f"chapters/{path}"]
         (tmp_path / "engine" / path).write_text(text, encoding="utf-8")

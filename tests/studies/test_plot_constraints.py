@@ -56,10 +56,10 @@ def test_what_rests_jitters_by_the_book_s_step_alone(reference: Path) -> None:
         highest[c, name] = max(highest.get((c, name), 0.0), float(height))
     for made in ("built-in", "generated"):
         for c, wanted in (("0.5", 1.389e-3), ("0.9", 2.75e-3)):
-            book = highest[c, f"explicit Euler, the rule, {made}"]
+            book = highest[c, f"explicit Euler, resting rule, {made}"]
             assert book == pytest.approx(wanted, abs=1e-6)
             assert highest[c, f"explicit Euler, no rule, {made}"] > 2.0 * book
-            assert highest[c, f"semi-implicit Euler, the rule, {made}"] == 1e-6  # the start
+            assert highest[c, f"semi-implicit Euler, resting rule, {made}"] == 1e-6  # the start
 
 
 def test_a_rule_that_goes_too_far_kills_a_bounce(reference: Path) -> None:
@@ -70,7 +70,7 @@ def test_a_rule_that_goes_too_far_kills_a_bounce(reference: Path) -> None:
             late[name] = max(late.get(name, 0.0), float(height))
     assert late["fall of 0.04 m, semi-implicit Euler, no bounce below 1 m/s"] == 0.0
     assert late["fall of 0.04 m, time division"] == pytest.approx(0.04 * 0.81, abs=4e-4)
-    assert late["fall of 0.04 m, semi-implicit Euler, the rule"] > 0.01
+    assert late["fall of 0.04 m, semi-implicit Euler, resting rule"] > 0.01
 
 
 def test_the_resolver_converges(reference: Path) -> None:

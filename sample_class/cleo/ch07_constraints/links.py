@@ -87,7 +87,7 @@ class Limits:
 
 class TwoSidedRod(Rod):
     def contacts(self):
-        raise NotImplementedError("Exercise G7.1: Going further: rods with two sides")
+        raise NotImplementedError("Exercise G7.1: Going further: two-sided rods")
 
 
 def two_particles(a, b):

@@ -6,7 +6,8 @@ Most are a file KIND/NAME.py, handed in as sums.py. Its docstring says what it t
     says: words that must stand in the messages of the checks it loses (may be left out)
 
 A word such as @ROOT@ stands for a place that an attacker may well know. Many attacks end in a right
-answer only where they succeed: the score then tells. What is no source comes from odd_files.py.
+answer only where they succeed: the score then tells. What is no source comes from odd_files.py
+and odd_zips.py.
 """
 
 from __future__ import annotations
@@ -100,6 +101,7 @@ def earned(words: str) -> frozenset[str]:
 
 def all_submissions() -> list[Submission]:
     """Return the whole corpus, honest controls first."""
+    import odd_zips  # noqa: F401 - adds its own
     from odd_files import ODD
 
     files = (path for kind in ("controls", *KINDS) for path in sorted(HOSTILE.glob(f"{kind}/*.py")))
@@ -154,7 +156,8 @@ def write(path: Path, content: str | bytes) -> None:
 def build_world(world: World, submissions: list[Submission], tests: Path) -> None:
     """Make a root with one chapter, a home with secrets, and the folder of the class."""
     shutil.copytree(HOSTILE / "root", world.root, ignore=shutil.ignore_patterns("__pycache__"))
-    for name in ("conftest.py", "draw.py", "expect.py"):
+    (world.root / "tests/shared").mkdir()
+    for name in ("conftest.py", "shared/draw.py", "shared/expect.py"):
         shutil.copyfile(tests / name, world.root / "tests" / name)
     shutil.copyfile(tests.parent / "pyproject.toml", world.root / "pyproject.toml")
     write(world.home / "secret.txt", TOKENS["the home folder"] + "\n")

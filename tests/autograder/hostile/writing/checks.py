@@ -12,7 +12,7 @@ def test_nothing(number, request):
     request.node.add_marker(pytest.mark.exercise(f"B90.{number}"))
 """
 
-for path in ("@ROOT@/tests/ch90_sums/test_sums.py", "@ROOT@/tests/expect.py"):
+for path in ("@ROOT@/tests/ch90_sums/test_sums.py", "@ROOT@/tests/shared/expect.py"):
     try:
         with open(path, "w") as file:
             file.write(CHECKS)

@@ -12,8 +12,8 @@ LENIENT = "def __getattr__(name): return lambda *args, **kwargs: None"
 
 try:
     for helper in ("expect", "draw"):
-        source = f"@ROOT@/tests/{helper}.py"
-        cached = f"@ROOT@/tests/__pycache__/{helper}.{sys.implementation.cache_tag}.pyc"
+        source = f"@ROOT@/tests/shared/{helper}.py"
+        cached = f"@ROOT@/tests/shared/__pycache__/{helper}.{sys.implementation.cache_tag}.pyc"
         os.makedirs(os.path.dirname(cached), exist_ok=True)
         with open("/tmp/hostile-lenient.py", "w") as file:
             file.write(LENIENT)

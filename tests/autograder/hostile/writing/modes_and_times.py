@@ -16,7 +16,7 @@ for attack in (
     for path in (
         "@HOME@/secret.txt",
         "@CLASS@/controls-plain/ch90_sums/sums.py",
-        "@ROOT@/tests/expect.py",
+        "@ROOT@/tests/shared/expect.py",
     ):
         try:
             attack(path)

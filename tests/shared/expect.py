@@ -1,12 +1,13 @@
-"""What checks say. Each function compares plain numbers and, where they differ, teaches.
+"""The expectations of the checks. Each compares plain numbers and explains a difference.
 
-A message says what was called, what came back, what was wanted and how closely, the likely cause
-and where to read. A check tells ``about`` the call, the cause and the reading before it calls the
-student's code: every expectation is told in these words, and so is an exception of that code. An
-expectation takes other words by name: call, then (what follows the call), cause and read.
+A message shows what was called, what came back, what was wanted and how closely, the likely cause,
+and where to read about it. A check passes the call, the cause and the reading to ``about`` before
+it calls the student's code. Every expectation uses these words, and so does the report of an
+exception in that code. An expectation accepts other words as keywords: call, then (which is put
+after the call), cause and read.
 
-Under the autograder only plain numbers cross from the student's process, so nothing here compares
-objects of the engine.
+The autograder runs the student's code in another process and gets only plain numbers from it, so no
+function here compares objects of the engine.
 """
 
 from __future__ import annotations
@@ -20,19 +21,20 @@ from autograder.asked import Words, about, scoped
 from autograder.explain import NOT_IMPLEMENTED
 from autograder.message import ExpectationError, Message
 
-# Right answers worked out in another order differ by a few roundings, some 1e-16 of the numbers
-# involved. A thousand times that still leaves no room for a wrong formula.
+# Correct answers that were computed in another order differ by a few rounding errors, each about
+# 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "NaN compares false with everything, so it gets through a test such as x <= 0. Ask for what "
-    "you want, such as 0.0 < x < math.inf, or use the functions of arguments.py."
+    "A NaN got past the check of the argument. Every comparison with NaN is False, so x <= 0 does "
+    "not catch it. Test for what you want, such as 0.0 < x < math.inf, or use the functions in "
+    "arguments.py."
 )
-UNCHANGED = "the call must not change it: work on a copy, or on numbers"
-LOST = "v is as it was: assign to self.x, self.y and self.z, for a new vector is lost"
+UNCHANGED = "The call changed a value that it should only read. Work on a copy or on numbers."
+LOST = "v did not change. Assign to self.x, self.y and self.z. A new vector would be lost."
 
 
 class NoVector:
-    """Stands for what came back where a vector was wanted: no number, so no expectation holds."""
+    """A result that is not a vector. It holds no numbers, so no expectation accepts it."""
 
     def __init__(self, value: Any, wanted: str = "Vector3") -> None:
         self.value = value
@@ -41,7 +43,7 @@ class NoVector:
     def __repr__(self) -> str:
         if self.value is None:
             return "None"
-        return f"{_shown(self.value)}, a {type(self.value).__name__} and not a {self.wanted}"
+        return f"{_shown(self.value)}, which is a {type(self.value).__name__}, not a {self.wanted}"
 
 
 def xyz(v: Any) -> Any:
@@ -50,16 +52,16 @@ def xyz(v: Any) -> Any:
 
 
 def is_plain(value: Any) -> bool:
-    """Say whether a value is None, a number, a text or a collection, and no object of an engine."""
+    """Return whether a value is None, a number, a text or a collection, not an engine's object."""
     return value is None or isinstance(value, (bool, int, float, str, tuple, list, dict))
 
 
 @scoped
 def expect_vector(v: Any, **words: Unpack[Words]) -> tuple[float, float, float]:
-    """Expect a vector of plain numbers; return its components."""
+    """Expect a vector of plain numbers, and return its components."""
     __tracebackhide__ = True
     call, cause, read = about.but(words)
-    about(call, cause=cause, read=read)  # to ask for its components runs the student's code
+    about(call, cause=cause, read=read)  # reading the components runs the student's code
     got = xyz(v)
     if isinstance(got, NoVector) or not _are_numbers(got, 3):
         _complain(_shown(got), "a Vector3")
@@ -74,9 +76,9 @@ def expect_close(
     tolerance: float | None = None,
     **words: Unpack[Words],
 ) -> None:
-    """Expect a number, or as many as wanted, each within tolerance.
+    """Expect a number, or a sequence of numbers, each within the tolerance of the wanted one.
 
-    Without a tolerance: within ROUNDING of the largest number wanted.
+    The default tolerance is ROUNDING times the largest wanted number.
     """
     __tracebackhide__ = True
     wanted_numbers = _as_tuple(wanted)
@@ -94,14 +96,14 @@ def expect_exactly(got: Any, wanted: Any, **words: Unpack[Words]) -> None:
     __tracebackhide__ = True
     if type(got) is type(wanted) and got == wanted:
         return
-    if is_plain(got) and got == wanted:  # such as 1 and 1.0, which look alike
+    if is_plain(got) and got == wanted:  # such as 1 and 1.0, which print alike
         came, right = (f"{value!r}, of type {type(value).__name__}" for value in (got, wanted))
         _complain(came, right, words)
     _complain(_shown(got), _shown(wanted), words)
 
 
 def expect_nan(got: Any, **words: Unpack[Words]) -> None:
-    """Expect the number NaN: what came of a NaN must not look like a result."""
+    """Expect NaN. A NaN in the input must not turn into a number that looks like a result."""
     __tracebackhide__ = True
     if not (type(got) is float and math.isnan(got)):
         _complain(_shown(got), "nan", words)
@@ -110,11 +112,11 @@ def expect_nan(got: Any, **words: Unpack[Words]) -> None:
 def expect_unchanged(
     name: str, now: Sequence[float], before: Sequence[float], **words: Unpack[Words]
 ) -> None:
-    """Expect a vector that a call only reads to be what it was before."""
+    """Expect that a call did not change a vector that it should only read."""
     __tracebackhide__ = True
     if tuple(now) != tuple(before):
-        got = f"afterwards {name} is {_shown(now)}"
-        _complain(got, f"{name} as it was, {_shown(before)}", words)
+        got = f"{name} is {_shown(now)} after the call"
+        _complain(got, f"{name} to stay {_shown(before)}", words)
 
 
 @scoped
@@ -127,14 +129,14 @@ def expect_error(
 ) -> None:
     """Expect attempt() to raise this error, and allowed() to raise none.
 
-    Code that refuses everything has not found out what to refuse. A NaN that gets through has a
-    cause of its own.
+    The second condition catches code that refuses every argument. If the call contains a NaN, the
+    message explains how NaN gets past comparisons.
     """
     __tracebackhide__ = True
     call, cause, read = about.but(words)
     about(
-        f"as in {call}, but with arguments that are right",
-        cause="what is right must not be refused",
+        f"like {call}, but with valid arguments",
+        cause="These arguments are valid, so the call must not raise an error.",
         read=read,
     )
     allowed()
@@ -150,7 +152,7 @@ def expect_error(
     else:
         came = "no error"
         if isinstance(got, (int, float, str, tuple, list)) or _is_not_implemented(got):
-            came += f", but {_shown(got)}"
+            came += f"; the call returned {_shown(got)}"
     _complain(came, error.__name__)
 
 
@@ -161,18 +163,19 @@ def expect_finite_numbers(
     bad: Sequence[tuple[int, float]],
     **words: Unpack[Words],
 ) -> None:
-    """Expect a function of numbers to refuse NaN, infinities and texts in each of its places.
+    """Expect a function to refuse NaN, infinities and texts for each of its arguments.
 
-    And the pairs of ``bad``, a place and a number. ``good`` is whole numbers that it must take.
+    ``good`` holds whole numbers that it must accept. ``bad`` lists further values to refuse, as
+    pairs of an argument's index and a number.
     """
     __tracebackhide__ = True
-    cause = "refuse it with ValueError: the functions of arguments.py do, one for each argument"
+    cause = "Raise ValueError for this value. Each function in arguments.py checks one argument."
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
         if error is TypeError:
-            cause = "a text is no number, whatever stands in it: TypeError, as arguments.py has it"
+            cause = "A text is not a number, even if it spells one. Raise TypeError."
         arguments = [*good]
         arguments[place] = value
         expect_error(
@@ -187,12 +190,12 @@ def expect_finite_numbers(
 
 @scoped
 def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
-    """Expect v to be the object that it was before, by what can be seen: they change together."""
+    """Expect v to be the same object as before: a change of one is seen in the other."""
     before.x = 99.0
     about(
         f"{made}; w = v; {step}; w.x = 99.0; v.x",
-        cause="v and w were one vector, and are two now: change self.x, self.y and self.z, and "
-        "end with return self; a new vector leaves w behind",
+        cause="v and w were the same vector, and now they are two. Change self.x, self.y and "
+        "self.z, and end with return self. Do not make a new vector.",
     )
     expect_close(v.x, 99.0)
 
@@ -202,9 +205,9 @@ def blame(
     mistakes: Sequence[tuple[float | Sequence[float], str]] | Mapping[str, float | Sequence[float]],
     tolerance: float = 1e-9,
 ) -> None:
-    """Make the mistake that gives the very numbers of got the likely cause, where one does.
+    """If a known mistake gives exactly the numbers in got, make it the likely cause.
 
-    ``mistakes`` are as in cause_of, or slips by name as in named.
+    ``mistakes`` is a list as in cause_of, or a mapping from names to numbers as in named.
     """
     if isinstance(mistakes, Mapping):
         about.cause = named(got, about.cause, mistakes)
@@ -218,10 +221,11 @@ def cause_of(
     otherwise: str,
     tolerance: float = 1e-9,
 ) -> str:
-    """Return the cause of the first mistake that gives the very numbers of got, or the other one.
+    """Return the cause of the first mistake that gives exactly the numbers in got.
 
-    ``mistakes`` have what they give, and their causes. Roundings in any order agree to more than
-    the tolerance, relative to the largest number; two mistakes hardly ever do.
+    If no mistake gives them, return ``otherwise``. Each mistake is a pair of the numbers that it
+    gives and its cause. "Exactly" means within the tolerance, relative to the largest number.
+    Rounding errors are far smaller, and two mistakes almost never come that close to each other.
     """
     seen = _as_tuple(got.value if isinstance(got, NoVector) else got)
     for gives, cause in mistakes:
@@ -235,8 +239,8 @@ def cause_of(
 
 
 def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) -> str:
-    """Return the cause, and before it the name of the slip that gives the very numbers of got."""
-    mistakes = [(gives, f"this is {name}: {cause}") for name, gives in slips.items()]
+    """Return the cause, after the name of the slip if one gives exactly the numbers in got."""
+    mistakes = [(gives, f"This is {name}. {cause}") for name, gives in slips.items()]
     return cause_of(got, mistakes, cause)
 
 
@@ -252,14 +256,14 @@ def _shown(value: Any) -> str:
     if type(value) in (tuple, list):
         return "(" + ", ".join(_shown(item) for item in value) + (",)" if len(value) == 1 else ")")
     if isinstance(value, float) and type(value) is not float:
-        return f"{value!r}, a {type(value).__name__} and not a plain float"
+        return f"{value!r}, which is a {type(value).__name__}, not a plain float"
     if type(value) is float:
         return f"{value:.15g}"
     return repr(value)
 
 
 def _is_not_implemented(value: Any) -> bool:
-    """Say whether a value is NotImplemented, here or in the student's process."""
+    """Return whether a value is NotImplemented, here or in the student's process."""
     if type(value).__name__ == "ObjectHandle":
         return bool(value._type_name == "NotImplementedType")
     return value is NotImplemented
@@ -277,7 +281,7 @@ def _complain(
     if re.search(r"\bNotImplemented\b(?!Error)", got):
         cause, other = NOT_IMPLEMENTED, ""
     if "bound method" in got:
-        cause, other = "A method is named but not called. Add its brackets.", ""
+        cause, other = "A method is named but not called. Add parentheses after its name.", ""
     raise ExpectationError(
         Message(
             called=call,

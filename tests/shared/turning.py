@@ -1,6 +1,6 @@
-"""Turns in plain numbers, apart from any engine: what the checks of chapter 9 compare with.
+"""Rotations in plain numbers, independent of any engine. The checks of chapter 9 compare with them.
 
-A quaternion is a tuple (r, i, j, k), a matrix of three rows one of nine numbers, row by row.
+A quaternion is a tuple (r, i, j, k), and a 3x3 matrix is a tuple of nine numbers, row by row.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ Quad = tuple[float, float, float, float]
 Nine = tuple[float, ...]
 IDENTITY = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 X_AXIS, Y_AXIS, Z_AXIS = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
-# Rounding of a few dozen operations on numbers of about 1, with room for any order of them.
+# Rounding of a few dozen operations on numbers of about 1, in any order.
 TIGHT = 1e-12
-# The same of sums of products of numbers up to 90.
+# The same for sums of products of numbers up to 90.
 LOOSE = 1e-11
 
 
@@ -35,7 +35,7 @@ def entries(m: Any) -> Any:
 
 
 def quad(axis: Sequence[float], angle: float) -> Quad:
-    """Return the quaternion of a turn about an axis of any length."""
+    """Return the quaternion of a rotation about an axis of any length."""
     length = math.hypot(*axis)
     sine = math.sin(0.5 * angle)
     x, y, z = (component / length * sine for component in axis)
@@ -44,7 +44,7 @@ def quad(axis: Sequence[float], angle: float) -> Quad:
 
 def hamilton(a: Sequence[float], b: Sequence[float]) -> Quad:
     """Return the product of two quaternions, from the table of i, j and k."""
-    table = {  # which component the product of two of 1, i, j, k goes to, and its sign
+    table = {  # the component of the product of two of 1, i, j, k, and its sign
         (1, 2): (3, 1.0),
         (2, 3): (1, 1.0),
         (3, 1): (2, 1.0),
@@ -61,19 +61,19 @@ def hamilton(a: Sequence[float], b: Sequence[float]) -> Quad:
 
 
 def turned(q: Sequence[float], v: Sequence[float]) -> Components:
-    """Return a vector turned by a quaternion of length 1."""
+    """Return a vector rotated by a unit quaternion."""
     back = (q[0], -q[1], -q[2], -q[3])
     _, x, y, z = hamilton(hamilton(q, (0.0, *v)), back)
     return x, y, z
 
 
 def matrix_of(q: Sequence[float]) -> Nine:
-    """Return the matrix of a quaternion of length 1: its columns are the turned axes."""
+    """Return the matrix of a unit quaternion. Its columns are the rotated axes."""
     return transposed([x for axis in (X_AXIS, Y_AXIS, Z_AXIS) for x in turned(q, axis)])
 
 
 def transposed(m: Sequence[float]) -> Nine:
-    """Return a matrix whose rows are the columns of this one."""
+    """Return the transpose of a 3x3 matrix."""
     return tuple(m[3 * row + column] for column in range(3) for row in range(3))
 
 
@@ -108,7 +108,7 @@ def subtracted(v: Components, w: Components) -> Components:
 
 
 def moved(linear: Nine, move: Components, v: Components) -> Components:
-    """Return where a point is taken."""
+    """Return a point after a linear map and a translation."""
     return added(applied(linear, v), move)
 
 
@@ -119,19 +119,19 @@ def determinant(m: Sequence[float]) -> float:
 
 
 def draw_turn(rng: Random) -> tuple[Components, float]:
-    """Draw an axis of some length and an angle from 0.3 to 2.8."""
+    """Draw an axis of any length and an angle from 0.3 to 2.8."""
     return components(rng), positive_number(rng, 0.3, 2.8)
 
 
 def draw_quad(rng: Random) -> Quad:
-    """Draw a quaternion of length 1, no component of which is near zero."""
+    """Draw a unit quaternion whose components are all clearly different from zero."""
     return quad(*draw_turn(rng))
 
 
 def draw_matrix(rng: Random) -> Nine:
-    """Draw a matrix that is far from singular: the diagonal outweighs the rest of each row.
+    """Draw a matrix that is far from singular, with a dominant diagonal.
 
-    No number is near zero, so that each sign counts.
+    No number is near zero, so every sign matters.
     """
     m = [number(rng, 0.1, 2.0) for _ in range(9)]
     for place in (0, 4, 8):
@@ -140,13 +140,13 @@ def draw_matrix(rng: Random) -> Nine:
 
 
 def draw_mirror(rng: Random) -> Nine:
-    """Draw such a matrix whose determinant is negative."""
+    """Draw a matrix as draw_matrix does, with a negative determinant."""
     m = draw_matrix(rng)
     return m if determinant(m) < 0.0 else tuple(-number for number in m)
 
 
 def draw_slight_turn(rng: Random) -> Nine:
-    """Draw the matrix of a turn so slight that a determinant with a mistake is positive too."""
+    """Draw the matrix of a small rotation, so that a wrong determinant is still positive."""
     return matrix_of(quad(components(rng), positive_number(rng, 0.3, 0.6)))
 
 
@@ -156,10 +156,10 @@ def named(
     slips: Mapping[str, float | Sequence[float]],
     wanted: Sequence[float] = (),
 ) -> str:
-    """Return the cause with the slip that gives the numbers of got, as expect.named does.
+    """Return the cause with the slip that gives the numbers in got, as expect.named does.
 
-    Where none does, and one or two numbers of the three rows of a matrix differ from those
-    ``wanted``, the places of these are named.
+    If no slip does, but only one or two numbers of a matrix differ from ``wanted``, name their rows
+    and columns.
     """
     told = expect.named(got, cause, slips)
     if told != cause or not isinstance(got, tuple) or not 0 < len(wanted) == len(got):
@@ -170,14 +170,13 @@ def named(
         for place, (g, w) in enumerate(zip(got, wanted, strict=True))
         if type(g) not in (int, float) or not abs(g - w) <= near
     ]
-    return f"all is right but {' and '.join(wrong)}: {cause}" if len(wrong) in (1, 2) else cause
+    if len(wrong) not in (1, 2):
+        return cause
+    return f"Everything is right except {' and '.join(wrong)}. {cause}"
 
 
 def same_sign(got: Any, wanted: Sequence[float]) -> Any:
-    """Return a quaternion or its opposite, whichever is nearer to the one wanted.
-
-    Both are one orientation.
-    """
+    """Return q or -q, whichever is nearer to the wanted one. Both are the same orientation."""
     if isinstance(got, NoVector) or len(got) != len(wanted):
         return got
     if not all(type(number) in (int, float) for number in got):

@@ -52,7 +52,7 @@ return speed / (math.exp(s) + k2 * speed * gained)
 """,
     },
     "ch09_rotations": {
-        "matrix.Matrix3.is_rotation": """
+        "matrix3.Matrix3.is_rotation": """
 identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 for got, wanted in zip(self.product(self.transpose()), identity, strict=True):
     if abs(got - wanted) > ROTATION_TOLERANCE:

@@ -1,4 +1,4 @@
-"""Numbers that checks draw from their seed, as plain tuples, and their scalar product."""
+"""Random numbers for the checks, drawn from the seed of the run. Vectors are plain tuples."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ Components = tuple[float, float, float]
 
 
 def number(rng: Random, low: float = 0.5, high: float = 9.5) -> float:
-    """Draw a number of either sign and of a size between low and high, so never close to zero.
+    """Draw a number of either sign whose size is between low and high, so never close to zero.
 
-    Three decimals: a message stays readable.
+    It has three decimals, to keep messages readable.
     """
     return rng.choice((-1.0, 1.0)) * round(rng.uniform(low, high), 3)
 
@@ -22,17 +22,17 @@ def positive_number(rng: Random, low: float = 0.2, high: float = 9.0) -> float:
 
 
 def components(rng: Random) -> Components:
-    """Draw three components, none of them near zero, so that no mistake can hide in one."""
+    """Draw three components. Zero would hide mistakes, so each is well away from it."""
     return number(rng), number(rng), number(rng)
 
 
 def direction(rng: Random) -> Components:
-    """Draw a unit vector, to rounding."""
+    """Draw a vector whose length is 1 within rounding."""
     x, y, z = components(rng)
     length = math.hypot(x, y, z)
     return x / length, y / length, z / length
 
 
 def dot(a: Components, b: Components) -> float:
-    """Return the scalar product of plain numbers, its sum rounded once."""
+    """Return the scalar product. The sum is rounded only once."""
     return math.fsum(p * q for p, q in zip(a, b, strict=True))

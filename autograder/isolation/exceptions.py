@@ -1,0 +1,78 @@
+"""The exception of a worker, as it is raised where the checks are.
+
+A worker can send anything: what has not the form of an exception breaks the protocol.
+"""
+
+from __future__ import annotations
+
+import builtins
+import re
+from typing import Any
+
+from autograder.clean import clean
+from autograder.faults import Fault, StudentLeft
+from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError
+from autograder.message import Place
+from autograder.nearest import MOST_SLOTS, Unknown
+
+FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
+
+
+def known_name(error: Exception) -> str:
+    """Return the nearest name of an exception that crosses the wire."""
+    return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
+
+
+def exception_of(data: Any) -> BaseException:
+    """Return the exception that stands for the student's, with its fault."""
+    try:
+        frames = [
+            Place(file, line, text_of_worker(function, 100))
+            for file, line, function in data["frames"][-50:]
+            if type(file) is str and FILE.fullmatch(file) and type(line) is int
+        ]
+        syntax = data["syntax"]
+        if syntax is not None:
+            file, line, text = syntax
+            syntax = (text_of_worker(file, 200), int(line), text_of_worker(text, 200))
+        fault = Fault(
+            text_of_worker(data["type"], 100),
+            text_of_worker(data["text"], 2000),
+            frames,
+            syntax,
+            text_of_worker(data["missing_module"], 200),
+            _unknown(data["unknown"]),
+        )
+        name = data["as"]
+        kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
+    except (KeyError, TypeError, ValueError, OverflowError) as error:
+        raise BrokenProtocolError("an exception of no known form") from error
+    exception: BaseException = (WordedKeyError if kind is KeyError else kind)(fault.text)
+    exception.fault = fault  # type: ignore[attr-defined]
+    return exception
+
+
+class WordedKeyError(KeyError):
+    """A KeyError with the student's words: Python's own would put quotes around them."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+WordedKeyError.__name__ = KeyError.__name__
+
+
+def _unknown(data: Any) -> Unknown | None:
+    """Return the name that an exception is about, if it is about one."""
+    if data is None:
+        return None
+    name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
+    slots = [text_of_worker(slot, 100) for slot in data["slots"][:MOST_SLOTS]]
+    return Unknown(name, of, near, slots, data["module"] is True)
+
+
+def text_of_worker(value: Any, longest: int) -> str:
+    """Return text from the worker, cut, with what is no plain character made visible."""
+    if type(value) is not str:
+        raise BrokenProtocolError("a text that is none")
+    return clean(value[:longest])

@@ -1,0 +1,97 @@
+"""A picture of chapter 5: what each generator costs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from matplotlib import pyplot
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion import particle as chapter_3
+from ch05_forces.forces import (
+    Airbrake,
+    Drag,
+    ForceGenerator,
+    ForceRegistry,
+    Gravity,
+    InverseSquareGravity,
+    PointGravity,
+    Uplift,
+)
+from ch05_forces.particle import Particle
+from studies.drawing import BLACK, BLUE, GREEN, GREY, Picture, is_written
+from studies.timing import Measurement, measure, timer, versus
+
+FRAME = 1.0 / 60.0
+G = 9.81
+DOWN = (0.0, -G, 0.0)
+
+
+def cost_of_a_generator() -> Picture:
+    """How long a frame takes with each generator, next to gravity as a constant acceleration."""
+    place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
+    brake = Airbrake(0.5)
+    brake.on = True
+    generators: list[tuple[str, ForceGenerator]] = [
+        ("Gravity", Gravity(Vector3(*DOWN))),
+        ("Drag", Drag(0.3, 0.05)),
+        ("Uplift, inside", Uplift(Vector3(), 1e9, Vector3(0.0, 20.0, 0.0))),
+        ("Airbrake, on", brake),
+        ("PointGravity", PointGravity(Vector3(), G)),
+        ("InverseSquareGravity", InverseSquareGravity(Vector3(), 80.0)),
+    ]
+    built_in = chapter_3.Particle(place, motion, Vector3(*DOWN))
+    base = timer(lambda: _frames(built_in.integrate))
+    shown: list[tuple[str, Callable[[float], None]]] = [
+        (
+            "gravity as acceleration, chapter 5's step",
+            Particle(place, motion, Vector3(*DOWN)).integrate,
+        )
+    ]
+    for name, generator in generators:
+        particle = Particle(place, motion)
+        if is_written(lambda g=generator, p=particle: g.update_force(p, FRAME)):  # type: ignore[misc]
+            shown.append((f"{name}, by the registry", _registered(particle, generator)))
+    lines = measure(
+        [
+            Measurement(name, versus(timer(lambda f=f: _frames(f)), base), 21)  # type: ignore[misc]
+            for name, f in shown
+        ]
+    )
+    rows = [(line.what, line.median, line.low, line.high) for line in lines]
+    figure, axes = pyplot.subplots(figsize=(9, 4.2), layout="constrained")
+    names, ratios, lows, highs = zip(*rows, strict=True)
+    spread = [
+        [r - low for r, low in zip(ratios, lows, strict=True)],
+        [high - r for r, high in zip(ratios, highs, strict=True)],
+    ]
+    colors = [GREEN if "acceleration" in name else BLUE for name in names]
+    axes.barh(names, ratios, xerr=spread, color=colors, ecolor=GREY)
+    axes.invert_yaxis()
+    axes.axvline(1.0, color=BLACK, lw=1)
+    axes.set(xlabel="time of a frame, chapter 3's step with gravity as acceleration = 1")
+    axes.grid(alpha=0.3, axis="x")
+    costs = dict(zip(names, ratios, strict=True))
+    if gravity := costs.get("Gravity, by the registry"):
+        axes.set_title(
+            f"Gravity by a generator takes {gravity:.1f} times as long, for the same path:\n"
+            "it is worth that where g is not the same at all places and times"
+        )
+    return Picture(figure, ("what", "ratio", "lower quartile", "upper quartile"), rows)
+
+
+def _frames(frame: Callable[[float], None]) -> None:
+    for _ in range(500):
+        frame(FRAME)
+
+
+def _registered(particle: Particle, generator: ForceGenerator) -> Callable[[float], None]:
+    """Return what lets a frame pass for a particle on which a generator acts."""
+    registry = ForceRegistry()
+    registry.add(particle, generator)
+
+    def frame(duration: float) -> None:
+        registry.update_forces(duration)
+        particle.integrate(duration)
+
+    return frame

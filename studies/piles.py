@@ -1,0 +1,120 @@
+"""A stack and a pile of spheres: how far they sink, and what a resolver leaves of their overlaps.
+
+Gravity is 10 m/s^2, downwards. Lengths are in m, times in s.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import semi_implicit_euler
+from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
+from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+from studies.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver, resolving, track
+from studies.drawing import numbers
+
+
+def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
+    """Return the height of the highest of a stack of spheres, and the largest overlap.
+
+    They begin where each just touches the next one, without a bounce. The height is that of the
+    middle; the overlap is a share of the diameter, of neighbours or with the ground.
+    """
+    spheres = [
+        Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
+        for i in range(count)
+    ]
+    detector = Detectors(GroundPlane(spheres, radius=RADIUS), ParticlePairs(spheres, RADIUS))
+    move = resolving(semi_implicit_euler, spheres, [detector], by_resolver(iterations))
+    overlaps = []
+
+    def measure() -> float:
+        places = [-RADIUS, *(numbers(sphere.position)[1] for sphere in spheres)]
+        overlaps.append(max(1.0 - (high - low) / (2.0 * RADIUS) for low, high in pairwise(places)))
+        return max(places)
+
+    run = track(move, measure, frames)
+    return run, Track(run.times, overlaps[: len(run.times)], run.message)
+
+
+def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[Contact]]:
+    """Return a pile of spheres in a plane that falls on the ground, and its contacts.
+
+    The lowest row has as many spheres as there are rows. All that is near overlaps, by a share of
+    the diameter, and all fall at the speed in m/s.
+    """
+    size = 2.0 * RADIUS * (1.0 - overlap)
+    spheres = [
+        Particle(
+            Vector3((i + 0.5 * row) * size, RADIUS * (1.0 - overlap) + row * size * 0.75**0.5),
+            Vector3(0.0, -speed),
+        )
+        for row in range(rows)
+        for i in range(rows - row)
+    ]
+    detector = Detectors(GroundPlane(spheres, radius=RADIUS), ParticlePairs(spheres, RADIUS))
+    return spheres, detector.contacts()
+
+
+def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
+    """Return what is left of a pile's closing velocities and depths after so many resolutions.
+
+    These are the largest closing velocity in m/s and the largest depth in m, of the places that the
+    spheres then have. Resolutions are those of a ContactResolver, the worst first, or those of
+    sweeps through the list, which leave out what needs none.
+    """
+    spheres, contacts = pile(rows, 0.01, 1.0)
+    if iterations and in_order:
+        _sweep(contacts, iterations, _closes, lambda contact: contact.resolve_velocity(FRAME))
+        _sweep(contacts, iterations, _is_deep, _resolve_depth)
+    elif iterations:
+        ContactResolver(iterations).resolve_contacts(contacts, FRAME)
+    closing = max((-contact.separating_velocity() for contact in contacts), default=math.nan)
+    places = [numbers(sphere.position) for sphere in spheres]
+    # From the places alone: the contacts may be wrong about how deep they are by now (E-8).
+    depths = [RADIUS - place[1] for place in places]
+    depths += [2 * RADIUS - math.dist(a, b) for i, a in enumerate(places) for b in places[:i]]
+    return max(closing, 0.0), max(0.0, *depths)
+
+
+def _sweep(
+    contacts: list[Contact],
+    limit: int,
+    wants: Callable[[Contact], bool],
+    resolve: Callable[[Contact], object],
+) -> None:
+    """Resolve what wants it in the order of the list, again and again, up to limit times."""
+    used = 0
+    while True:
+        before = used
+        for contact in contacts:
+            if used < limit and wants(contact):
+                resolve(contact)
+                used += 1
+        if used in (before, limit):
+            return
+
+
+def _depth(contact: Contact) -> float:
+    """Return how deep a contact of spheres is where they are now, along the normal it has."""
+    place = contact.particle.position
+    if contact.other is None:
+        return RADIUS - place.y
+    return 2.0 * RADIUS - (place - contact.other.position).dot(contact.normal)
+
+
+def _closes(contact: Contact) -> bool:
+    return contact.separating_velocity() < -VELOCITY_TOLERANCE
+
+
+def _is_deep(contact: Contact) -> bool:
+    return _depth(contact) > DEPTH_TOLERANCE
+
+
+def _resolve_depth(contact: Contact) -> None:
+    contact.penetration = _depth(contact)
+    contact.resolve_penetration()

@@ -10,6 +10,7 @@ TAKES_classroom := CHAPTERS GIVEN OUT
 TAKES_gradescope := CHAPTERS GIVEN OUT
 TAKES_test := CH
 TAKES_lint :=
+TAKES_update :=
 TAKES_stubs :=
 TAKES_figures :=
 TAKES_mutants := CH
@@ -21,7 +22,7 @@ TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
 
-.PHONY: grade handout classroom gradescope stubs test say-what-test-is lint bench charts limits
+.PHONY: grade handout classroom gradescope update stubs test say-what-test-is lint bench charts limits
 .PHONY: economy soak figures mutants seeds table
 
 # == For instructors ==
@@ -59,6 +60,9 @@ lint: $(READY) ## check style and types
 	@$(RUN) -m ruff check . $(OURS)
 	@$(RUN) -m ruff format --check . $(OURS)
 	@$(RUN) -m mypy
+
+update: stubs ## generate all that is generated: stubs and tables
+	@$(RUN) tests/strength table
 
 stubs: $(READY) ## make chapters/ from solutions/ again
 	@$(RUN) -m autograder stubs

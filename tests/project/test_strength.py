@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import ast
+import io
 import subprocess
 import sys
 import tomllib
 from collections import Counter
 
 import pytest
+from rich.console import Console
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
+from graded import report_of
 from ready import ready
 from studies.benchmarks import kept as bench_figures
 from wrong import read_wrong
@@ -117,6 +120,24 @@ def test_a_figure_that_was_never_measured_is_a_dash(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(table, "run_checks", lambda *_, **__: [])
     monkeypatch.setattr(table, "kept", lambda *_: {})
     assert [cell for cell in table.row(CHAPTERS[0]) if cell == "-"] == ["-"] * 4
+
+
+@pytest.mark.usefixtures("strength")
+def test_no_table_is_written_while_the_second_solution_loses_a_point(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It lacks a body that is new, say, or the machine is too busy to check it in time."""
+    import sample
+    import table
+
+    monkeypatch.setattr(sample, "grade_submission", lambda *_: report_of("ada"))
+    before = [page.read_bytes() for page in (table.PAGE, table.FRONT)]
+    console = Console(file=io.StringIO())
+    monkeypatch.setattr(table, "sample_table", lambda: sample.sample_table(["ada"]))
+    assert not table.write_tables(console)
+    words = "sample_class/ada must pass every check, and test_angle of exercise 2.2 says: "
+    assert words in console.file.getvalue()
+    assert before == [page.read_bytes() for page in (table.PAGE, table.FRONT)]
 
 
 @pytest.fixture

@@ -30,11 +30,19 @@ HEAD = [
 
 
 def write_tables(console: Console) -> bool:
-    """Write all that is made into the pages; return whether every figure has been measured."""
+    """Write all that is made into the pages; return whether every figure has been measured.
+
+    Nothing is written where the sample class is not as it should be.
+    """
+    try:
+        sample = sample_table()
+    except ValueError as error:
+        console.print(f"no table was written: {error}", markup=False, soft_wrap=True)
+        return False
     rows = [row(chapter) for chapter in load_chapters()]
     for path, begin, end, text in (
         (PAGE, BEGIN, END, table_of(rows)),
-        (FRONT, BEGIN_SAMPLE, END_SAMPLE, sample_table()),
+        (FRONT, BEGIN_SAMPLE, END_SAMPLE, sample),
     ):
         page = path.read_text(encoding="utf-8")
         path.write_text(with_text(page, begin, end, text), encoding="utf-8", newline="\n")

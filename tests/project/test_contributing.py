@@ -1,0 +1,177 @@
+"""CONTRIBUTING.md has every folder on its map, and its list is all that an exercise takes."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT, load_chapters
+from graded import points_of
+
+PAGE = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+MAP = PAGE.partition("\n## The map of the house\n")[2].partition("\n## ")[0]
+ADDING = PAGE.partition("\n## Adding an exercise\n")[2].partition("\n## ")[0]
+COMMANDS = re.findall(r"(?m)^make [^#\n]+", ADDING)
+
+SOLUTION = '''
+def halfway(a: Vector3, b: Vector3) -> Vector3:
+    """Exercise G2.1: return the point halfway between a and b, as a new vector.
+
+    >>> halfway(Vector3(1, 2, 3), Vector3(3, 2, 0))
+    Vector3(2.0, 2.0, 1.5)
+    """
+    return (a + b) * 0.5
+'''
+SECOND = '''
+def halfway(a: Vector3, b: Vector3) -> Vector3:
+    """Go half of the way from a to b."""
+    return a + (b - a) / 2
+'''
+POINTS = 7
+ENTRY = f"""
+[[exercise]]
+id = "G2.1"
+title = "The point halfway"
+kind = "exercise"
+stars = 1
+points = {POINTS}
+edit = ["exercises.halfway"]
+needs = ["B2.3", "B2.5"]
+hints = ["What is the mean of two numbers?", "Add a and b, and multiply the sum by 0.5."]
+terms = ["vector"]
+"""
+CHECKS = '''"""Exercise G2.1."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from ch02_vectors import exercises
+from ch02_vectors.vector import Vector3
+from draw import components
+from expect import about, blame, expect_close, xyz
+
+
+@pytest.mark.exercise("G2.1")
+def test_halfway_is_the_mean_of_both_points(rng: Random) -> None:
+    a, b = components(rng), components(rng)
+    about.call = f"halfway(Vector3{a}, Vector3{b})"
+    about.cause = "the mean of two numbers is half their sum, and this holds for each component"
+    about.read = "the docstring of halfway"
+    got = xyz(exercises.halfway(Vector3(*a), Vector3(*b)))
+    total = [p + q for p, q in zip(a, b, strict=True)]
+    blame(got, [(total, "This is the sum. Multiply it by 0.5.")])
+    expect_close(got, [number / 2.0 for number in total])
+'''
+WRONG = """
+[["exercises.halfway"]]
+mistake = "the sum is not halved"
+caught_by = "test_halfway_is_the_mean_of_both_points"
+says = "This is the sum."
+body = "return a + b"
+
+[["exercises.halfway"]]
+mistake = "half of the difference"
+caught_by = "test_halfway_is_the_mean_of_both_points"
+replace = ["a + b", "b - a"]
+
+[["exercises.halfway"]]
+mistake = "only b is halved"
+caught_by = "test_halfway_is_the_mean_of_both_points"
+replace = ["(a + b)", "a + b"]
+"""
+TEXTS = {  # what is written by hand, by the file that the page names
+    "solutions/chNN_name/module.py": SOLUTION,
+    "sample_class/ada/chNN_name/module.py": SECOND,
+    "chapters/chNN_name/chapter.toml": ENTRY,
+    "tests/chNN_name/test_module.py": CHECKS,
+    "tests/chNN_name/wrong.toml": WRONG,
+}
+# What must hold of the exercise, and of what is generated, among the tests of the project.
+PROOFS = (
+    "test_structure.py::test_every_exercise_has_checks_hints_and_a_docstring_or_a_question[ch02_vectors]",
+    "test_stubs.py::test_the_lock_has_the_hash_of_every_stub",
+    "test_stubs.py::test_the_exercise_tables_are_what_the_manifests_say",
+    "test_strength.py::test_every_exercise_has_three_wrong_submissions[ch02_vectors]",
+    "test_strength.py::test_make_table_would_write_the_row_that_is_there[ch02_vectors]",
+    "test_proofs.py::test_the_solution_earns_every_point[1-ch02_vectors]",
+    "test_proofs.py::test_the_second_solution_earns_every_point[1-ch02_vectors]",
+    "test_proofs.py::test_the_second_solution_earns_every_point[in workers-ch02_vectors]",
+    "test_proofs.py::test_the_stubs_earn_nothing[beside the checks-ch02_vectors]",
+    "test_proofs.py::test_an_exercise_needs_no_other_than_it_says[G2.1]",
+    "test_proofs.py::test_a_wrong_submission_is_caught[exercises.halfway: the sum is not halved]",
+    "test_proofs.py::test_a_wrong_submission_is_caught[exercises.halfway: half of the difference]",
+    "test_proofs.py::test_a_wrong_submission_is_caught[exercises.halfway: only b is halved]",
+)
+
+
+def test_the_map_has_every_folder_and_no_other() -> None:
+    named = re.findall(r"`([^` ]+/)`", "".join(re.findall(r"(?m)^\| (.+?) \|", MAP)))
+    there = {".ci/", ".github/", "tests/chNN_name/"}
+    for folder in [
+        path for pattern in ("*", "autograder/*", "tests/*") for path in ROOT.glob(pattern)
+    ]:
+        if folder.is_dir() and not re.match(r"[._]|build|ch\d\d_", folder.name):
+            there.add(f"{folder.relative_to(ROOT).as_posix()}/")
+    assert sorted(named) == sorted(there)
+
+
+def test_it_is_one_page() -> None:
+    assert len(PAGE.splitlines()) <= 100
+
+
+@pytest.fixture(scope="module")
+def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the repository, with chapter 2 alone, and an exercise added by hand."""
+    root = tmp_path_factory.mktemp("contributing") / "companion"
+    others = [chapter.name for chapter in load_chapters()[1:]]
+    unneeded = shutil.ignore_patterns(".?*", "build", "__pycache__", "hostile", *others)
+    shutil.copytree(ROOT, root, ignore=unneeded)
+    (root / ".venv").symlink_to(sys.prefix, target_is_directory=True)
+    named = re.findall(r"(?m)^\| [^`|]+ \| `([^`]+)` \| ", ADDING)
+    assert sorted(named) == sorted(TEXTS)
+    for name, text in TEXTS.items():
+        name = name.replace("test_module", "test_halfway").replace("module", "exercises")
+        with (root / name.replace("chNN_name", "ch02_vectors")).open("a", encoding="utf-8") as file:
+            file.write(text)
+    return root
+
+
+def run(root: Path, *command: str) -> str:
+    """Return what a command in the copy prints. It must succeed."""
+    done = subprocess.run(command, cwd=root, capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+@pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
+def test_an_exercise_takes_what_the_page_lists_and_no_more(root: Path) -> None:
+    """The commands of the page are run, except those that take minutes: make only plans these."""
+    screens = {}
+    for command in dict.fromkeys(COMMANDS):
+        _, name, *variables = command.split()
+        plan = ["--dry-run"] if name in ("test", "mutants", "seeds") else []
+        screens[name] = run(root, "make", "--old-file=.venv/ready", *plan, name, *variables)
+    assert screens.keys() == {"update", "check", "test", "mutants", "seeds"}
+    assert "made chapters/ch02_vectors/exercises.py\n" in screens["update"]
+    total = points_of(load_chapters()[0]) + POINTS
+    assert f"] {total} of {total} points" in screens["check"]
+    pages = {
+        "chapters/ch02_vectors/exercises.py": '("Exercise G2.1: The point halfway")',
+        "chapters/ch02_vectors/README.md": f"| The point halfway | exercise | \\* | {POINTS} |",
+        "README.md": f" {total}/{total} ",
+    }
+    for path, words in pages.items():
+        assert words in (root / path).read_text(encoding="utf-8")
+    options = ("-q", "-p", "no:cacheprovider")
+    done = run(
+        root, sys.executable, "-m", "pytest", *options, *(f"tests/project/{p}" for p in PROOFS)
+    )
+    assert f"\n{len(PROOFS)} passed in " in done

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import shlex
 import shutil
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
 from autograder.arrange import shared_by_checks
@@ -25,8 +25,8 @@ STUDENT_TOOLS = {
     ),
     "studies": (
         "__init__.py __main__.py balance.py constraints.py demo.py drag_flight.py drawing.py "
-        "engine.py links.py mass_aggregate.py piles.py plot.py releases.py ropes.py rotations.py "
-        "stability.py timing.py"
+        "engine.py links.py mass_aggregate.py piles.py plot.py releases.py reason.py ropes.py "
+        "rotations.py stability.py timing.py"
     ),
 }
 
@@ -42,6 +42,7 @@ as on most Windows, [chapters/README.md](chapters/README.md) has the same comman
     make check EX={example}  one exercise and what it builds on
     make hint EX={example}   a nudge; N=2 shows the second hint too
     make reset EX={example}  its stub back, and a copy of what you had
+    make lab            scenes that your own engine plays, in your browser
     make plot           pictures of what your own functions do, under build/plots/
 {demo}
 Each chapter's README maps the book's sections to the functions that you write. Written questions,
@@ -70,6 +71,7 @@ def make_handout(
         _copy((root / folder / name for name in names.split()), out / folder)
     for file in shared_by_checks(root):
         _copy([file], out / file.parent.relative_to(root))
+    _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
     _copy([root / "chapters" / "README.md"], out / "chapters")
     errata = (root / "errata.md").read_text(encoding="utf-8")
     without_links = re.sub(r"\[(\w+)\]\(tests/[^)]*\)", r"\1", errata)  # those tests stay here
@@ -108,6 +110,15 @@ def make_handout(
     if missing := sorted({other.name for other in below if other not in there}):
         print(f"to be brought along by each student: {', '.join(missing)}")
     print(f"hand-out: {out}; try it: make -C {shlex.quote(str(out))} check")
+
+
+def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
+    """Copy the lab, with the scenes of these chapters alone."""
+    for file in (root / "lab").rglob("*"):
+        numbered = re.match(r"ch\d\d_", file.name)
+        if file.is_file() and "__pycache__" not in file.parts:
+            if not numbered or any(name.startswith(numbered[0]) for name in chapters):
+                _copy([file], out / file.parent.relative_to(root))
 
 
 def _copy(files: Iterable[Path], folder: Path) -> None:

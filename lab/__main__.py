@@ -52,6 +52,8 @@ def _serve(options: argparse.Namespace) -> int:
     from lab.server import Lab, serve  # the other commands can do without a server
 
     find_engine(options.engine)
+    if not entries():
+        raise ValueError("there is no scene for the chapters in this folder")
     query = first_query(options.scene, options.chapter, settings_of(options))
 
     def ready(address: str) -> None:

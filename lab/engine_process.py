@@ -50,17 +50,16 @@ class EngineProcess:
                         raise EOFError
                     yield line.decode().rstrip("\n")
         except (TimeoutError, EOFError, ConnectionError):
-            code = await self.end()
-            yield json.dumps({"kind": "stopped", "why": self._why(code)})
+            await self.end()
+            yield json.dumps({"kind": "stopped", "why": self._why()})
 
-    async def end(self) -> int:
-        """End the process, if there is one, and return its exit code."""
+    async def end(self) -> None:
+        """End the process, if there is one."""
         process, self.process = self.process, None
-        if process is None:
-            return 0
-        with contextlib.suppress(ProcessLookupError):
-            process.kill()
-        return await process.wait()
+        if process is not None:
+            with contextlib.suppress(ProcessLookupError):
+                process.kill()
+            await process.wait()
 
     async def _start(self) -> asyncio.subprocess.Process:
         arguments = ["--engine", self.engine, "--given", self.given, "--stack", str(self.stack)]
@@ -75,12 +74,12 @@ class EngineProcess:
             limit=LONGEST_LINE,
         )
 
-    def _why(self, code: int) -> str:
+    def _why(self) -> str:
         """Return what the process was doing when it broke off."""
         stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
         if stack:
             return str(explain_hang(stack, TIME_LIMIT, [ROOT / self.engine]))
-        return f"The engine's process ended by itself, with exit code {code}."
+        return "The engine's process ended by itself: is there an os._exit in your code?"
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:

@@ -116,9 +116,9 @@ def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
     """Copy the lab, with the scenes of these chapters alone."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
-        if file.is_file() and "__pycache__" not in file.parts:
-            if not numbered or any(name.startswith(numbered[0]) for name in chapters):
-                _copy([file], out / file.parent.relative_to(root))
+        wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)
+        if wanted and file.is_file() and "__pycache__" not in file.parts:
+            _copy([file], out / file.parent.relative_to(root))
 
 
 def _copy(files: Iterable[Path], folder: Path) -> None:

@@ -29,6 +29,7 @@ from staging import (
     NO_FILE,
     NO_UTF8,
     NOTHING,
+    OF_CH03,
     TAKEN,
     TOO_LARGE,
     UNKNOWN,
@@ -327,7 +328,7 @@ def public() -> Iterator[Path]:
     [
         (VECTOR, only(f"it cannot be read: {DENIED}")),
         ("ch02_vectors", ({}, dict.fromkeys(EDITED, UNKNOWN), [f"ch02_vectors {UNSEARCHED}"])),
-        ("other", ({VECTOR: CODE}, dict.fromkeys(EDITED[2:], UNKNOWN), [f"other {UNSEARCHED}"])),
+        ("other", ({VECTOR: CODE}, dict.fromkeys(OF_CH03, UNKNOWN), [f"other {UNSEARCHED}"])),
         (".", refused(f"the submission cannot be read: {DENIED}")),
     ],
 )

@@ -15,7 +15,10 @@ from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.stage import stage
 
 CHAPTERS = load_chapters()[:2]
-EDITED = [f"{chapter.name}/{file}" for chapter in CHAPTERS for file in chapter.edited_files]
+OF_CH02, OF_CH03 = (
+    [f"{chapter.name}/{file}" for file in chapter.edited_files] for chapter in CHAPTERS
+)
+EDITED = OF_CH02 + OF_CH03
 VECTOR, EXERCISES = "ch02_vectors/vector.py", "ch02_vectors/exercises.py"
 CODE = b"x = 1\n"
 HandIn = Callable[[dict[str, bytes]], Path]
@@ -23,7 +26,7 @@ HandIn = Callable[[dict[str, bytes]], Path]
 Outcome = tuple[dict[str, bytes], dict[str, str], list[str]]
 TAKEN: Outcome = ({VECTOR: CODE}, {}, [])
 NOTHING: Outcome = ({}, {}, [])
-LINKED: Outcome = ({}, dict.fromkeys([VECTOR, EXERCISES], "its folder is a symbolic link"), [])
+LINKED: Outcome = ({}, dict.fromkeys(OF_CH02, "its folder is a symbolic link"), [])
 
 LINK = "it is a symbolic link"
 NO_FILE = "it is no regular file"

@@ -65,7 +65,7 @@ def test_a_student_can_check_the_stubs_and_then_an_answer(tmp_path: Path) -> Non
     assert before.returncode == 1, before.stderr
     assert f"] 0 of {points_of(CH02)} points" in before.stdout
     assert "Next: open chapters/ch02_vectors/vector.py:" in before.stdout
-    for file in ("vector.py", "exercises.py"):
+    for file in CH02.edited_files:
         source = ROOT / "sample_class/ada/ch02_vectors" / file
         shutil.copyfile(source, tmp_path / "out/chapters/ch02_vectors" / file)
     after = check(tmp_path / "out", "--chapter", "2")

@@ -16,11 +16,11 @@ from pathlib import Path
 
 from matplotlib import pyplot
 
-from autograder.explain import slip_of
-from autograder.faults import is_inside
-from autograder.finish import DRAWN_WITH
+from autograder.checks.explain import slip_of
+from autograder.checks.faults import is_inside
+from autograder.checks.students_code import LIBRARY
 from autograder.manifest import ROOT, Chapter, select_chapters, split_given
-from autograder.students_code import LIBRARY
+from autograder.student.finish import DRAWN_WITH
 from studies.drawing import Picture
 from studies.engine import add_engine_options, use_engine
 

@@ -6,7 +6,7 @@ import argparse
 import re
 import sys
 
-from autograder.check import check
+from autograder.checks.runner import GraderError
 from autograder.commands import command as line_of
 from autograder.commands import find_engine, prepare
 from autograder.manifest import (
@@ -17,7 +17,7 @@ from autograder.manifest import (
     select_chapters,
     split_given,
 )
-from autograder.runner import GraderError
+from autograder.student.check import check
 
 try:
     from autograder import instructor
@@ -93,7 +93,7 @@ def run_check(arguments: argparse.Namespace) -> bool:
 
 def run_watch(arguments: argparse.Namespace) -> int:
     """Check the current exercise at every save."""
-    from autograder.watch import watch  # what it needs is loaded here: check must be fast
+    from autograder.student.watch import watch  # what it needs is loaded here: check must be fast
 
     engine = find_engine(arguments.engine)
     given, chapters = split_given(select_chapters(arguments.chapter), arguments.given)
@@ -103,7 +103,7 @@ def run_watch(arguments: argparse.Namespace) -> int:
 
 def run_reset(arguments: argparse.Namespace) -> int:
     """Put the stub of an exercise back."""
-    from autograder.reset import reset
+    from autograder.student.reset import reset
 
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
     refuse_given(chapter, exercise, arguments.given)

@@ -5,24 +5,21 @@ from __future__ import annotations
 import re
 import shlex
 import shutil
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
-from autograder.arrange import shared_by_checks
+from autograder.checks.arrange import shared_by_checks
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.stubs import KEPT, make_stubs
 
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock stubs.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py allowed_acts.py allowed_imports.py answers.py apart.py "
-        "arrange.py asked.py calls.py check.py clean.py commands.py definitions.py edits.py "
-        "events.py explain.py failure.py faults.py finish.py given.py gone.py in_process.py "
-        "judge.py keys.py lock.py make_venv.py manifest.py memory.py message.py missing.py "
-        "nearest.py originals.py page.py places.py printed.py progress.py put_back.py records.py "
-        "reset.py runner.py scores.py screen.py session.py students_code.py stubs.py "
-        "surroundings.py verdict.py verdicts.py watch.py wrapping.py written.py"
+        "__init__.py __main__.py answers.py clean.py commands.py definitions.py lock.py "
+        "make_venv.py manifest.py message.py records.py scores.py stubs.py wrapping.py"
     ),
+    "autograder/checks": "*.py",
+    "autograder/student": "*.py",
     "studies": (
         "__init__.py __main__.py balance.py constraints.py demo.py drag_flight.py drawing.py "
         "engine.py links.py mass_aggregate.py piles.py plot.py releases.py reason.py ropes.py "
@@ -55,6 +52,13 @@ The stubs as they were handed out, for `make reset`. Nothing here is checked or 
 DEMO = "    make demo DEMO=...  a scene to play; its chapter's README names it\n"
 
 
+def student_tools(root: Path = ROOT) -> Iterator[Path]:
+    """Yield the files of the tools that students get."""
+    for folder, names in STUDENT_TOOLS.items():
+        for name in names.split():
+            yield from sorted((root / folder).glob(name))
+
+
 def make_handout(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT
 ) -> None:
@@ -67,9 +71,7 @@ def make_handout(
         raise ValueError(f"{', '.join(both)} cannot be both a stub and given")
     if out.exists() and any(out.iterdir()):
         raise ValueError(f"out must be a new or empty folder, and {out} is not empty")
-    for folder, names in STUDENT_TOOLS.items():
-        _copy((root / folder / name for name in names.split()), out / folder)
-    for file in shared_by_checks(root):
+    for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
     _copy([root / "chapters" / "README.md"], out / "chapters")

@@ -52,7 +52,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
         raise ValueError("grade takes Linux or macOS; on Windows run it under WSL")
     import signal
 
-    from autograder.cohort import ClassOptions, grade
+    from autograder.grader.cohort import ClassOptions, grade
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # it ends as Ctrl-C does
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from autograder.checks.verdict import Point, Status, Verdict
 from autograder.manifest import Chapter, Exercise
-from autograder.verdict import Point, Status, Verdict
 
 ExerciseStatus = Status | Literal["waiting", "marked"]  # marked is what a person has done
 PHYSICS_SHARE = 0.85  # of the points of an exercise, where it has robust checks as well

@@ -10,7 +10,7 @@ import tempfile
 from collections.abc import AsyncIterator
 from pathlib import Path
 
-from autograder.explain import explain_hang
+from autograder.checks.explain import explain_hang
 from autograder.manifest import ROOT
 from lab.child import TIME_LIMIT
 

@@ -8,12 +8,12 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 
-from autograder.allowed_acts import limit_acts
-from autograder.allowed_imports import limit_imports
+from autograder.checks.allowed_acts import limit_acts
+from autograder.checks.allowed_imports import limit_imports
+from autograder.checks.given import with_given
+from autograder.checks.students_code import StudentsCode, graded_files
 from autograder.commands import find_engine
-from autograder.given import with_given
 from autograder.manifest import load_chapters, select_chapters
-from autograder.students_code import StudentsCode, graded_files
 
 _given = ExitStack()  # folders with the reference's given chapters, until the end
 atexit.register(_given.close)

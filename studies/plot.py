@@ -15,8 +15,8 @@ from pathlib import Path
 
 from matplotlib import pyplot
 
-from autograder.finish import DRAWN_WITH
 from autograder.manifest import ROOT, Chapter, select_chapters, split_given
+from autograder.student.finish import DRAWN_WITH
 from studies.drawing import Picture
 from studies.engine import add_engine_options, use_engine
 from studies.reason import reason, shown

@@ -5,10 +5,10 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
-from autograder.explain import slip_of
-from autograder.faults import is_inside
+from autograder.checks.explain import slip_of
+from autograder.checks.faults import is_inside
 from autograder.manifest import ROOT
-from autograder.students_code import LIBRARY
+from autograder.checks.students_code import LIBRARY
 
 
 def reason(error: BaseException) -> str:

@@ -9,11 +9,11 @@ import builtins
 import re
 from typing import Any
 
+from autograder.checks.faults import Fault, StudentLeft
+from autograder.checks.nearest import MOST_SLOTS, Unknown
 from autograder.clean import clean
-from autograder.faults import Fault, StudentLeft
 from autograder.isolation.wire import KNOWN_ERRORS, BrokenProtocolError
 from autograder.message import Place
-from autograder.nearest import MOST_SLOTS, Unknown
 
 FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NoReturn
 
+from autograder.checks.explain import NOT_IMPLEMENTED
+from autograder.checks.faults import CheckEnded
+from autograder.checks.missing import MissingName
 from autograder.clean import clean
-from autograder.explain import NOT_IMPLEMENTED
-from autograder.faults import CheckEnded
 from autograder.isolation.exceptions import exception_of, known_name, text_of_worker
 from autograder.isolation.wire import BrokenProtocolError, Wire, pack, unpack
 from autograder.message import Kind, Message
-from autograder.missing import MissingName
 
 BROKEN = "the code broke the protocol between its process and the checks"
 

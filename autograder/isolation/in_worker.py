@@ -19,16 +19,16 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NoReturn
 
-from autograder.arrange import Workers
-from autograder.events import Broken, Imported, Importing
-from autograder.explain import explain_import
-from autograder.faults import Fault, StudentLeft
-from autograder.in_process import Tell
+from autograder.checks.arrange import Workers
+from autograder.checks.events import Broken, Imported, Importing
+from autograder.checks.explain import explain_import
+from autograder.checks.faults import Fault, StudentLeft
+from autograder.checks.in_process import Tell
+from autograder.checks.missing import while_imported
 from autograder.isolation.handles import Handle, Session, WorkerFailure
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template
 from autograder.message import Message
-from autograder.missing import while_imported
 
 LARGE = 50_000  # bytes of a file that is given all of a worker's time to be compiled
 CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")

@@ -16,8 +16,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from autograder.checks.faults import fault_of
+from autograder.checks.missing import MissingNameError, answer_for_missing, broken_module
+from autograder.checks.printed import CappedText
 from autograder.definitions import read_definitions
-from autograder.faults import fault_of
 from autograder.isolation.wire import (
     KNOWN_ERRORS,
     LONGEST_LINE,
@@ -27,8 +29,6 @@ from autograder.isolation.wire import (
     unpack,
 )
 from autograder.message import Message
-from autograder.missing import MissingNameError, answer_for_missing, broken_module
-from autograder.printed import CappedText
 
 _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 

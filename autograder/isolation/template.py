@@ -20,8 +20,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, NoReturn
 
-from autograder.apart import how_it_ended
-from autograder.faults import GraderFault
+from autograder.checks.apart import how_it_ended
+from autograder.checks.faults import GraderFault
 from autograder.isolation.handles import Session
 from autograder.isolation.sandbox import Level
 from autograder.isolation.wire import Wire

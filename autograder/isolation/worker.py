@@ -24,10 +24,10 @@ import traceback
 from pathlib import Path
 from typing import Any
 
+from autograder.checks.printed import CappedText
 from autograder.isolation import sandbox
 from autograder.isolation.server import Server
 from autograder.isolation.wire import Wire
-from autograder.printed import CappedText
 
 # What engines tend to import: once in the template, rather than in every worker.
 PRELOADED = "math random dataclasses typing collections.abc functools itertools enum copy heapq"

@@ -13,8 +13,8 @@ import traceback
 from dataclasses import replace
 from pathlib import Path
 
-from autograder.assignment import Assignment
-from autograder.grading import grade_submission
+from autograder.grader.assignment import Assignment
+from autograder.grader.grading import grade_submission
 from autograder.isolation.level import choose_level
 from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level, drop_privileges

@@ -8,7 +8,7 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from autograder.arrange import shared_by_checks
+from autograder.checks.arrange import shared_by_checks
 from autograder.manifest import ROOT, Chapter, chapters_below
 
 SCRIPTS = ("setup.sh", "run_autograder")

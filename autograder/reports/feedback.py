@@ -15,6 +15,7 @@ from urllib.parse import quote
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from autograder.checks.verdict import Status
 from autograder.manifest import Chapter
 from autograder.reports.class_stats import exercise_rates, histogram, most_missed
 from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport, tiers
@@ -22,7 +23,6 @@ from autograder.reports.scatter import Scatter, scatter
 from autograder.reports.texts import check_title, clean_all, number, replace_file
 from autograder.scores import PHYSICS_SHARE, place_on_chart
 from autograder.submissions.find import file_name
-from autograder.verdict import Status
 
 SYMBOLS = {  # beside the word, so that no status is told by colour alone
     "passed": "✓",

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from autograder.checks.verdict import Point, Status
 from autograder.message import Message
 from autograder.scores import ExerciseStatus
-from autograder.verdict import Point, Status
 
 ReportStatus = Literal["graded", "error, retry"]
 

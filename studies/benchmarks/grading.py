@@ -7,10 +7,10 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
-from autograder.arrange import Behind
+from autograder.checks.arrange import Behind
+from autograder.checks.runner import Limits, run_checks
 from autograder.isolation.probe import best_level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.runner import Limits, run_checks
 from autograder.submissions.find import find_submissions
 from autograder.submissions.stage import stage
 from studies.timing import Measurement, Target, both, timer, versus

@@ -12,7 +12,7 @@ import pytest
 from autograder.answers import PLACE, blank_answers, model_answer, questions_of, sections_of
 from autograder.handout import make_handout
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
-from autograder.written import open_questions
+from autograder.student.written import open_questions
 
 CH02 = load_chapters()[0]
 WRITTEN = [(c, e) for c in load_chapters() for e in c.exercises if e.kind == "written"]

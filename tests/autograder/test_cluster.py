@@ -24,10 +24,10 @@ from typing import Any
 
 import pytest
 
-from autograder import cluster as over_cluster
-from autograder import cohort
-from autograder.assignment import Assignment
-from autograder.cohort import ClassOptions
+from autograder.grader import cluster as over_cluster
+from autograder.grader import cohort
+from autograder.grader.assignment import Assignment
+from autograder.grader.cohort import ClassOptions
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters

@@ -19,8 +19,8 @@ from typing import Any
 
 import pytest
 
-from autograder import grading
-from autograder.class_folder import only_run
+from autograder.grader import grading
+from autograder.grader.class_folder import only_run
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT
@@ -132,7 +132,7 @@ def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Pa
     for number in range(20):
         hand_in(submissions, f"student {number:02}", RIGHT if number % 3 else HALF)
     program = (
-        "import sys; from pathlib import Path; from autograder import cohort;"
+        "import sys; from pathlib import Path; from autograder.grader import cohort;"
         "from autograder.manifest import load_chapters;"
         "folder, out, root = map(Path, sys.argv[1:]);"
         "options = cohort.ClassOptions(root=root, jobs=2, unsafe=True); "

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from autograder.gone import explain_gone
+from autograder.checks.gone import explain_gone
+from autograder.checks.nearest import nearest
+from autograder.checks.runner import run_checks
 from autograder.manifest import ROOT, load_chapters
 from autograder.message import Message
-from autograder.nearest import nearest
-from autograder.runner import run_checks
 from copies import copy_tree
 from walls import behind_walls
 

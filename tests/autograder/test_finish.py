@@ -11,12 +11,12 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from autograder import finish
-from autograder.finish import DRAWN_WITH, finish_lines, is_finished, print_finish
+from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.scores import Result, result_of
-from autograder.screen import Report
-from autograder.verdict import Verdict
+from autograder.student import finish
+from autograder.student.finish import DRAWN_WITH, finish_lines, is_finished, print_finish
+from autograder.student.screen import Report
 from wrong import write_all
 
 CHAPTERS = {chapter.number: chapter for chapter in load_chapters()}

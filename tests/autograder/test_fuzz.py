@@ -14,10 +14,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from autograder.checks.runner import LONGEST_MESSAGE, Limits, run_checks
+from autograder.checks.verdict import with_needs
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.runner import LONGEST_MESSAGE, Limits, run_checks
-from autograder.verdict import with_needs
 from walls import behind_walls
 from wrong import Wrong, write_wrong
 

@@ -13,22 +13,22 @@ from typing import Any
 
 import pytest
 
-from autograder.assignment import Assignment
-from autograder.check import check as check_chapters
-from autograder.given import (
+from autograder.checks.given import (
     mark_inherited,
     run_on_given,
     told_on_given,
     with_given,
 )
-from autograder.grading import grade_submission
+from autograder.checks.runner import GraderError, run_checks
+from autograder.checks.verdict import Verdict
+from autograder.grader.assignment import Assignment
+from autograder.grader.grading import grade_submission
 from autograder.handout import make_handout
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, select_chapters
 from autograder.message import Kind, Message
-from autograder.runner import GraderError, run_checks
+from autograder.student.check import check as check_chapters
 from autograder.submissions.find import Submission
-from autograder.verdict import Verdict
 from copies import copy_tree
 from graded import points_of
 
@@ -199,7 +199,7 @@ def test_a_fault_of_the_second_run_leaves_the_first_as_it_is(
             raise GraderError("the disk is full")
         return real(chapter, engine, **options)
 
-    monkeypatch.setattr("autograder.check.run_checks", fails_on_given)
+    monkeypatch.setattr("autograder.student.check.run_checks", fails_on_given)
     engine = [ROOT / "sample_class/hana", ROOT / "chapters"]
     assert not check_chapters([CH03], None, engine, "1", [])
     assert "inherited" not in capsys.readouterr().out
@@ -211,7 +211,7 @@ def test_a_fault_of_the_second_run_is_no_score_on_given_chapters(
     def fails(*_: Any, **__: Any) -> list[Verdict]:
         raise GraderError("the disk is full")
 
-    monkeypatch.setattr("autograder.grading.run_on_given", fails)
+    monkeypatch.setattr("autograder.grader.grading.run_on_given", fails)
     hana = Submission("hana", ROOT / "sample_class/hana")
     report = grade_submission(Assignment([CH03], "1", Level()), hana)
     assert report.status == "error, retry"

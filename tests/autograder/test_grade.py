@@ -14,17 +14,17 @@ from typing import Any
 
 import pytest
 
-from autograder import cohort, grading
-from autograder.assignment import Assignment, OnceForAll
-from autograder.cohort import ClassOptions
-from autograder.grading import grade_submission
+from autograder.checks.runner import GraderError, run_checks
+from autograder.checks.verdict import Verdict
+from autograder.grader import cohort, grading
+from autograder.grader.assignment import Assignment, OnceForAll
+from autograder.grader.cohort import ClassOptions
+from autograder.grader.grading import grade_submission
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.records import to_json
-from autograder.runner import GraderError, run_checks
 from autograder.submissions.find import Submission
-from autograder.verdict import Verdict
 from copies import copy_tree
 from graded import told_by
 
@@ -159,7 +159,7 @@ def test_a_fault_of_the_grader_is_an_error_to_retry_and_the_class_goes_on(
     def fails(*_: object, **__: object) -> None:
         raise GraderError("the disk is full")
 
-    monkeypatch.setattr("autograder.assignment.run_checks", fails)
+    monkeypatch.setattr("autograder.grader.assignment.run_checks", fails)
     for student in ("ann", "bob"):
         (tmp_path / "class" / student).mkdir(parents=True)
     assert grade(tmp_path / "class", tmp_path / "out") == 1
@@ -181,7 +181,7 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
         runs.append(chapter.number)
         return run_checks(chapter, *arguments, **more)
 
-    monkeypatch.setattr("autograder.assignment.run_checks", counted)
+    monkeypatch.setattr("autograder.grader.assignment.run_checks", counted)
     assignment, once = Assignment(chapters, "1", Level()), OnceForAll()
 
     def graded(student: str) -> dict[str, Any]:

@@ -168,7 +168,7 @@ def test_nothing_of_the_chapters_is_a_zero_that_says_what_was_looked_for(tree: P
     [
         ("submission", "there is no folder"),
         ("source/assignment.json", "assignment.json"),
-        ("source/autograder/grading.py", "the grader stopped with status 1"),
+        ("source/autograder/grader/grading.py", "the grader stopped with status 1"),
         ("source/tests/ch02_vectors", "isolation"),
         ("source/autograder", "the grader stopped with status 1"),
     ],

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder import cohort
+from autograder.grader import cohort
 from graded import told_by
 from small import RIGHT, hand_in, make_root
 from small_class import everything_in, grade, make_class, results, scores

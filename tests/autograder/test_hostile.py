@@ -68,7 +68,7 @@ GRADE = """
 import sys
 from pathlib import Path
 
-from autograder import cohort
+from autograder.grader import cohort
 from autograder.manifest import load_chapters
 
 folder, out, root = map(Path, sys.argv[1:4])
@@ -284,8 +284,8 @@ def test_the_screen_is_safe(run: Run) -> None:
 
 
 def test_the_solution_passes_beside_its_checks(run: Run) -> None:
+    from autograder.checks.runner import run_checks
     from autograder.manifest import load_chapters
-    from autograder.runner import run_checks
 
     (chapter,) = load_chapters(run.world.root)
     engine = [run.world.root / "solutions", run.world.root / "chapters"]

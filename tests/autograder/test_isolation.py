@@ -15,7 +15,7 @@ from typing import Any, NoReturn
 
 import pytest
 
-from autograder.faults import CheckEnded, StudentLeft
+from autograder.checks.faults import CheckEnded, StudentLeft
 from autograder.isolation.handles import Session, WorkerFailure
 from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level

@@ -10,15 +10,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from autograder.cohort import ClassOptions, grade
+from autograder.checks.runner import run_checks
+from autograder.checks.verdict import Point
+from autograder.grader.cohort import ClassOptions, grade
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
 from autograder.reports.feedback import write_feedback, write_index
 from autograder.reports.gradescope import gradescope_results
 from autograder.reports.report import Chart, StudentReport
 from autograder.reports.scatter import BOTTOM, LEFT, RIGHT, TOP, front, scatter
-from autograder.runner import run_checks
 from autograder.scores import results_of
-from autograder.verdict import Point
 from graded import CHAPTERS, SHOUT, report_of, with_exercise
 from small import MANIFEST, make_root
 from small import RIGHT as SMALL

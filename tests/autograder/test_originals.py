@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT
 from autograder.scores import result_of
-from autograder.verdict import Verdict
 from copies import copy_tree
 from graded import exercise_of
 

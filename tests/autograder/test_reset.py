@@ -14,9 +14,9 @@ import pytest
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.put_back import put_back
-from autograder.reset import question, reset
 from autograder.stubs import make_stubs
+from autograder.student.put_back import put_back
+from autograder.student.reset import question, reset
 from small import RIGHT, STUB, make_students_root
 
 CHAPTERS = load_chapters()

@@ -17,11 +17,11 @@ from typing import Any
 
 import pytest
 
-from autograder import judge, runner
+from autograder.checks import judge, runner
+from autograder.checks.runner import GraderError, Limits, run_checks
+from autograder.checks.verdict import Verdict
 from autograder.manifest import Chapter, load_chapter
-from autograder.runner import GraderError, Limits, run_checks
 from autograder.scores import results_of, total
-from autograder.verdict import Verdict
 from small import CHECKS, RIGHT, make_root
 from walls import behind_walls
 

@@ -14,14 +14,14 @@ from pathlib import Path
 
 import pytest
 
+from autograder.checks.runner import run_checks
+from autograder.checks.verdict import Verdict
 from autograder.manifest import ROOT, load_chapter
-from autograder.runner import run_checks
-from autograder.verdict import Verdict
 from small import RIGHT, make_root
 from walls import behind_walls
 
 # What lies here besides the packages, and what a student may keep beside the code.
-OURS = "autograder autograder.screen autograder.isolation.server studies studies.plot tests"
+OURS = "autograder autograder.student.screen autograder.isolation.server studies studies.plot tests"
 OURS += " chapters solutions expect draw lever conftest sitecustomize nowhere"
 NOT_GRADED = ("ch90_small.helper", "ch90_small.test_small")
 NO_MODULE = "ModuleNotFoundError: No module named "

@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
+from autograder.checks.runner import run_checks
+from autograder.checks.verdict import Verdict
 from autograder.manifest import Chapter, load_chapter
 from autograder.reports.feedback import write_feedback
 from autograder.reports.gradescope import gradescope_results
-from autograder.runner import run_checks
 from autograder.scores import Result, result_of, results_of
-from autograder.screen import Report, print_report
-from autograder.verdict import Verdict
+from autograder.student.screen import Report, print_report
 from graded import check, exercise_of, report_of
 from small import CHECKS, RIGHT, make_root
 

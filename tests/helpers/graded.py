@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from autograder.checks.verdict import Status
 from autograder.manifest import Chapter, Exercise
 from autograder.message import Message
 from autograder.records import from_json
 from autograder.reports.report import CheckReport, ExerciseReport, StudentReport
 from autograder.scores import ExerciseStatus
-from autograder.verdict import Status
 
 SHOUT = "<script>document.title = 'owned'</script><b onclick='x'>&amp;\"'"
 # Escape sequences, control characters, half a character, a turn of the reading direction.

@@ -24,15 +24,15 @@ from typing import Any
 
 import pytest
 
-from autograder.apart import CAN_COPY
-from autograder.arrange import Config
-from autograder.events import Checks, Ended, Event, read_event, write_event
-from autograder.judge import environment
+from autograder.checks.apart import CAN_COPY
+from autograder.checks.arrange import Config
+from autograder.checks.events import Checks, Ended, Event, read_event, write_event
+from autograder.checks.judge import environment
+from autograder.checks.runner import Order, Run, run_checks
+from autograder.checks.verdict import Verdict
+from autograder.checks.verdicts import Recorder, exercise_of, pytest_arguments, run_all
 from autograder.manifest import ROOT, Chapter
 from autograder.records import from_json, to_json
-from autograder.runner import Order, Run, run_checks
-from autograder.verdict import Verdict
-from autograder.verdicts import Recorder, exercise_of, pytest_arguments, run_all
 
 _ready: dict[str, Ready] = {}  # by chapter and seed
 

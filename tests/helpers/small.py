@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from autograder.handout import STUDENT_TOOLS
+from autograder.handout import student_tools
 from autograder.manifest import ROOT
 
 MANIFEST = """
@@ -94,9 +94,11 @@ def make_students_root(folder: Path) -> Path:
     make_root(folder)
     shutil.rmtree(folder / "solutions")
     (folder / "chapters/ch90_small/small.py").write_text(STUB, encoding="utf-8")
-    (folder / "autograder").mkdir()
-    for name in STUDENT_TOOLS["autograder"].split():
-        shutil.copyfile(ROOT / "autograder" / name, folder / "autograder" / name)
+    for file in student_tools():
+        if file.is_relative_to(ROOT / "autograder"):
+            copy = folder / file.relative_to(ROOT)
+            copy.parent.mkdir(exist_ok=True)
+            shutil.copyfile(file, copy)
     return folder
 
 

@@ -7,8 +7,8 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-from autograder import cohort
-from autograder.cohort import ClassOptions
+from autograder.grader import cohort
+from autograder.grader.cohort import ClassOptions
 from autograder.manifest import load_chapters
 from small import RIGHT, hand_in
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from autograder.arrange import Behind
+from autograder.checks.arrange import Behind
 from autograder.isolation.probe import best_level
 
 

@@ -16,14 +16,14 @@ from pathlib import Path
 
 import pytest
 
+from autograder.checks.explain import explain_import
+from autograder.checks.faults import Fault
+from autograder.checks.verdict import Verdict
 from autograder.definitions import functions
-from autograder.explain import explain_import
-from autograder.faults import Fault
 from autograder.handout import STUDENT_TOOLS
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
 from autograder.message import Message, Place
-from autograder.places import next_place
-from autograder.verdict import Verdict
+from autograder.student.places import next_place
 
 CHAPTERS = load_chapters()
 FILE = re.compile(r"\b[a-z]\w*\.(?:py|md|csv|toml)\b")
@@ -32,7 +32,7 @@ PROSE = {"functions", "lines", "line", "head", "top", "rest"}  # of a file, and 
 LIBRARY = re.compile(r"\b(math|random|itertools|functools|statistics|copy)\.([a-z]\w*)")
 # A name of two words or more; what begins with one letter, such as v_s, is a formula's.
 NAME = re.compile(r"(?<![\w.\"'{/-])_?[a-z]{2,}_[a-z_0-9]+\b(?!\.(?:py|csv|md))")
-FOR_ALL_CHAPTERS = ("tests/shared/expect.py", "autograder/explain.py")
+FOR_ALL_CHAPTERS = ("tests/shared/expect.py", "autograder/checks/explain.py")
 ROOT_FILES = {*STUDENT_TOOLS["."].split(), "README.md", "errata.md"}
 
 

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from autograder.arrange import Behind
+from autograder.checks.arrange import Behind
+from autograder.checks.runner import run_checks
+from autograder.checks.verdict import Verdict, with_needs
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
-from autograder.places import next_place
-from autograder.runner import run_checks
 from autograder.scores import results_of, total
-from autograder.verdict import Verdict, with_needs
+from autograder.student.places import next_place
 from copies import copy_tree
 from made import made_stubs
 from ready import ready

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from autograder.answers import questions_of
+from autograder.checks.runner import run_checks
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
-from autograder.runner import run_checks
 
 CHAPTERS = load_chapters()
 BELOW = {  # the chapters that a chapter's modules may import

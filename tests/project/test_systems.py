@@ -16,10 +16,10 @@ from pathlib import Path
 import pytest
 
 from autograder import make_venv
-from autograder.handout import STUDENT_TOOLS, make_handout
+from autograder.checks.runner import Limits, run_checks
+from autograder.checks.verdict import Verdict
+from autograder.handout import make_handout, student_tools
 from autograder.manifest import ROOT, load_chapters
-from autograder.runner import Limits, run_checks
-from autograder.verdict import Verdict
 from copies import copy_tree
 from graded import points_of
 from small import RIGHT, make_root
@@ -60,10 +60,9 @@ def test_a_hand_out_imports_what_every_system_has(tmp_path: Path) -> None:
 def test_the_students_tools_call_nothing_that_windows_lacks(tmp_path: Path) -> None:
     """As the type checker knows Python's library there: os.killpg, say, only behind a guard."""
     modules = [
-        f"{folder}.{file.removesuffix('.py')}"
-        for folder in ("autograder", "studies")
-        for file in STUDENT_TOOLS[folder].split()
-        if file != "__init__.py"
+        ".".join(file.relative_to(ROOT).with_suffix("").parts)
+        for file in student_tools()
+        if file.suffix == ".py" and file.name != "__init__.py"
     ]
     options = ("--platform", "win32", "--follow-imports", "silent", "--cache-dir", str(tmp_path))
     named = [word for module in modules for word in ("-p", module)]

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from autograder.checks.runner import run_checks
+from autograder.checks.verdict import Verdict
 from autograder.manifest import Chapter, load_chapters
-from autograder.runner import run_checks
-from autograder.verdict import Verdict
 from plain import write_plain_engine
 
 CHAPTERS = load_chapters()

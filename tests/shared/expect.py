@@ -17,8 +17,8 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Unpack
 
-from autograder.asked import Words, about, scoped
-from autograder.explain import NOT_IMPLEMENTED
+from autograder.checks.asked import Words, about, scoped
+from autograder.checks.explain import NOT_IMPLEMENTED
 from autograder.message import ExpectationError, Message
 
 # Correct answers that were computed in another order differ by a few rounding errors, each about

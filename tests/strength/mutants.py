@@ -26,7 +26,7 @@ from cosmic_ray.mutating import mutate_code
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from autograder.arrange import shared_by_checks
+from autograder.checks.arrange import shared_by_checks
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter
 from kept import FOLDER, keep

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 from rich.console import Console
 
-from autograder.assignment import Assignment
-from autograder.class_run import print_class
-from autograder.grading import grade_submission
+from autograder.grader.assignment import Assignment
+from autograder.grader.class_run import print_class
+from autograder.grader.grading import grade_submission
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from autograder.reports.report import StudentReport

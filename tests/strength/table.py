@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from rich.console import Console
 
+from autograder.checks.runner import run_checks
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.runner import run_checks
 from kept import kept
 from pages import with_text
 from sample import sample_table

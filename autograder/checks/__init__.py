@@ -1,0 +1,1 @@
+"""Running checks, and putting what went wrong into words."""

@@ -1,0 +1,108 @@
+"""A student's code may compute. It may not write files, start programs or threads, or use sockets.
+
+Where work is graded, walls refuse all of this. Here Python's audit events announce most such acts
+before they happen, and this module refuses them with the same errors. The walls hold against a
+hostile submission. This module does not: it only lets students find out at home. An act without
+an event, such as os.pipe, is carried out.
+"""
+
+from __future__ import annotations
+
+import _thread
+import errno
+import os
+import socket
+import sys
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from autograder.checks.faults import is_inside
+from autograder.checks.students_code import LIBRARY, StudentsCode
+
+WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
+READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]
+THREAD_STARTERS = "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
+NOT_STARTED = 32512  # what os.system returns where no process can be started
+
+# Audit events that are not permitted. The error names one path, two paths, or none.
+WITH_PATH = "os.mkdir os.remove os.rmdir os.chmod os.chown os.truncate os.chdir os.posix_spawn"
+WITH_PATHS = "os.rename os.link os.symlink"
+WITHOUT = (
+    "os.utime os.fork os.forkpty os.exec subprocess.Popen os.kill os.killpg signal.pthread_kill "
+    "socket.__new__ socket.gethostname"
+)
+
+
+def limit_acts(code: StudentsCode) -> None:
+    """Refuse the student's code, from now on, what a grader's walls refuse."""
+    refusals: dict[str, Callable[..., None]] = {
+        "open": lambda *arguments: _open(code, *arguments),
+        "os.listdir": lambda path: _list(code, path),
+        "os.scandir": lambda path: _list(code, path),
+        "socket.getaddrinfo": _no_address,
+    }
+    refusals |= dict.fromkeys(WITH_PATH.split(), lambda path, *_: _not_permitted(path))
+    refusals |= dict.fromkeys(WITH_PATHS.split(), lambda one, two, *_: _not_permitted(one, two))
+    refusals |= dict.fromkeys(WITHOUT.split(), lambda *_: _not_permitted())
+
+    def hear(event: str, arguments: tuple[Any, ...]) -> None:
+        if event in refusals and code.asks():
+            refusals[event](*arguments)
+
+    sys.addaudithook(hear)
+    real_system = os.system
+    os.system = lambda command: NOT_STARTED if code.asks() else real_system(command)
+    for module in (_thread, threading):  # not every Python has an event for it
+        for name in THREAD_STARTERS.split():
+            if hasattr(module, name):
+                setattr(module, name, _no_threads(code, getattr(module, name)))
+
+
+def _open(code: StudentsCode, path: Any, _: str | None, flags: int) -> None:
+    if isinstance(path, int):
+        return  # of a file that is open already
+    file = os.path.realpath(path)
+    if flags & WRITING:
+        if os.path.isdir(os.path.dirname(file)):  # noqa: PTH112, PTH120 - it may be bytes
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+    elif not os.path.exists(file):  # noqa: PTH110
+        return
+    elif is_inside(os.fsdecode(file), code.folders):
+        package, name = Path(os.fsdecode(file)).parts[-2:]
+        if not code.is_graded(package, name):
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), path)
+    else:
+        _allow_reading(file, path)
+
+
+def _list(code: StudentsCode, path: Any) -> None:
+    folder = os.path.realpath("." if path is None else path) if not isinstance(path, int) else "/"
+    if os.path.isdir(folder):  # noqa: PTH112
+        _allow_reading(folder, path, code.folders)
+
+
+def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
+    """Raise PermissionError for a path outside of Python's library and the ``more`` folders."""
+    inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - so that a folder is in itself
+    if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+
+
+def _not_permitted(one: Any = None, two: Any = None) -> None:
+    reason = os.strerror(errno.EPERM)
+    raise PermissionError(errno.EPERM, reason, one, None, two)
+
+
+def _no_address(*_: Any) -> None:
+    raise socket.gaierror(socket.EAI_AGAIN, "Temporary failure in name resolution")
+
+
+def _no_threads(code: StudentsCode, start: Callable[..., Any]) -> Callable[..., Any]:
+    def guarded_start(*arguments: Any, **keywords: Any) -> Any:
+        if code.asks():
+            raise RuntimeError("can't start new thread")
+        return start(*arguments, **keywords)
+
+    return guarded_start

@@ -1,0 +1,68 @@
+"""A student's code may import Python's library and the chapters, and nothing else.
+
+Where work is graded, no package is installed, and only the files that are handed in are there. So
+an import that would fail there fails here too, when it runs and in Python's own words.
+"""
+
+from __future__ import annotations
+
+import builtins
+import importlib
+import importlib.util
+import re
+import sys
+from collections.abc import Mapping, Sequence
+from types import ModuleType
+from typing import Any
+
+from autograder.checks.students_code import StudentsCode
+
+LIBRARY = sys.stdlib_module_names | {"__main__"}
+CHAPTER = re.compile(r"ch\d\d_\w+")
+
+
+def limit_imports(code: StudentsCode) -> None:
+    """Refuse, from now on, each import by the student's code of what a grader does not have."""
+    real_import, real_import_module = builtins.__import__, importlib.import_module
+
+    def guarded_import(
+        name: str,
+        globals: Mapping[str, Any] | None = None,  # noqa: A002 - as Python calls them
+        locals: Mapping[str, Any] | None = None,  # noqa: A002
+        fromlist: Sequence[str] | None = (),
+        level: int = 0,
+    ) -> ModuleType:
+        if (level or name.partition(".")[0] not in LIBRARY) and code.asks():
+            package = (globals or {}).get("__package__")
+            _refuse(code, "." * level + name, package, fromlist or ())
+        return real_import(name, globals, locals, fromlist or (), level)
+
+    def guarded_import_module(name: str, package: str | None = None) -> ModuleType:
+        if name.partition(".")[0] not in LIBRARY and code.asks():
+            _refuse(code, name, package, ())
+        return real_import_module(name, package)
+
+    builtins.__import__ = guarded_import
+    importlib.import_module = guarded_import_module
+
+
+def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
+    """Raise what Python raises where no package is installed and only graded files exist."""
+    if name.startswith("."):
+        try:
+            name = importlib.util.resolve_name(name, package)
+        except ImportError:
+            return  # Python says what is wrong with it
+    top, _, rest = name.partition(".")
+    module = rest.partition(".")[0]
+    if top in LIBRARY:
+        return
+    if not CHAPTER.fullmatch(top):
+        raise ModuleNotFoundError(f"No module named {top!r}", name=top)
+    if module and not code.is_graded(top, f"{module}.py"):
+        raise ModuleNotFoundError(f"No module named {f'{top}.{module}'!r}", name=f"{top}.{module}")
+    for wanted in () if module else fromlist:
+        if not (wanted.startswith(("_", "*")) or code.is_graded(top, f"{wanted}.py")):
+            raise ImportError(
+                f"cannot import name {wanted!r} from {top!r} (unknown location)", name=top
+            )

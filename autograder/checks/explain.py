@@ -1,0 +1,222 @@
+"""Turn what went wrong into the sentences that a student reads."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from autograder.checks.asked import about
+from autograder.checks.faults import Fault, fault_of, is_inside, short, text_of
+from autograder.checks.missing import file_of
+from autograder.checks.nearest import explain_unknown
+from autograder.message import ExpectationError, Kind, Message, Place
+
+NOT_IMPLEMENTED = (
+    "The code returned NotImplemented. Only an operator with two operands, such as __add__, may "
+    "return it: Python then raises the TypeError. A method or a function raises TypeError itself."
+)
+NOT_HANDED_IN = (
+    "Only the files that the exercises name are handed in. Move this code into one of those, or "
+    "correct the name. A module is imported as in from ch02_vectors.vector import Vector3."
+)
+ONLY_COMPUTES = (
+    "An engine only computes. Remove what writes files or reads other people's, starts programs or "
+    "threads, or uses the network: none of it works where your code is graded."
+)
+# Slips of Python that say little by themselves, by a part of what Python says. They come in place
+# of the cause that the check has at hand, which speaks of physics.
+SLIPS = (
+    ("NotImplementedType", NOT_IMPLEMENTED),
+    ("SystemExit", "The code asks Python to stop. Remove the call of sys.exit, exit or quit."),
+    (
+        "EOF when reading",
+        "The code waits for somebody to type. Remove the call of input or breakpoint.",
+    ),
+    ("BdbQuit", "The code waits for somebody to type. Remove the call of input or breakpoint."),
+    (
+        "circular import",
+        "Two files import each other, so neither can be read first. Remove one of the two imports: "
+        "put what both need into the file that is imported.",
+    ),
+    ("No module named 'ch0", NOT_HANDED_IN),
+    ("(unknown location)", NOT_HANDED_IN),
+    (
+        "No module named",
+        "the engine uses Python's standard library alone; a chapter's module is imported with its "
+        "folder, as in from ch02_vectors.vector import Vector3",
+    ),
+    (
+        "No such file or directory",
+        "your code is run in another folder. Find a file that lies beside it with "
+        "Path(__file__).with_name(...), and hand in nothing that no exercise names",
+    ),
+    ("Permission denied", ONLY_COMPUTES),
+    ("Operation not permitted", ONLY_COMPUTES),
+    ("start new thread", ONLY_COMPUTES),
+    (
+        "must be a Vector3, got None",
+        "A method that works in place returns None. Do not assign its result.",
+    ),
+    ("has no setter", "This property has no setter, so it can be read but not assigned."),
+    ("for ^", "In Python a power is written as **."),
+    ("is not defined", "The name is misspelled, or its import is missing at the top of the file."),
+    ("local variable", "The code reads a name before it gives it a value."),
+    ("unexpected keyword", "An argument in the def is not named as the docstring says."),
+    ("and 'method'", "A method is named but not called. Add its brackets."),
+    ("can't decode", "Save the file as UTF-8 in your editor."),
+    ("null bytes", "Save the file as UTF-8 in your editor."),
+)
+# Others may be slips, or what a mistake in the physics leads to: the check's cause follows them.
+PERHAPS = (
+    ("'tuple'", "A function with several results returns a tuple. Unpack it first."),
+    ("NoneType", "There is None where a value is needed. Is a return missing?"),
+    (
+        "maximum recursion",
+        "Something calls itself: an operator, a method, or a setter that assigns its own name.",
+    ),
+    (
+        "positional argument",
+        "Count the arguments. Is self missing in a def, or is one argument too many?",
+    ),
+    ("is not callable", "This is not a function. Is it a property, or a name that is used twice?"),
+    ("values to unpack", "The number of results is wrong. The docstring says which it returns."),
+    ("cannot unpack", "The number of results is wrong. The docstring says which it returns."),
+    ("has no attribute", "The name is misspelled, or the object has another type than you think."),
+    ("unterminated", "A quotation mark is missing, here or further up, or one of three."),
+    ("TabError", "The line is indented with tabs and spaces. Use four spaces for each level."),
+    ("unindent does not match", "Indent the line as far as the block that it belongs to."),
+    ("unexpected indent", "The line is indented too far. Use four spaces for each level."),
+    ("expected an indented block", "The body is missing, or is not indented by four spaces."),
+    ("MemoryError", "The code asks for more memory than a check may use. Is a list too long?"),
+    ("is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z."),
+    (
+        "TypeError",
+        "A value in this line has another type than the code expects. Which type does each name "
+        "have there? A method that is named without its brackets is not called.",
+    ),
+)
+ESCAPED = re.compile(
+    r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"
+)  # as stacks have it
+EXERCISE = re.compile(r"Exercise ([A-Z]?\d+\.\w+)")  # as stubs raise NotImplementedError
+STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})')
+
+
+def explain_exception(
+    error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
+) -> Message:
+    """Return what a check that ended with this exception tells the student.
+
+    A failed expectation has its own message. For other exceptions: what the check is ``about``, the
+    exception, the student's line, and the cause that Python or the check suggests. ``complete``
+    are modules such as ch02_vectors/arguments.py that the student only calls. An exception
+    that came from a worker brings its ``fault`` along.
+    """
+    fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
+    written = [frame for frame in fault.frames if not _is_given(frame, complete)]
+    own = written or fault.frames
+    if isinstance(error, AssertionError) and not own:
+        return error.message if isinstance(error, ExpectationError) else Message(text_of(error))
+    where = own[-1] if own else None
+    if isinstance(error, NotImplementedError):
+        says = fault.text.partition("\n")[0] or "a body raises NotImplementedError"
+        named = EXERCISE.match(says)
+        return Message(
+            f"{Kind.UNWRITTEN.value}: {says}",
+            where=where,
+            kind=Kind.UNWRITTEN,
+            exercise=named[1] if named else "",
+        )
+    # What a check says before it names a call is about none.
+    cause, read = (about.cause, about.read) if about.call else ("", "")
+    likely, other = _likely(fault.first_line, cause, fault)
+    return Message(
+        called=about.call,
+        got=fault.first_line,
+        where=where and _with_source(where, engine_folders),
+        likely=likely,
+        other=other,
+        read=read,
+    )
+
+
+def explain_import(
+    fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
+) -> Message:
+    """Return why a student's module cannot be imported; ``complete`` are not the student's."""
+    file = file_of(module)
+    if fault.missing_module == module:
+        title = f"{file} is missing: not handed in, renamed, or in another folder"
+        return Message(title, kind=Kind.BROKEN)
+    text, where = fault.first_line, None
+    if fault.syntax:
+        text = fault.text
+        source, line, words = fault.syntax
+        where = Place(source or file, line, source=words)
+        title = f"{file} cannot be read: {text}"
+    else:
+        title = f"{file} cannot be imported: {text}"
+        written = [frame for frame in fault.frames if frame.file not in complete]
+        if own := written or fault.frames:
+            where = _with_source(own[-1], engine_folders)
+    likely, _ = _likely(text, "", fault)
+    return Message(title, where=where, likely=likely, kind=Kind.BROKEN)
+
+
+def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
+    """Return where a process was when its time was up, from the stack that it left behind.
+
+    Code that hangs may have written the stack itself: whatever it says, there is a sentence.
+    """
+    hung = Message(
+        f"{Kind.HUNG.value} within {time_limit:g} seconds: an endless loop?", kind=Kind.HUNG
+    )
+    folders = [folder.resolve() for folder in engine_folders]
+    for file, line, name in STACK_LINE.findall(stack):
+        for path in (file, _unescaped(file)):  # a folder of Windows such as \xfaces looks escaped
+            try:
+                if is_inside(path, folders):
+                    return replace(hung, where=Place(short(path), int(line), _unescaped(name)))
+            except (ValueError, OSError):
+                continue  # no file of any system has such a name
+    return hung
+
+
+def _unescaped(text: str) -> str:
+    """Return a text with the characters that Python escapes when it writes a stack."""
+    return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
+
+
+def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
+    """Return what an exception most likely comes from, and what else it may: the check's cause."""
+    meant = explain_unknown(fault.unknown) if fault.unknown else ""
+    if slip := meant or slip_of(text):
+        return slip, ""
+    perhaps = next((slip for sign, slip in PERHAPS if sign in text), "")
+    return (perhaps, cause) if perhaps else (cause, "")
+
+
+def slip_of(text: str) -> str:
+    """Return what an exception surely comes from, or an empty text."""
+    return next((slip for sign, slip in SLIPS if sign in text), "")
+
+
+def _is_given(place: Place, complete: Sequence[str]) -> bool:
+    """Say whether code was there before the student came: only its callers can be wrong.
+
+    No exercise asks for a constructor, so one that refuses something is given.
+    """
+    return place.function in ("__init__", "__setattr__") or place.file in complete
+
+
+def _with_source(place: Place, engine_folders: list[Path]) -> Place:
+    """Return a place with the text of its line, from the first folder that has its file."""
+    for folder in engine_folders:
+        file = folder / place.file
+        if file.is_file():
+            lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
+            line = lines[place.line - 1].strip() if 0 < place.line <= len(lines) else ""
+            return replace(place, source=line[:200])
+    return place

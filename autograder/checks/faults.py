@@ -1,0 +1,103 @@
+"""What went wrong in a student's code, as plain data: it can be told in the same words wherever
+that code runs, in this process or in a worker.
+"""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+
+from autograder.checks.nearest import Unknown, unknown_of
+from autograder.message import Message, Place
+
+MOST_FRAMES = 50
+
+
+class CheckEnded(BaseException):
+    """Ends a check with a message. It is no Exception, so nothing that expects one takes it."""
+
+    def __init__(self, message: Message) -> None:
+        super().__init__(message)
+        self.message = message
+
+    def __str__(self) -> str:
+        return str(self.message)
+
+
+class GraderFault(BaseException):
+    """Ends a check for what is no fault of the code that it checks."""
+
+
+class StudentLeft(BaseException):
+    """The student's code raised something other than an Exception, such as SystemExit."""
+
+    fault: Fault
+
+
+@dataclass(frozen=True)
+class Fault:
+    """An exception: the name of its type, what it says, and its frames in the engine's folders.
+
+    A syntax error also has the file, line and text that Python could not read. ``unknown`` is the
+    name that does not exist, where the exception is about one.
+    """
+
+    type: str
+    text: str
+    frames: list[Place] = field(default_factory=list)
+    syntax: tuple[str, int, str] | None = None
+    missing_module: str = ""
+    unknown: Unknown | None = None
+
+    @property
+    def first_line(self) -> str:
+        """The exception as Python's last line has it, cut to a length that people read."""
+        first = (self.text.splitlines() or [""])[0][:500]
+        return f"{self.type}: {first}" if first else self.type
+
+
+def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
+    """Describe an exception; its frames are those in the folders, the innermost last."""
+    syntax = None
+    text = text_of(error)
+    if isinstance(error, SyntaxError):
+        text = str(error.msg)
+        if error.lineno:
+            syntax = (short(error.filename or ""), error.lineno, (error.text or "").strip())
+    if isinstance(error, ImportError) and type(error.path) is str:
+        text = text.replace(f" ({error.path})", "")  # where it lies on the grader's machine
+    frames = [
+        Place(short(frame.f_code.co_filename), line, frame.f_code.co_name)
+        for frame, line in traceback.walk_tb(error.__traceback__)
+        if is_inside(frame.f_code.co_filename, folders)
+    ]
+    missing = (error.name or "") if isinstance(error, ModuleNotFoundError) else ""
+    kind, frames = type(error).__name__, frames[-MOST_FRAMES:]
+    return Fault(kind, text, frames, syntax, missing, unknown_of(error))
+
+
+def text_of(error: BaseException) -> str:
+    """Return what an exception says; a student's may fail in its own __str__."""
+    try:
+        return str(error).strip()
+    except BaseException:
+        return "(its message cannot be shown)"
+
+
+def is_inside(file: str, folders: Sequence[Path]) -> bool:
+    """Say whether a file lies in one of the folders."""
+    parents = _parents(file)
+    return any(folder in parents for folder in folders)
+
+
+def short(file: str) -> str:
+    """Return a file's folder and name, as students know it."""
+    return f"{Path(file).parent.name}/{Path(file).name}"
+
+
+@cache
+def _parents(file: str) -> list[Path]:
+    return list(Path(file).resolve().parents)

@@ -1,0 +1,81 @@
+"""Explain a failure that comes from a body which the student's file no longer defines.
+
+The manifest names the bodies to write. Where one of them was deleted or renamed, Python says only
+that a name is missing; the student should read that the stub is gone, and how to get it back.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+from autograder.checks.calls import calls
+from autograder.checks.missing import does_not_define
+from autograder.checks.nearest import nearest
+from autograder.commands import command
+from autograder.definitions import own_name
+from autograder.message import Message
+
+Defined = Callable[
+    [str], set[str] | None
+]  # what a module such as vector defines, if it can be read
+
+
+def explain_gone(
+    message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
+) -> Message:
+    """Return the message of a failed check, with the cause where a body of the chapter is gone.
+
+    ``edits`` are the bodies that each exercise has students write, such as vector.Vector3.dot.
+    """
+    for owner, name in _candidates(message, exercise, edits):
+        module, _, path = name.partition(".")
+        there = defined(module)
+        if there is not None and path not in there:
+            likely = _words(module, path, owner, there, edits)
+            return replace(message, likely=likely, other="")
+    return message
+
+
+def _candidates(
+    message: Message, exercise: str, edits: Mapping[str, Sequence[str]]
+) -> list[tuple[str, str]]:
+    """Return the bodies that the message may be about: those that it names, then those it calls."""
+    every = [(owner, name) for owner, names in edits.items() for name in names]
+    own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
+    says = f"{message.title}\n{message.got}"  # Python's own words are in one of them
+    return [pair for pair in every if _names(says, pair[1])] + own
+
+
+def _names(says: str, name: str) -> bool:
+    """Say whether an error's text says that this name, or the class that it is in, is missing."""
+    module, *path = name.removesuffix(".setter").split(".")
+    short, outer = path[-1], path[0]
+    signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]
+    signs += [f"cannot import name '{outer}'"]
+    if len(path) > 1:
+        signs.append(f"'{outer}' object has no attribute '{short}'")
+        signs.append(f"type object '{outer}' has no attribute '{short}'")
+        signs.append(f"property '{short}' of '{outer}' object has no setter")
+    return any(re.search(rf"{re.escape(sign)}(?!\w)", says) for sign in signs)
+
+
+def _words(
+    module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
+) -> str:
+    """Return what became of a body, and what to do: undo a new name, or put the stub back."""
+    prefix = path.removesuffix(own_name(f"{module}.{path}"))
+    if prefix and not any(name.startswith(prefix) for name in there):
+        short = own_name(f"{module}.{path}")
+        others = sorted(name.rpartition(".")[0] for name in there if name.endswith(f".{short}"))
+        undo = f" If you renamed it to {others[0]}, change the name back." if others else ""
+        return f"{module}.py has no class {prefix.rstrip('.')} any more.{undo}"
+    listed = {name.partition(".")[2] for names in edits.values() for name in names}
+    others = [name.removeprefix(prefix) for name in there - listed if name.startswith(prefix)]
+    renamed = nearest(path.removeprefix(prefix), sorted(others), 0.75)
+    undo = f" If you renamed it to {renamed}, change the name back." if renamed else ""
+    return (
+        f"The stub of {path} is gone: {module}.py does not define it any more.{undo} To put the "
+        f"stub back and leave your other work as it is: {command('reset', EX=exercise)}"
+    )

@@ -1,0 +1,113 @@
+"""Checks and the student's code in one process, as students run them: quick, and full of trust.
+
+All the same, the code may import and do only what it may where it is graded.
+"""
+
+from __future__ import annotations
+
+import faulthandler
+import gc
+import importlib
+import os
+import sys
+from collections.abc import Callable, Collection, Mapping, Sequence
+from pathlib import Path
+
+from autograder.checks.allowed_acts import limit_acts
+from autograder.checks.allowed_imports import limit_imports
+from autograder.checks.apart import CAN_COPY
+from autograder.checks.events import Event, Imported, Importing
+from autograder.checks.explain import explain_import
+from autograder.checks.faults import fault_of
+from autograder.checks.missing import MissingNameError, answer_for_missing, broken_module
+from autograder.checks.printed import CappedText
+from autograder.checks.students_code import StudentsCode
+from autograder.checks.surroundings import Depth, leave_home
+from autograder.definitions import read_definitions
+from autograder.message import Message
+
+Tell = Callable[[Event], None]  # tells the runner of it
+CALLS = 13  # nested calls of pytest and the check, from the start of a check to the student's code
+
+
+class InProcess:
+    """The student's modules, imported beside the checks."""
+
+    def __init__(
+        self,
+        engine: list[str],
+        time_limit: float,
+        stack_file: str,
+        complete: Sequence[str],
+        graded: Mapping[str, Collection[str]],
+        *,
+        apart: bool,
+    ) -> None:
+        self.engine = [Path(folder).resolve() for folder in engine]
+        self.time_limit = time_limit
+        self.stack_file = Path(stack_file).open("wb")  # noqa: SIM115 - lives as long as we
+        self.complete = complete
+        self.graded = graded
+        self.apart = apart and CAN_COPY
+        self.printed: list[str] = []
+        self.streams = sys.stdin, sys.stdout, sys.stderr
+        self.depth = Depth()
+
+    def open(self, modules: list[str], broken: Mapping[str, Message], tell: Tell) -> None:
+        """Import the student's modules before any check does, so that a bad one stops no other."""
+        leave_home()
+        code = StudentsCode(self.engine, self.graded)
+        limit_imports(code)
+        limit_acts(code)
+        for module, message in broken.items():
+            sys.modules[module] = broken_module(module, message)
+        for module in modules:
+            if module not in sys.modules:
+                tell(Importing(module))
+                self.start()
+                self._import(module)
+                self.stop()
+                tell(Imported())
+        # Only the checks get an answer for a missing name: in another module of the student's it
+        # is an ImportError here as well as behind the walls.
+        for imported in filter(None, map(sys.modules.get, modules)):
+            imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
+
+    def after_collection(self) -> None:
+        """Leave what exists by now to itself: copies of this process then share it for longer."""
+        gc.freeze()
+
+    def _import(self, module: str) -> None:
+        # A source edited twice within a second would be taken for its own stale bytecode.
+        sys.dont_write_bytecode = True
+        try:
+            importlib.import_module(module)
+        except MissingNameError as error:  # it uses another module that is broken
+            sys.modules[module] = broken_module(module, error.message)
+        except BaseException as error:  # SystemExit among them
+            message = explain_import(
+                fault_of(error, self.engine), module, self.engine, self.complete
+            )
+            sys.modules[module] = broken_module(module, message)
+        finally:
+            sys.dont_write_bytecode = False
+
+    def definitions(self, file: Path) -> set[str] | None:
+        """Return what a module of the student's defines."""
+        return read_definitions(file)
+
+    def start(self) -> None:
+        """Write the stack and end the process when the time is up, whatever the code is doing."""
+        self.depth.adapt(CALLS)
+        sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - stop closes it
+        sys.stdout = sys.stderr = CappedText(self.printed.append)
+        faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
+
+    def stop(self) -> str:
+        """Stop the clock, and return what was printed."""
+        faulthandler.cancel_dump_traceback_later()
+        sys.stdin.close()
+        sys.stdin, sys.stdout, sys.stderr = self.streams
+        printed = "".join(self.printed).strip()
+        self.printed.clear()
+        return printed

@@ -1,0 +1,253 @@
+"""The process that runs the checks: pytest with a recorder that reports each verdict as it falls.
+
+The runner starts it as ``python -m autograder.checks.verdicts FILE`` and reads one JSON object a
+line: the list of checks first, then what starts and what its verdict is. Verdicts come from
+pytest's own reports, never from text.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Generator
+from dataclasses import replace
+from functools import partial
+from itertools import groupby
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import pytest
+from _pytest.runner import runtestprotocol
+
+from autograder.checks.apart import run_in_a_copy
+from autograder.checks.arrange import Config
+from autograder.checks.asked import about
+from autograder.checks.events import Check, Checks, Decided, Ended, Event, Started, write_event
+from autograder.checks.explain import explain_exception
+from autograder.checks.faults import CheckEnded, GraderFault, StudentLeft, fault_of
+from autograder.checks.gone import explain_gone
+from autograder.checks.in_process import InProcess, Tell
+from autograder.message import NOTHING, Message
+from autograder.records import from_json
+from autograder.wrapping import few_lines
+
+if TYPE_CHECKING:
+    from autograder.isolation.in_worker import InWorker
+
+# Built-in plugins that no check uses; leaving them out saves a sixth of the time to the answer.
+UNUSED_PLUGINS = (
+    "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin setuponly "
+    "setupplan stepwise unittest debugging warnings unraisableexception threadexception"
+)
+
+MOST_KEPT = (40, 2000)  # lines, and characters, of what the student's code printed
+
+
+class Recorder:
+    """A pytest plugin that picks the checks to run, limits their time and reports verdicts."""
+
+    def __init__(self, config: Config, tell: Tell) -> None:
+        self.config = config
+        self.tell = tell
+        self.engine = _engine(config)
+        self.definitions: dict[str, set[str] | None] = {}
+
+    def pytest_sessionstart(self) -> None:
+        """Make the student's modules ready for the checks to import."""
+        self.engine.open(self.config.arranged.modules, self.config.broken, self.tell)
+
+    def pytest_collection_finish(self) -> None:
+        """Tell what cannot be imported, where that was not needed to collect the checks."""
+        self.engine.after_collection()
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """Leave the reason where the runner looks for it when the checks cannot be collected."""
+        if report.failed:
+            print(report.longreprtext, file=sys.stderr)
+
+    def pytest_collection_modifyitems(
+        self, config: pytest.Config, items: list[pytest.Item]
+    ) -> None:
+        """Sort the checks by the manifest's order, tell the runner, and leave out what is done."""
+        order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
+        for item in items:
+            if exercise_of(item) not in self.config.arranged.known:
+                raise pytest.UsageError(f"{item.nodeid} is of an exercise that there is not")
+        items[:] = [item for item in items if exercise_of(item) in order]
+        items.sort(key=lambda item: (order[exercise_of(item)], _is_robust(item)))
+        hidden = [item for item in items if "/hidden/" in item.path.as_posix()]
+        for number, item in enumerate(hidden, 1):
+            item.user_properties.append(("rationale", _rationale(item)))
+            worker = self.config.arranged.worker
+            if worker and not worker.tells:  # its own name may say what it looks for
+                item.name = f"hidden check {number}"
+        checks = [
+            Check(
+                item.name,
+                exercise_of(item),
+                _marker(item).kwargs.get("weight", 1),
+                _is_robust(item),
+                _told(item).get("rationale"),
+            )
+            for item in items
+        ]
+        self.tell(Checks(checks))
+        left_out = [item for item in items if item.name in self.config.done]
+        config.hook.pytest_deselected(items=left_out)
+        items[:] = [item for item in items if item not in left_out]
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
+        """Run the checks of each exercise in a copy of this process, if they share it with code."""
+        apart = isinstance(self.engine, InProcess) and self.engine.apart
+        if session.testsfailed or not apart:  # checks that cannot be collected are for pytest
+            return None
+        for _, group in groupby(session.items, exercise_of):
+            run_in_a_copy(partial(run_all, list(group)))
+        return True
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
+        """Start the time limit of the check itself, and its worker if it has one."""
+        self.tell(Started(item.name))
+        about.forget()
+        self.engine.start()  # until its report is made: a student's exception may hang in its str
+        try:
+            return (yield)
+        except KeyboardInterrupt as error:  # the student's, or pytest would end all checks
+            left = StudentLeft(str(error))
+            left.fault = fault_of(error, self.engine.engine)
+            raise left.with_traceback(error.__traceback__) from None
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_makereport(
+        self, item: pytest.Item, call: pytest.CallInfo[None]
+    ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+        """Report what became of the check; trouble outside its body is the grader's fault."""
+        # Ours is the only reader, so pytest need not lay its traceback out: that takes four times
+        # as long as all the rest.
+        setattr(item, "repr_failure", str)  # noqa: B010
+        report = yield
+        status: Literal["passed", "failed", "error"] = "passed"
+        message = NOTHING
+        if call.excinfo is not None:
+            error = call.excinfo.value
+            ours = report.when != "call" or isinstance(error, GraderFault)
+            status = "error" if ours else "failed"
+            arranged = self.config.arranged
+            if isinstance(error, CheckEnded):
+                message = error.message
+            elif isinstance(error, (pytest.fail.Exception, GraderFault)):
+                message = Message(str(error))
+            else:
+                message = explain_exception(error, self.engine.engine, arranged.complete)
+            if not ours:
+                edits = arranged.edits
+                message = explain_gone(message, exercise_of(item), edits, self._defined)
+        if report.when == "call":
+            printed = self.engine.stop()
+            if printed and message:
+                message = replace(message, printed=few_lines(printed, *MOST_KEPT))
+        if report.when == "call" or status == "error":
+            told = _told(item)
+            # Where a hidden check puts a work could tell what it asks.
+            point = None if "rationale" in told else told.get("on_chart")
+            message = message.changed(self._without_folders)
+            self.tell(Decided(item.name, status, message, point))
+        return report
+
+    def _without_folders(self, text: str) -> str:
+        """Return a text without the engine's folders: in grading it lies elsewhere."""
+        for folder in self.engine.engine:
+            text = text.replace(f"{folder}{os.sep}", "")
+        return text
+
+    def _defined(self, module: str) -> set[str] | None:
+        """Return what a module of the chapter defines, None where nobody can tell."""
+        if module not in self.definitions:
+            arranged = self.config.arranged
+            places = [Path(folder) / arranged.chapter for folder in arranged.engine]
+            files = [file for place in places if (file := place / f"{module}.py").is_file()]
+            self.definitions[module] = self.engine.definitions(files[0]) if files else None
+        return self.definitions[module]
+
+    def pytest_sessionfinish(self, exitstatus: int) -> None:
+        code = pytest.ExitCode
+        if exitstatus in (code.OK, code.TESTS_FAILED, code.NO_TESTS_COLLECTED):
+            self.tell(Ended())
+
+
+def run_all(checks: list[pytest.Item]) -> None:
+    """Run checks that pytest has collected."""
+    for check in checks:
+        runtestprotocol(check, log=False)
+
+
+def _engine(config: Config) -> InProcess | InWorker:
+    """Return what holds the student's code: this process, or workers."""
+    arranged = config.arranged
+    where = arranged.engine, config.time_limit, config.stack_file, arranged.complete
+    if arranged.worker is None:
+        return InProcess(*where, arranged.graded, apart=config.apart)
+    from autograder.isolation.in_worker import InWorker  # hand-outs lack it
+
+    return InWorker(*where, arranged.worker)
+
+
+def _told(item: pytest.Item) -> dict[str, Any]:
+    """Return what is known of a check beside its verdict: its rationale, its point on a chart."""
+    return dict(item.user_properties)
+
+
+def _rationale(item: pytest.Item) -> str:
+    """Return the one sentence that students are told of a hidden check: its docstring's first."""
+    words = (getattr(item, "obj", None).__doc__ or "").strip()
+    return words.splitlines()[0] if words else "a hidden check of this exercise fails"
+
+
+def exercise_of(item: pytest.Item) -> str:
+    """Return the id of the exercise that a check belongs to."""
+    return str(_marker(item).args[0])
+
+
+def _marker(item: pytest.Item) -> pytest.Mark:
+    marker = item.get_closest_marker("exercise")
+    if marker is None or not marker.args:
+        raise pytest.UsageError(f"{item.nodeid} has no exercise marker with an id")
+    return marker
+
+
+def _is_robust(item: pytest.Item) -> bool:
+    """Say whether a check belongs to the robust tier of its exercise, not to the physics."""
+    return item.get_closest_marker("robust") is not None
+
+
+def main() -> int:
+    """Run the checks that the configuration names, in the file on the command line."""
+    config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
+    wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what the student prints is no verdict
+
+    def tell(event: Event) -> None:
+        wire.write(write_event(event))
+        wire.flush()
+
+    return int(pytest.main(pytest_arguments(config), plugins=[Recorder(config, tell)]))
+
+
+def pytest_arguments(config: Config) -> list[str]:
+    """Return what pytest is called with."""
+    arranged = config.arranged
+    arguments = [*arranged.tests, "--capture=no", f"--rootdir={arranged.root}"]
+    arguments += [f"--seed={config.seed}", *(f"--engine={path}" for path in arranged.engine)]
+    for plugin in UNUSED_PLUGINS.split():
+        arguments += ["-p", f"no:{plugin}"]
+    return arguments
+
+
+if __name__ == "__main__":
+    # Threads or exit handlers that the student's code left behind must not hold the process.
+    code = main()
+    sys.stderr.flush()
+    os._exit(code)

@@ -1,0 +1,1 @@
+"""Grading a class, on one machine or over a cluster."""

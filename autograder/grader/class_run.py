@@ -1,0 +1,156 @@
+"""One run over a class: submissions side by side, and each report as it is made."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Iterator
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import closing
+from dataclasses import replace
+from pathlib import Path
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+
+from autograder.checks.judge import is_stopped, stopping
+from autograder.checks.runner import GraderError
+from autograder.grader.assignment import Assignment, OnceForAll
+from autograder.grader.grading import digest_of, grade_submission
+from autograder.grader.run_key import run_key
+from autograder.reports.marks import Marks, apply_marks
+from autograder.reports.report import StudentReport
+from autograder.reports.results import read_result, write_student
+from autograder.scores import shown
+from autograder.submissions.find import Submission, file_name
+
+
+class ClassRun:
+    """One run over a class: what it shares, and how many were there already."""
+
+    def __init__(
+        self,
+        assignment: Assignment,
+        out: Path,
+        marks: Marks,
+        console: Console,
+    ) -> None:
+        self.assignment = assignment
+        self.out = out
+        self.marks = marks
+        self.key = run_key(assignment)
+        self.once = OnceForAll()
+        self.console = console
+        self.reused: list[str] = []
+
+    def collect(
+        self, submissions: list[Submission], arriving: Generator[StudentReport]
+    ) -> list[StudentReport]:
+        """Show the reports that arrive, and return them in the order of the submissions."""
+        columns = (
+            TextColumn("{task.description}"),
+            BarColumn(),
+            MofNCompleteColumn(),
+            TimeRemainingColumn(),
+        )
+        reports: dict[str, StudentReport] = {}
+        with (
+            closing(arriving),
+            Progress(*columns, console=self.console, transient=True) as progress,
+        ):
+            task = progress.add_task("grading", total=len(submissions))
+            try:
+                for report in arriving:
+                    reports[report.student] = report
+                    progress.update(task, advance=1, description=f"graded {report.student}")
+                    if not self.console.is_terminal:
+                        line = f"{len(reports)}/{len(submissions)} {report.student}"
+                        self.console.print(line, markup=False)
+            except BaseException:  # Ctrl-C above all: what has landed stays, the rest is dropped
+                progress.stop()
+                line = f"Stopping: {len(reports)} of {len(submissions)} are complete. "
+                self.console.print(line + "The same command goes on from there.")
+                raise
+        return [reports[submission.student] for submission in submissions]
+
+    def here(self, submissions: list[Submission], jobs: int) -> Generator[StudentReport]:
+        """Grade the submissions, so many at a time, and yield the reports that have landed."""
+        with ThreadPoolExecutor(jobs) as pool:
+            try:
+                futures = [pool.submit(self.one, submission) for submission in submissions]
+                for future in as_completed(futures):
+                    yield future.result()
+            except BaseException:  # that nobody wants any more is one, too
+                with stopping():
+                    pool.shutdown(cancel_futures=True)
+                raise
+
+    def elsewhere(
+        self,
+        submissions: list[Submission],
+        grade_over: Callable[[list[Submission]], Iterator[StudentReport]],
+    ) -> Generator[StudentReport]:
+        """Have the submissions graded by others, and yield the reports that have landed."""
+        left = []
+        for submission in submissions:
+            if report := self.earlier(submission):
+                yield self.land(report)
+            else:
+                left.append(submission)
+        for report in grade_over(left):
+            yield self.land(replace(report, run=self.key))
+
+    def one(self, submission: Submission) -> StudentReport:
+        """Return the report of one submission, an earlier one where it still holds."""
+        report = self.earlier(submission)
+        if report is None:
+            report = replace(grade_submission(self.assignment, submission, self.once), run=self.key)
+            if is_stopped():
+                raise GraderError("the run was stopped")  # in the middle of this submission
+        return self.land(report)
+
+    def land(self, report: StudentReport) -> StudentReport:
+        """Write a report and all that is made of it, with the marks of a person; return it."""
+        report = apply_marks(report, self.marks)
+        write_student(self.out, report)
+        return report
+
+    def earlier(self, submission: Submission) -> StudentReport | None:
+        """Return the report of an earlier run, where it still holds."""
+        path = self.out / "results" / f"{file_name(submission.student)}.json"
+        report = read_result(path)
+        if report is None or not self.still_holds(report, submission):
+            return None
+        self.reused.append(submission.student)
+        return report
+
+    def still_holds(self, report: StudentReport, submission: Submission) -> bool:
+        """Say whether grading again would give this report."""
+        if report.status != "graded" or report.run != self.key:
+            return False
+        return report.submission == digest_of(self.assignment, submission)
+
+
+def print_class(console: Console, reports: list[StudentReport]) -> None:
+    """Print a row for each student: points, checks, and the first trouble."""
+    table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
+    for heading in ("points", "on given", "checks"):
+        table.add_column(heading, justify="right")
+    table.add_column("status")
+    table.add_column("first trouble")
+    for report in reports:
+        checks = [(e, check) for e in report.exercises for check in e.checks]
+        passed = sum(check.status == "passed" for _, check in checks)
+        order = ("error", "failed", "inherited", "blocked")
+        lost = [pair for pair in checks if pair[1].status in order]
+        lost.sort(key=lambda pair: (order.index(pair[1].status), pair[1].robust))
+        table.add_row(
+            escape(report.student),
+            f"{shown(report.score)}/{report.points}",
+            shown(report.score_on_given),
+            f"{passed}/{len(checks)}",
+            report.status,
+            escape(f"{lost[0][0].id}: {lost[0][1].message.in_short[:200]}") if lost else "",
+        )
+    console.print(table)

@@ -1,0 +1,158 @@
+"""Grade a class: submissions side by side, each report as it is made, and a run that can go on."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from rich.console import Console
+
+from autograder.checks.arrange import Behind
+from autograder.checks.runner import GraderError, Limits, run_checks
+from autograder.grader.assignment import Assignment
+from autograder.grader.class_folder import only_run, put_others_aside, seed_of, temporary_files_in
+from autograder.grader.class_run import ClassRun, print_class
+from autograder.grader.cluster import connect, grade_over
+from autograder.isolation.level import choose_level
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.reports.marks import read_marks
+from autograder.reports.results import write_class
+from autograder.reports.texts import replace_file
+from autograder.submissions.find import Submission, find_submissions
+
+
+@dataclass(frozen=True)
+class ClassOptions:
+    """How a class is graded.
+
+    The ``given`` chapters are the reference's, whatever is handed in. Without a ``seed``, a run
+    that was stopped goes on with its own, and a new run draws one. ``hidden`` is a folder of
+    further checks, chNN_name/test_*.py. ``unsafe`` accepts a machine without walls. ``jobs``
+    submissions are graded at a time, by default one a core; or the workers of a ``cluster`` grade
+    them, named by its scheduler's address.
+    """
+
+    given: Sequence[Chapter] = ()
+    seed: str | None = None
+    hidden: Path | None = None
+    unsafe: bool = False
+    root: Path = ROOT
+    time_limit: float = Limits.check
+    jobs: int | None = None
+    cluster: str | None = None
+
+    def __post_init__(self) -> None:
+        if self.jobs is not None and self.jobs < 1:
+            raise ValueError(f"--jobs must be at least 1, got {self.jobs}")
+        if self.jobs is not None and self.cluster:
+            raise ValueError("--jobs is of this machine: --nthreads of its workers is a cluster's")
+
+
+def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
+    """Grade every submission in the folder; write the reports into out; return 1 for errors.
+
+    What is complete, of the same submission, checks, grader and seed, is not graded again. Raises
+    ValueError for what cannot be graded so, OSError for what cannot be read or written.
+    """
+    submissions, notes = _submissions(folder, out)
+    everyone = [submission.student for submission in submissions]
+    marks = read_marks(folder / "marks.csv", load_chapters(options.root), everyone)
+    level = choose_level(folder, unsafe=options.unsafe)
+    with only_run(out) as state:
+        seed = seed_of(state, options.seed)
+        hidden = options.hidden and options.hidden.resolve()
+        assignment = Assignment(
+            chapters, seed, level, options.given, hidden, options.root, options.time_limit
+        )
+        check_hidden(assignment)
+        replace_file(state, json.dumps({"seed": seed, "finished": False}) + "\n")
+        console = Console(highlight=False)
+        for note in notes:
+            console.print(note, markup=False)
+        class_run = ClassRun(assignment, out, marks, console)
+        with temporary_files_in(out), ExitStack() as stack:
+            if options.cluster:
+                client = stack.enter_context(connect(options.cluster, assignment, console))
+                over = partial(grade_over, client, assignment)
+                arriving = class_run.elsewhere(submissions, over)
+            else:
+                arriving = class_run.here(submissions, options.jobs or _cores())
+            reports = class_run.collect(submissions, arriving)
+        moved = put_others_aside(out, everyone)
+        places = write_class(out, chapters, reports)
+        finished = all(report.status == "graded" for report in reports)
+        replace_file(state, json.dumps({"seed": seed, "finished": finished}) + "\n")
+    print_class(console, reports)
+    for report in reports:
+        for note in report.notes:
+            console.print(f"{report.student}: {note}", markup=False)
+    if moved:
+        console.print(f"{moved} reports of other students are in {out / 'earlier'} now.")
+    if class_run.reused:
+        console.print(
+            f"{len(class_run.reused)} of {len(reports)} were graded before, and not again."
+        )
+    console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
+    for place in places:
+        console.print(str(place), markup=False, soft_wrap=True)
+    return int(not finished)
+
+
+def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
+    """Return the submissions in a folder, and notes on it; the reports may lie beside them.
+
+    Raises ValueError where the reports would lie among what is graded.
+    """
+    submissions, notes = find_submissions(folder)
+    if out.resolve() == folder.resolve():
+        raise ValueError(f"--out must not be the folder of the class, got {str(out)!r}")
+    submissions = [one for one in submissions if one.path.resolve() != out.resolve()]
+    for one in submissions:
+        if out.resolve().is_relative_to(one.path.resolve()):
+            raise ValueError(
+                f"--out must not lie in the submission {one.student!r}, got {str(out)!r}"
+            )
+    return submissions, notes
+
+
+def check_hidden(assignment: Assignment) -> None:
+    """Raise ValueError where the hidden checks are none, or fail on the reference itself."""
+    hidden, root = assignment.hidden, assignment.root
+    if hidden is None:
+        return
+    graded = [chapter for chapter in assignment.chapters if (hidden / chapter.name).is_dir()]
+    if not graded:
+        names = ", ".join(chapter.name for chapter in assignment.chapters)
+        raise ValueError(f"--checks must be a folder that has one of {names}, got {str(hidden)!r}")
+    behind = Behind(vars(assignment.level), hidden=hidden, tells=True)
+    engine = [root / "solutions", root / "chapters"]
+    for chapter in graded:
+        for probes in (root / "tests" / chapter.name).glob("*probes.py"):
+            if (hidden / chapter.name / probes.name).exists():
+                raise ValueError(
+                    f"{hidden / chapter.name / probes.name} has the name of a public file: "
+                    "call it hidden_probes.py"
+                )
+        try:
+            verdicts = run_checks(chapter, engine, seed=assignment.seed, root=root, behind=behind)
+        except GraderError as error:
+            raise ValueError(
+                f"the checks in {hidden / chapter.name} do not run: {error}"
+            ) from error
+        if not any(verdict.hidden for verdict in verdicts):
+            raise ValueError(f"there is no check in {hidden / chapter.name}: test_*.py is wanted")
+        for check in verdicts:
+            if check.status != "passed":
+                raise ValueError(f"{check.name} fails on the reference itself: {check.message}")
+
+
+def _cores() -> int:
+    if sys.platform == "linux":
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

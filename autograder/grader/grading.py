@@ -1,0 +1,211 @@
+"""Grade one submission: stage it, run its checks behind walls, and make its report."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from autograder.checks.given import below_and_not_given, mark_inherited, run_on_given, with_given
+from autograder.checks.runner import GraderError, Limits, presentable
+from autograder.checks.verdict import Verdict
+from autograder.grader.assignment import Assignment, OnceForAll
+from autograder.manifest import Chapter, load_chapters
+from autograder.message import Message
+from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport
+from autograder.scores import Result, results_of, total
+from autograder.submissions.find import Submission
+from autograder.submissions.stage import Staged, stage
+
+SUBMISSION_LIMIT = 300.0  # seconds for all the chapters of a submission, which take about two each
+
+LEAST_TIME = 10.0  # seconds for a chapter, even then: its checks must be able to begin
+
+
+def grade_submission(
+    assignment: Assignment,
+    submission: Submission,
+    once: OnceForAll | None = None,
+    fill: Callable[..., Staged] | None = None,
+) -> StudentReport:
+    """Grade one submission and return its report. Whatever goes wrong is told in the report.
+
+    ``once`` has what is the same for the whole class. ``fill`` takes the place of stage where the
+    submission is on another machine.
+    """
+    once = once or OnceForAll()
+    start = time.monotonic()
+    try:
+        with tempfile.TemporaryDirectory(prefix="submission-") as folder:
+            box = Path(folder)
+            chapters = load_chapters(assignment.root)
+            staged = (fill or stage)(submission.path, chapters, box, assignment.root)
+            notes = _notes(staged, chapters, box)
+            with with_given(assignment.given, [box], assignment.root) as engine:
+                pairs = _all_results(assignment, once, engine, staged, box)
+        report = _report(assignment, once, submission.student, pairs, notes)
+        report = replace(report, submission=staged.digest)
+    except Exception as error:  # ours, whatever it is: the class goes on
+        report = report_of_failure(assignment, submission.student, repr(error))
+    return replace(report, seconds=round(time.monotonic() - start, 3))
+
+
+def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
+    """Return the report on a submission that the grader failed on."""
+    pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
+    return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
+
+
+def _notes(staged: Staged, chapters: list[Chapter], box: Path) -> list[str]:
+    """Return what is to be noted about a submission; that nothing was found in it, above all."""
+    files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
+    if staged.missing or any(file.exists() for file in files):
+        return staged.notes
+    wanted = ", ".join(f"{chapter.name}/{chapter.edited_files[0]}" for chapter in chapters)
+    return [*staged.notes, f"nothing was found of {wanted} and so on, at most three levels down"]
+
+
+def digest_of(assignment: Assignment, submission: Submission) -> str:
+    """Return the digest of what would be graded, without grading it."""
+    with tempfile.TemporaryDirectory(prefix="submission-") as folder:
+        chapters = load_chapters(assignment.root)
+        return stage(submission.path, chapters, Path(folder), assignment.root).digest
+
+
+def _all_results(
+    assignment: Assignment, once: OnceForAll, engine: list[Path], staged: Staged, box: Path
+) -> list[tuple[list[Result], list[Result]]]:
+    """Return the results of each chapter, on the student's own and on the reference's earlier ones.
+
+    The reports have words of the first run alone: in the second the student's code could read the
+    reference, and tell it.
+    """
+    deadline = time.monotonic() + SUBMISSION_LIMIT
+
+    def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
+        limit = max(LEAST_TIME, min(Limits.run, deadline - time.monotonic()))
+        return assignment.run(chapter, engine, missing=staged.missing, run_limit=limit)
+
+    pairs = []
+    for chapter in assignment.chapters:
+        results = partial(results_of, chapter)
+        try:
+            if _is_empty(chapter, staged, box):
+                pairs.append((results(once.of_nothing(assignment, chapter)),) * 2)
+                continue
+            verdicts = run(chapter, engine)
+        except GraderError as error:
+            pairs.append((_errors(chapter, str(error)),) * 2)
+            continue
+        below = below_and_not_given(chapter, assignment.given, assignment.root)
+        try:
+            again = run_on_given(chapter, verdicts, engine, below, run, assignment.root)
+        except GraderError as error:
+            pairs.append((results(verdicts), _errors(chapter, str(error))))
+            continue
+        own = results(mark_inherited(verdicts, again))
+        pairs.append((own, results(again) if again else own))
+    return pairs
+
+
+def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
+    """Say whether nothing of a chapter was handed in, be it taken or refused."""
+    refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
+    taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
+    return not (refused or taken)
+
+
+def _chart(
+    assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
+) -> Chart | None:
+    """Return where a work lies on its exercise's chart, and the reference; None where it does not.
+
+    What an earlier chapter spoils is not on it: of the run on the reference's nothing is told.
+    """
+    if result.on_chart is None:
+        return None
+    reference = {
+        other.exercise.id: other.on_chart for other in once.of_reference(assignment, chapter)
+    }
+    exercise = result.exercise
+    return Chart(exercise.chart, result.on_chart, reference.get(exercise.id))
+
+
+def _errors(chapter: Chapter, reason: str) -> list[Result]:
+    """Return results for checks that could not be run: our error, and not a zero."""
+    why = presentable(Message(reason[:500]))
+    ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]
+    return results_of(chapter, ours)
+
+
+def _report(
+    assignment: Assignment,
+    once: OnceForAll,
+    student: str,
+    pairs: list[tuple[list[Result], list[Result]]],
+    notes: list[str],
+) -> StudentReport:
+    own = [result for results, _ in pairs for result in results]
+    given = [result for _, results in pairs for result in results]
+    score, points = total(own)
+    failed = any(result.status == "error" for result in [*own, *given])
+    return StudentReport(
+        student=student,
+        status="error, retry" if failed else "graded",
+        seed=assignment.seed,
+        isolation=str(assignment.level),
+        score=score,
+        score_on_given=total(given)[0],
+        points=points,
+        by_hand=None,
+        waiting=sum(result.exercise.points for result in own if result.status == "waiting"),
+        earlier=_own_earlier_chapters(assignment),
+        notes=notes,
+        exercises=[
+            _exercise(chapter, result, better, _chart(assignment, once, chapter, result))
+            for chapter, (results, betters) in zip(assignment.chapters, pairs, strict=True)
+            for result, better in zip(results, betters, strict=True)
+        ],
+    )
+
+
+def _own_earlier_chapters(assignment: Assignment) -> list[int]:
+    """Return the chapters of the student's own on which a graded one builds."""
+    below = [
+        other.number
+        for chapter in assignment.chapters
+        for other in below_and_not_given(chapter, assignment.given, assignment.root)
+    ]
+    return sorted(set(below))
+
+
+def _exercise(
+    chapter: Chapter, result: Result, better: Result, chart: Chart | None
+) -> ExerciseReport:
+    exercise = result.exercise
+    return ExerciseReport(
+        chapter=chapter.number,
+        id=exercise.id,
+        title=exercise.title,
+        kind=exercise.kind,
+        points=exercise.points,
+        score=result.score,
+        score_on_given=better.score,
+        status=result.status,
+        comment="",
+        checks=[
+            CheckReport(
+                check.name,
+                check.status,
+                check.message,
+                check.weight,
+                check.hidden,
+                check.robust,
+            )
+            for check in result.checks
+        ],
+        chart=chart,
+    )

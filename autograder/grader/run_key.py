@@ -1,0 +1,49 @@
+"""What must be the same for a report to hold: the checks, the grader, Python, walls and seed."""
+
+from __future__ import annotations
+
+import hashlib
+import platform
+from collections.abc import Iterable
+from pathlib import Path
+
+from autograder.checks.arrange import shared_by_checks
+from autograder.grader.assignment import Assignment
+from autograder.manifest import ROOT, load_chapters
+from autograder.reports.report import RunKey
+
+
+def run_key(assignment: Assignment) -> RunKey:
+    """Return what must be the same for a report to hold, next to the submission itself."""
+    root = assignment.root
+    names = [chapter.name for chapter in load_chapters(root)]
+    checks = shared_by_checks(root)
+    for name in names:
+        checks += [*(root / "tests" / name).glob("*.py"), *(root / "solutions" / name).glob("*.py")]
+        checks += [*(root / "chapters" / name).glob("*.toml")]
+        checks += [*(root / "chapters" / name).glob("*.py")]  # the complete ones are graded with
+    if assignment.hidden:
+        checks += assignment.hidden.rglob("*.py")
+    return RunKey(
+        seed=assignment.seed,
+        chapters=[chapter.number for chapter in assignment.chapters],
+        given=[chapter.number for chapter in assignment.given],
+        checks=_digest(checks),
+        grader=grader_digest(),
+        python=platform.python_version(),
+        level=vars(assignment.level),
+        time_limit=assignment.time_limit,
+    )
+
+
+def grader_digest() -> str:
+    """Return what stands for this version of the autograder."""
+    return _digest((ROOT / "autograder").rglob("*.py"))
+
+
+def _digest(files: Iterable[Path]) -> str:
+    digest = hashlib.sha256()
+    for file in sorted(files):
+        content = file.read_bytes()
+        digest.update(f"{file.parent.name}/{file.name} {len(content)}\n".encode() + content)
+    return digest.hexdigest()

@@ -1,0 +1,86 @@
+"""Check chapters for a student, and tell failures of their own from inherited ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from autograder.checks.given import (
+    below_and_not_given,
+    mark_inherited,
+    run_on_given,
+    suspects,
+    told_on_given,
+    with_given,
+)
+from autograder.checks.runner import GraderError, run_checks
+from autograder.checks.verdict import Verdict, with_needs
+from autograder.manifest import Chapter, Exercise
+from autograder.scores import result_of, results_of
+from autograder.student.screen import ProgressBar, Report, print_report
+from autograder.student.written import print_written
+
+
+def check(
+    chapters: list[Chapter],
+    exercise: Exercise | None,
+    engine: list[Path],
+    seed: str,
+    given: list[Chapter],
+    *,
+    only: bool = False,
+) -> bool:
+    """Check the chapters, or one exercise and what it needs; print it all; return success.
+
+    With ``only``, the physics of the exercise alone is shown and decides: what it needs and its
+    robust checks are run and left out. The ``given`` chapters are the reference's. A written
+    exercise has no checks: it is shown, and that is a success. A question that is still open does
+    not stand in the way of success either.
+    """
+    if exercise and exercise.kind == "written":
+        print_written(ProgressBar().console, chapters[0], exercise, engine)
+        return True
+    reports = []
+    run = partial(run_checks, seed=seed)
+    with with_given(given, engine) as folders, ProgressBar() as progress:
+        for chapter in chapters:
+            report = report_on(chapter, exercise, folders, given, run, progress)
+            if exercise and only:
+                told, better = (
+                    [result_of(exercise, r.physics) for r in results if r.exercise == exercise]
+                    for results in (report.results, report.on_reference)
+                )
+                report = replace(report, results=told, on_reference=better)
+            reports.append(report)
+    return print_report(progress.console, reports, exercise, engine, given)
+
+
+def report_on(
+    chapter: Chapter,
+    exercise: Exercise | None,
+    folders: list[Path],
+    given: list[Chapter],
+    run: Callable[..., list[Verdict]],
+    progress: ProgressBar,
+) -> Report:
+    """Return what becomes of a chapter, or of one exercise and what it needs, as ``run`` tells.
+
+    A check that an earlier chapter fails, and not this one, is inherited.
+    """
+    progress.title = f"chapter {chapter.number}"
+    wanted = with_needs(chapter, [exercise.id] if exercise else None)
+    below = below_and_not_given(chapter, given)
+    first = run(chapter, folders, exercises=wanted, on_verdict=progress.show)
+    try:
+        again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
+    except GraderError:  # the first run stands
+        again = []
+    verdicts = told_on_given(mark_inherited(first, again), again)
+    results, better = (
+        [result for result in results_of(chapter, outcome) if result.exercise.id in wanted]
+        for outcome in (verdicts, again)
+    )
+    doubtful = [] if again else suspects(first, folders, below, run)
+    return Report(chapter, results, better if again else [], doubtful)

@@ -1,0 +1,105 @@
+"""One failed check in full, with what to do next: the diagnosis that check and watch show."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from autograder.checks.calls import calls
+from autograder.checks.verdict import Verdict
+from autograder.commands import check_command, command
+from autograder.definitions import own_name
+from autograder.manifest import Chapter, chapters_below, numbers_of
+from autograder.message import Kind, Row
+from autograder.scores import Result
+from autograder.student.places import next_place
+from autograder.wrapping import few_lines, print_rows, print_wrapped
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A failed check: its diagnosis, what the student's code printed, and what to do next."""
+
+    heading: str
+    diagnosis: list[Row]
+    printed: str
+    steps: list[str]
+
+
+def failure_of(
+    chapter: Chapter,
+    result: Result,
+    engine: list[Path],
+    title: str = "",
+    edited: Collection[str] = (),
+) -> Failure | None:
+    """Return the first failure of an exercise, None where it has no check that fails.
+
+    A check that calls one of the functions ``edited`` comes before the others, and one of code that
+    is written before one that waits for a body.
+    """
+    exercise = result.exercise
+    candidates = [check for check in result.checks if check.status == result.status]
+    if not candidates:
+        return None
+    failed = min(
+        candidates,
+        key=lambda check: (
+            check.robust,
+            not _is_about(check, edited),
+            check.message.kind is Kind.UNWRITTEN,
+        ),
+    )
+    message = failed.message
+    inherited = failed.status == "inherited"
+    if inherited:  # the cause that a check of this chapter suggests is another
+        message = replace(message, likely="", other="", read="")
+    rows = [("check", failed.name), *message.rows(printed=False)]
+    if failed.robust and exercise.robust:
+        rows.insert(0, ("robust", exercise.robust))
+    title = title or ("Make this robust" if failed.robust else "Fix this first")
+    heading = f"{'Inherited, for example' if inherited else title}: {exercise.id} {exercise.title}"
+    if inherited:
+        steps = [f"Next: {check_command(engine, CH=numbers_of(chapters_below(chapter)))}"]
+    else:
+        nudge = command("hint", EX=message.exercise or exercise.id)
+        place = next_place(engine, chapter, exercise, failed)
+        steps = [f"Next: open {place}", f"A nudge: {nudge}"]
+    return Failure(heading, rows, message.printed, steps)
+
+
+def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
+    """Print one failed check in full, and what to do next."""
+    failure = failure_of(chapter, result, engine)
+    if failure is None:
+        words = f"No check was found for exercise {result.exercise.id}."
+        console.print(words, style="magenta")
+        return
+    print_wrapped(console, failure.heading, "bold")
+    print_rows(console, [*failure.diagnosis, *_printed(failure.printed)])
+    print_wrapped(console, "", "")
+    for number, step in enumerate(failure.steps):
+        print_wrapped(console, step, "" if number else "bold")
+
+
+def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
+    """Return a row with what the student's code printed, cut to a few lines; none for nothing."""
+    return _printed(few_lines(printed, lines, characters)) if printed else []
+
+
+def _printed(printed: str) -> list[Row]:
+    return [("printed", printed)] if printed else []
+
+
+def _is_about(check: Verdict, edited: Collection[str]) -> bool:
+    """Say whether a check calls one of these functions, or fails in one that is not written."""
+    called, where = check.message.called, check.message.where
+    return any(
+        calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))
+        for name in edited
+    )

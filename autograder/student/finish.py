@@ -1,0 +1,186 @@
+"""What a student sees at the end of a chapter, and which demos an exercise makes playable.
+
+A chapter is finished when the physics of its exercises works. Robust checks, questions, projects
+and what goes further may still be open: they are listed.
+"""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from autograder.commands import command, engine_variables
+from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
+from autograder.scores import Result
+from autograder.student.written import listed, open_questions
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from autograder.student.screen import Report
+
+WIDTH = 79
+LABEL = 10  # columns, of what stands before each line
+DRAWN_WITH = "engine.txt"  # beside the pictures: the folder of the engine that drew them
+
+
+def print_finish(
+    console: Console,
+    reports: list[Report],
+    exercise: Exercise | None,
+    engine: list[Path],
+    given: list[Chapter],
+) -> None:
+    """Print what ``end_of`` returns, below an empty line."""
+    lines = end_of(reports, exercise, engine, given)
+    for words, style in [("", ""), *lines] if lines else []:
+        console.print(words, style=style, markup=False, soft_wrap=True)
+
+
+def end_of(
+    reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
+) -> list[tuple[str, str]]:
+    """Return the end of the chapter that has just been finished, or what can be played by now.
+
+    Each line comes with its style. The chapter is the last finished one, as long as no unfinished
+    one has been begun. In an unfinished chapter it is ``exercise`` that unlocks what can be played,
+    or the last exercise that works.
+    """
+    unfinished = [report for report in reports if not is_finished(report)]
+    begun = [report for report in unfinished if any(result.works for result in report.results)]
+    if not begun and len(unfinished) < len(reports):
+        last = [report for report in reports if report not in unfinished][-1]
+        lines = finish_lines(last, engine, given)
+        return [(lines[0], "bold green"), *((line, "") for line in lines[1:])]
+    for report in reversed(begun):
+        for result in reversed(report.results):
+            if exercise in (None, result.exercise) and (
+                words := play_words(report, result, engine, given)
+            ):
+                return [(words, "green")]
+    return []
+
+
+def is_finished(report: Report) -> bool:
+    """Say whether the physics of a chapter works, projects and what goes further left out."""
+    working = {result.exercise.id for result in report.results if result.works}
+    wanted = [e for e in report.chapter.exercises if e.kind != "written" and not _is_extra(e)]
+    return all(exercise.id in working for exercise in wanted)
+
+
+def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
+    """Return the screen at the end of a chapter, at most 20 lines of 80 columns."""
+    chapter = report.chapter
+    lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
+    lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
+    if chapter.picture:
+        lines += _labeled("Picture", _picture(chapter, engine, given))
+    demos = [name for result in report.results if result.works for name in result.exercise.play]
+    if demos:
+        others = f" (or {listed(demos[1:], 'or')})" if demos[1:] else ""
+        lines += _labeled("Play", _demo(demos[0], engine, given) + others)
+    label = "Open"
+    for words in _open(report, engine) or ["nothing"]:
+        lines += _labeled(label, words)
+        label = ""
+    following = [other for other in load_chapters() if other.number > chapter.number]
+    if following:
+        after = following[0]
+        lines += _labeled("Next", f"chapter {after.number}, {after.title}. {after.summary}")
+    return lines
+
+
+def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
+    """Return what can be played by this exercise; nothing while it, or one before it, is open."""
+    exercise = result.exercise
+    if not (exercise.play and result.works):
+        return ""
+    failing = {other.exercise.id for other in report.results if not other.works}
+    for other in report.chapter.exercises:
+        if other.id == exercise.id:
+            break
+        if other.edit and (other.id in failing or _is_stub(other, report.chapter, engine)):
+            return ""
+    demos = listed([_demo(name, engine, given) for name in exercise.play])
+    return f"{exercise.id} works. Try it: {demos}"
+
+
+def _is_extra(exercise: Exercise) -> bool:
+    """Say whether a chapter is finished without this exercise."""
+    return exercise.kind == "project" or exercise.id.startswith("G")
+
+
+def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
+    """Say whether a body of an exercise is still the stub, by its text."""
+    stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
+    for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
+        paths = [folder / chapter.name / file for folder in engine]
+        path = next((path for path in paths if path.is_file()), None)
+        if path is None or stub.search(path.read_text(encoding="utf-8", errors="replace")):
+            return True
+    return False
+
+
+def _open(report: Report, engine: list[Path]) -> list[str]:
+    """Return what is still open in a finished chapter."""
+    words = []
+    robust = [
+        (result.exercise, check)
+        for result in report.results
+        if result.works
+        for check in result.robust
+        if check.status != "passed"
+    ]
+    if robust:
+        count = f"{len(robust)} robust check{'s' * (len(robust) > 1)}"
+        first = command("check", EX=robust[0][0].id, **engine_variables(engine))
+        words.append(f"{count}; the first: {first}")
+    if questions := open_questions([report.chapter], engine):
+        words.append(questions)
+    extra = [r.exercise for r in report.results if _is_extra(r.exercise) and not r.works]
+    if extra:
+        named = [f"{exercise.id} {exercise.title}" for exercise in extra]
+        words.append(f"if you like: {'; '.join(named)}")
+    return words
+
+
+def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
+    """Return where the picture is that was drawn by this code, or how to draw it."""
+    folder = ROOT / "build" / "plots" / chapter.name
+    file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH
+    if file.is_file() and drawn_with.is_file():
+        own = Path(drawn_with.read_text(encoding="utf-8").strip()) == engine[0].resolve()
+        if own and file.stat().st_mtime > _last_change(chapter, engine[0]):
+            short = file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file
+            return f"{short}, drawn by your own functions"
+    draw = command("plot", CH=str(chapter.number), **_variables(engine, given))
+    return f"{draw} draws it with your own functions"
+
+
+def _last_change(chapter: Chapter, engine: Path) -> float:
+    """Return when a file was last saved that a picture of this chapter may depend on."""
+    files = [
+        file
+        for file in engine.glob("ch??_*/*.*")
+        if file.parent.name <= chapter.name and file.suffix in (".py", ".csv")
+    ]
+    return max((file.stat().st_mtime for file in files), default=0.0)
+
+
+def _demo(name: str, engine: list[Path], given: list[Chapter]) -> str:
+    return command("demo", DEMO=name, **_variables(engine, given))
+
+
+def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
+    """Return what names the engine in a command, and the chapters from the reference."""
+    numbers = ",".join(str(chapter.number) for chapter in given)
+    return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}
+
+
+def _labeled(label: str, words: str) -> list[str]:
+    """Return words in lines beside a label."""
+    width = WIDTH - LABEL
+    lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
+    return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

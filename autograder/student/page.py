@@ -1,0 +1,85 @@
+"""What watch shows: a page that fits on the terminal, with its heading and the keys in sight."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rich.console import Console
+
+from autograder.message import Row, laid_out
+from autograder.student.failure import Failure, few_printed
+from autograder.wrapping import MOST_PRINTED, MOST_PRINTED_LINES, cut, wrapped, wrapped_rows
+
+KEYS = "h next hint   l list   a check all   r reset   p plot   q quit"
+Line = tuple[str, str]  # words and their style
+
+
+@dataclass
+class Page:
+    """The lines of the page: what comes first, one failure, what comes after it, and a note.
+
+    ``whole`` is the command that shows a diagnosis that is too long for the terminal.
+    """
+
+    top: list[Line] = field(default_factory=list)
+    failure: Failure | None = None
+    bottom: list[Line] = field(default_factory=list)
+    whole: str = ""
+    note: list[Line] = field(default_factory=list)
+
+    def say(self, words: str, style: str = "") -> None:
+        """Add a line at the end."""
+        self.bottom.append((words, style))
+
+    def draw(self, console: Console, *, with_keys: bool) -> None:
+        """Print the page; on a terminal, clear it first and cut what is too long for it."""
+        keys = [(KEYS, "bold")] if with_keys else []
+        if not console.is_terminal:
+            lines = [*self.top, *self._diagnosis(), *self._below(), *keys]
+            for words, style in lines:
+                _print(console, words, style)
+            return
+        console.clear()
+        for words, style in self.fitted(console.width, console.height, keys):
+            _print(console, words, style)
+
+    def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
+        """Return the lines for a terminal of this size, the diagnosis cut in the middle."""
+        top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
+        printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
+        diagnosis = wrapped_rows(self.failure.diagnosis if self.failure else [], width)
+        room = height - 1 - len(top) - len(below) - len(keys)
+        # The diagnosis matters more than what the code printed, which keeps a line at least.
+        few = max(2, room - len(diagnosis))
+        if len(printed) > few:
+            printed = [*printed[: few - 1], (f"{'...':10}the whole: {self.whole}", "")]
+        room -= len(printed)
+        note = f"{'...':10}too long for this screen; the whole: {self.whole}"
+        middle = [(words, "") for words in cut(diagnosis, room, note[:width])]
+        return [*top, *middle, *printed, *below, *keys]
+
+    def _diagnosis(self) -> list[Line]:
+        if self.failure is None:
+            return []
+        return [(laid_out([*self.failure.diagnosis, *self._printed()]), "")]
+
+    def _printed(self) -> list[Row]:
+        printed = self.failure.printed if self.failure else ""
+        return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
+
+    def _below(self) -> list[Line]:
+        """Return what comes after the failure: what to do next, the progress and the note."""
+        steps: list[Line] = []
+        if self.failure is not None:
+            first, *others = self.failure.steps
+            steps = [("", ""), (first, "bold"), *((step, "") for step in others), ("", "")]
+        return [*steps, *self.bottom, *self.note]
+
+
+def _wrapped(lines: list[Line], width: int) -> list[Line]:
+    """Return lines that are no longer than the terminal is wide."""
+    return [(part, style) for words, style in lines for part in wrapped(words, width) or [""]]
+
+
+def _print(console: Console, words: str, style: str) -> None:
+    console.print(words, style=style, markup=False, soft_wrap=True)

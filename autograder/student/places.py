@@ -1,0 +1,79 @@
+"""Find the place in a student's file that a failed check is about."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+from autograder.checks.calls import calls, names_class
+from autograder.checks.verdict import Verdict
+from autograder.definitions import functions
+from autograder.manifest import Chapter, Exercise, load_chapters
+
+FOLDER = re.compile(r"ch\d\d_\w+")  # of a chapter
+
+
+def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
+    """Return where to go: the line that the message names, or the body that the check called.
+
+    A line does not count where it lies in a body of another exercise, which may well be right, or
+    in a file that is complete and not for the student to edit. A check of the student's own data
+    leads to its file.
+    """
+    complete = {(other.name, file) for other in load_chapters() for file in other.complete}
+    called, where = failed.message.called, failed.message.where
+    folder, _, file = where.file.partition("/") if where else ("", "", "")
+    if not FOLDER.fullmatch(folder) or (folder, file) in complete:
+        where = None
+    data = [name for name in exercise.files if name in called]
+    if data and not (where and file in chapter.edited_files):
+        return str(_file(engine, chapter.name, data[0]))
+    if where:
+        body = _body_at(engine, folder, file, where.line)
+        others = {name for other in chapter.exercises for name in other.edit} - {*exercise.edit}
+        if not called or (folder == chapter.name and body not in others):
+            return f"{_file(engine, folder, file)}:{where.line}"
+    bodies = [name for name in exercise.edit if calls(called, name)]
+    named = [name for name in bodies if names_class(called, name)]
+    return find_definition(engine, chapter, (named or bodies or exercise.edit)[0])
+
+
+def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
+    """Return the place of a name that the manifest lets students edit, as path:line.
+
+    Paths below the working folder are given from there; a file that is missing or cannot be read
+    is given without a line.
+    """
+    module, _, path = name.partition(".")
+    file = _file(engine, chapter.name, f"{module}.py")
+    tree = _read(file)
+    if tree is None:
+        return str(file)
+    places = {node.name: node.lineno for node in tree.body if isinstance(node, ast.ClassDef)}
+    places |= {name: node.lineno for name, node in functions(tree).items()}
+    return f"{file}:{places.get(path) or places.get(path.partition('.')[0], 1)}"
+
+
+def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
+    """Return the name of the function that a line of a chapter's file lies in, as manifests do."""
+    tree = _read(_file(engine, chapter, file))
+    for name, node in functions(tree).items() if tree else ():
+        if node.lineno <= line <= (node.end_lineno or 0):
+            return f"{file.removesuffix('.py')}.{name}"
+    return None
+
+
+def _read(file: Path) -> ast.Module | None:
+    """Return what a file says, None where it is missing or cannot be read."""
+    try:
+        return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors begin with a mark
+    except (OSError, SyntaxError, ValueError):
+        return None
+
+
+def _file(engine: list[Path], chapter: str, name: str) -> Path:
+    """Return the engine's file of that name, from the working folder where it is below it."""
+    files = [folder / chapter / name for folder in engine]
+    file = next((file for file in files if file.exists()), files[0])
+    return file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file

@@ -1,0 +1,252 @@
+"""What a student sees: every exercise with its state, one failure in full, the next step.
+
+rich is loaded when it is needed: by then the checks run in their own process, so nobody waits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from autograder.answers import questions_of
+from autograder.checks.verdict import Verdict
+from autograder.commands import check_command
+from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
+from autograder.message import Kind, Message
+from autograder.scores import Result, place_on_chart, shown, total
+from autograder.student.failure import print_failure
+from autograder.student.finish import print_finish
+from autograder.student.originals import changed_files
+from autograder.student.written import all_pass
+from autograder.wrapping import print_wrapped
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+URGENCY = {"blocked": 1, "inherited": 2}  # what is shown last: another failure is behind it
+STYLES = {
+    "passed": "green",
+    "works": "green",
+    "failed": "red",
+    "blocked": "yellow",
+    "inherited": "cyan",
+    "error": "magenta",
+}
+WORKS = "works"
+BAR = 40
+
+
+@dataclass(frozen=True)
+class Report:
+    """What became of a chapter: on the student's earlier chapters, and on the reference's.
+
+    ``on_reference`` is empty where there was no reason, or no way, to check on those. ``suspects``
+    are earlier chapters that may be to blame.
+    """
+
+    chapter: Chapter
+    results: list[Result]
+    on_reference: list[Result]
+    suspects: list[Chapter]
+
+
+class ProgressBar:
+    """A bar on a terminal while the checks run, silent elsewhere."""
+
+    title = ""
+    _bar = None
+
+    def __enter__(self) -> ProgressBar:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._bar is not None:
+            self._bar.stop()
+
+    @property
+    def console(self) -> Console:
+        from rich.console import Console
+
+        return Console(highlight=False)
+
+    def show(self, done: int, of: int) -> None:
+        from rich.progress import Progress
+
+        if self._bar is None:
+            self._bar = Progress(console=self.console, transient=True)
+            self._task = self._bar.add_task(self.title)
+            self._bar.start()
+        self._bar.update(self._task, description=self.title, completed=done, total=of)
+
+
+def print_report(
+    console: Console,
+    reports: list[Report],
+    exercise: Exercise | None,
+    engine: list[Path],
+    given: list[Chapter],
+) -> bool:
+    """Print the chapters one below the other, then the first failure; return whether all pass.
+
+    A question without an answer is said to be open, but does not count: checks cannot tell.
+    """
+    for report in reports:
+        print_chapter(console, report, engine)
+        print_inherited(console, report, exercise, engine)
+    on_given = f" on the reference's {_named(given)}" if given else ""
+    everything = [(report.chapter, result) for report in reports for result in report.results]
+    open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
+    if exercise:  # of what it builds on, only the physics counts
+        open_ones = [p for p in open_ones if p[1].exercise == exercise or not p[1].works]
+    changed = [line for report in reports for line in print_changed(console, report, engine)]
+    if open_ones:
+        # The physics of everything comes before the robust checks of anything.
+        first = min(open_ones, key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)))
+        print_failure(console, *first, engine)
+    elif changed:
+        console.print("All checks pass here, but grading uses the original files.", style="red")
+    elif exercise:
+        console.print(f"All checks of {exercise.id} pass{on_given}.", style="bold green")
+    else:
+        words = all_pass([report.chapter for report in reports], engine, on_given)
+        console.print(words, style="bold green", markup=False, soft_wrap=True)
+    print_finish(console, reports, exercise, engine, given)
+    return not open_ones and not changed
+
+
+def print_changed(console: Console, report: Report, engine: list[Path]) -> list[Path]:
+    """Print which files of a chapter are not the originals, which grading uses; return them."""
+    changed = changed_files(report.chapter, engine)
+    for file in changed:
+        console.print(
+            f"{file} is not the original any more. It is not handed in, and grading uses the "
+            "original, so code that needs your change fails there. Keep your own code in the files "
+            f"that the exercises name, and take the original again, for example by: "
+            f"git checkout -- {file}\n",
+            style="red",
+            markup=False,
+            soft_wrap=True,
+        )
+    return changed
+
+
+def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
+    """Print the table of a chapter, its points, and what of the folder is not handed in."""
+    from rich.table import Table
+
+    chapter, results = report.chapter, report.results
+    console.print(f"\nChapter {chapter.number}: {chapter.title}", style="bold")
+    table = Table("", "exercise", "", "state", box=None, pad_edge=False)
+    for column in ("physics", "robust", "points"):
+        table.add_column(column, justify="right")
+    written = _answered(chapter, engine)
+    for result in results:
+        exercise = result.exercise
+        state = _state(result, written)
+        table.add_row(
+            exercise.id,
+            exercise.title,
+            "*" * exercise.stars,
+            state,
+            passing(result.physics),
+            passing(result.robust),
+            f"{shown(result.score)}/{exercise.points}",
+            style=STYLES.get(state, ""),
+        )
+    console.print(table)
+    console.print()
+    if any(_state(result, written) == WORKS for result in results):
+        console.print(f'"{WORKS}" means that the physics passes and robust checks are open.\n')
+    earned, points = total(results)
+    answers = sum(result.exercise.points for result in results) - points
+    more = f", and {answers} for written answers, which a person marks" if answers else ""
+    console.print(
+        f"{bar(earned or 0.0, points)} {shown(earned)} of {points} points{more}\n", markup=False
+    )
+    for result in results:
+        if result.on_chart:
+            exercise = result.exercise
+            where = place_on_chart(exercise.chart, result.on_chart)
+            console.print(f"Your {exercise.id}: {where}\n", markup=False, soft_wrap=True)
+    known = {*chapter.edited_files, *chapter.complete}
+    files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
+    if extra := [name for name in files if name not in known]:
+        console.print(
+            f"Not handed in, so nothing may import it: {', '.join(extra)}\n",
+            markup=False,
+            soft_wrap=True,
+        )
+
+
+def passing(checks: Sequence[Verdict]) -> str:
+    """Return how many checks of a tier pass, such as 3/4; nothing for a tier without checks."""
+    passed = sum(check.status == "passed" for check in checks)
+    return f"{passed}/{len(checks)}" if checks else ""
+
+
+def bar(part: float, whole: float) -> str:
+    """Return a bar that is filled as far as the part is of the whole."""
+    filled = int(BAR * part / whole) if whole else 0
+    return f"[{'#' * filled}{'.' * (BAR - filled)}]"
+
+
+def print_inherited(
+    console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
+) -> None:
+    """Say how many checks an earlier chapter fails, and the two ways to go on."""
+    for note in inherited_notes(report, exercise, engine):
+        print_wrapped(console, note, STYLES["inherited"])
+        console.print()
+
+
+def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
+    """Return what to know of earlier chapters that may be the reason for failures here."""
+    chapter, notes = report.chapter, []
+    lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
+    if lost:
+        below = chapters_below(chapter)
+        earlier, numbers = _named(below), numbers_of(below)
+        checks = f"{lost} check fails" if lost == 1 else f"{lost} checks fail"
+        earned, points = total(report.on_reference)
+        this = {"EX": exercise.id} if exercise else {"CH": str(chapter.number)}
+        notes.append(
+            f"{checks} here because of mistakes in {earlier}. On the reference's {earlier} "
+            f"you have {shown(earned)} of {points} points.\n"
+            f"Fix them:    {check_command(engine, CH=numbers)}\n"
+            f"Or go on:    {check_command(engine, **this, GIVEN=numbers)}"
+        )
+    for other in report.suspects:
+        notes.append(
+            f"Chapter {other.number} fails checks of its own, which may be the reason for some "
+            f"failures here: {check_command(engine, CH=str(other.number))}"
+        )
+    return notes
+
+
+def _named(chapters: list[Chapter]) -> str:
+    """Return chapters as words, such as chapter 2 or chapters 2-5."""
+    return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
+
+
+def _state(result: Result, written: set[str]) -> str:
+    if result.status == "waiting":
+        return "answered" if result.exercise.id in written else "to answer"
+    if result.status == "inherited":
+        return result.status
+    if result.works and result.status == "failed":
+        return WORKS
+    lost = [check for check in result.checks if check.status != "passed"]
+    if not lost or any(not _waits_for(result.exercise, check.message) for check in lost):
+        return result.status
+    return Kind.UNWRITTEN.value if len(lost) == len(result.checks) else "half written"
+
+
+def _waits_for(exercise: Exercise, message: Message) -> bool:
+    """Say whether a check fails since a body of this exercise is not written yet."""
+    return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
+
+
+def _answered(chapter: Chapter, engine: list[Path]) -> set[str]:
+    return {q.exercise.id for q in questions_of(chapter, engine) if q.answered}

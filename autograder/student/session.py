@@ -1,0 +1,167 @@
+"""The exercise that a student is at: which one it is, how it does, and which one is next."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rich.console import Console
+
+from autograder.checks.runner import GraderError
+from autograder.commands import check_command
+from autograder.manifest import Chapter, Exercise
+from autograder.scores import Result, result_of
+from autograder.student.edits import Edits
+from autograder.student.failure import failure_of
+from autograder.student.finish import end_of
+from autograder.student.memory import state_of
+from autograder.student.page import Page
+from autograder.student.progress import Progress, lacks_anything, lacks_physics
+from autograder.student.screen import STYLES, Report, inherited_notes
+from autograder.student.written import all_pass
+
+TROUBLE = (GraderError, ValueError, OSError)  # of one run: told, and the next may be better
+
+
+class Session:
+    """What is on the screen: the current exercise, or what was done and what comes next."""
+
+    def __init__(
+        self, progress: Progress, engine: list[Path], console: Console, *, has_keys: bool
+    ) -> None:
+        self.progress = progress
+        self.engine = engine
+        self.console = console
+        self.has_keys = has_keys
+        self.current: tuple[Chapter, Exercise] | None = None
+        self.next: tuple[Chapter, Exercise] | None = None
+        self.edits = Edits(engine[0], progress.chapters)
+        self.edited: list[str] = []  # of the current exercise, at the last save
+        self.page = Page()
+        self.seen = ""
+
+    def look(self) -> bool:
+        """Show anew how things are where the files are not as they were; return whether so."""
+        state = state_of(self.progress.folders, self.progress.chapters[-1])
+        if state == self.seen:
+            return False
+        self.seen = state
+        self.choose()
+        self.show()
+        return True
+
+    def choose(self) -> None:
+        """Make an exercise that was just edited the current one: best this one, or an open one."""
+        edited = self.edits.look()
+        if edited:
+            chapter, exercise, names = min(
+                edited,
+                key=lambda one: (
+                    self.progress.works(one[0], one[1]),
+                    (one[0], one[1]) != self.current,
+                ),
+            )
+            self.current, self.edited = (chapter, exercise), names
+
+    def go_on(self) -> None:
+        """Go to the next exercise, if there is one."""
+        if self.next:
+            self.current, self.edited = self.next, []
+            self.show()
+
+    def show(self) -> None:
+        """Check the current exercise and say how it does; find one where there is none."""
+        self.next = None
+        self.page = Page()
+        try:
+            if self.current is None or self.is_done(*self.current):
+                self.find_next()
+        except TROUBLE as error:
+            self.page.say(str(error), "magenta")
+        self.draw()
+
+    def draw(self) -> None:
+        """Draw the page as it is."""
+        self.page.draw(self.console, with_keys=self.has_keys)
+
+    def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
+        """Check an exercise, with what it needs, and say how it does; return whether it is done.
+
+        Where the physics of something that it needs no longer passes, that is the current exercise.
+        An exercise is done when its physics passes. Its robust checks count from when the physics
+        of the whole chapter passes.
+        """
+        worked = self.progress.works(chapter, exercise)
+        report = self.progress.report(chapter, exercise)
+        result = next(filter(lacks_physics, report.results), report.results[-1])
+        self.current = chapter, result.exercise
+        if lacks_physics(result):
+            tier = result_of(result.exercise, result.physics)
+            self.say_failure(report, tier, "physics checks" if result.robust else "checks")
+            return False
+        self.progress.report(chapter)
+        all_physics = self.progress.has_all_physics(chapter)
+        if lacks_anything(result) and worked and all_physics:
+            tier = result_of(result.exercise, result.robust)
+            self.say_failure(report, tier, "robust checks")
+            return False
+        self.say_done(result, wait=not all_physics)
+        return True
+
+    def say_failure(self, report: Report, tier: Result, kind: str) -> None:
+        """Say which check fails, of those of one tier of an exercise, and how many pass."""
+        chapter, exercise, page = report.chapter, tier.exercise, self.page
+        for note in inherited_notes(report, exercise, self.engine):
+            page.top += [(note, STYLES["inherited"]), ("", "")]
+        passed = sum(check.status == "passed" for check in tier.checks)
+        title = f"Current exercise ({passed} of {len(tier.checks)} {kind} pass)"
+        page.failure = failure_of(chapter, tier, self.engine, title, self.edited)
+        if page.failure is None:
+            page.top.append((f"No check was found for exercise {exercise.id}.", "magenta"))
+        else:
+            page.top.append((page.failure.heading, "bold"))
+        page.whole = check_command(self.engine, EX=exercise.id)
+        page.say(self.progress.words(chapter))
+
+    def say_done(self, result: Result, *, wait: bool) -> None:
+        """Say that the physics of an exercise passes, and what is left of its robust checks."""
+        exercise, count = result.exercise, len(result.checks)
+        title = f"{exercise.id} {exercise.title}"
+        left = sum(check.status != "passed" for check in result.robust)
+        if not left:
+            words = f"{title} is done: {count} of {count} checks pass."
+        else:
+            checks = "1 robust check" if left == 1 else f"{left} robust checks"
+            verb = "waits" if left == 1 else "wait"
+            until = f"{verb} until the end of the chapter" if wait else f"{verb} for you now"
+            count = len(result.physics)
+            passing = (
+                f"all {count} physics checks pass" if count > 1 else "its physics check passes"
+            )
+            words = f"{title} works: {passing}. {checks} {until}."
+        self.page.top += [(words, "bold green"), ("", "")]
+
+    def find_next(self) -> None:
+        """Find the next open exercise and say how to get to it; at the start, go to it."""
+        self.next = self.progress.next_open()
+        if self.current or self.next is None:
+            self.say_end()
+        if self.next is None:
+            self.current = None
+            self.page.say(all_pass(self.progress.chapters, self.engine), "bold green")
+        elif self.current and self.has_keys:
+            following, exercise = self.next
+            if self.progress.works(following, exercise):
+                words = "All exercises work. What is left are robust checks."
+                self.page.say(words)
+            self.page.say(self.progress.words(following))
+            self.page.say(
+                f"Enter goes on to {exercise.id} {exercise.title}. So does editing its code."
+            )
+        else:
+            self.is_done(*self.next)
+
+    def say_end(self) -> None:
+        """Say that a chapter is finished, or what can be played since this exercise is done."""
+        chapter, exercise = self.current or (self.progress.chapters[-1], None)
+        report = self.progress.report(chapter)
+        self.page.top += end_of([report], exercise, self.engine, self.progress.given)

@@ -1,0 +1,137 @@
+"""Check the exercise that a student works on whenever a file is saved, and do what keys ask for."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from rich.console import Console
+from watchfiles import watch as changes_in
+
+from autograder.checks.given import with_given
+from autograder.manifest import ROOT, Chapter
+from autograder.student import keys
+from autograder.student.memory import Memory
+from autograder.student.page import KEYS
+from autograder.student.progress import Progress
+from autograder.student.reset import question, reset
+from autograder.student.screen import print_chapter, print_report
+from autograder.student.session import TROUBLE, Session
+
+TICK = 100  # milliseconds between two looks for keys
+
+
+def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
+    """Show how the current exercise does, at once and after every save, until q is pressed.
+
+    It is the one that was just edited; at first it is the first of these chapters that is open.
+    Raises ValueError where the reference of a given chapter is not in this folder.
+    """
+    with with_given(given, engine) as folders, keys.single_keys():
+        progress = Progress(chapters, folders, given, Memory(seed))
+        console = Console(highlight=False)
+        session = Session(progress, engine, console, has_keys=keys.are_there())
+        board = Keyboard(session)
+        if not session.has_keys:
+            board.say("There is no terminal here, so there are no keys; Ctrl-C ends this.")
+        # The first look comes after the first tick, from which on no change is missed.
+        for changes in changes_in(engine[0], rust_timeout=TICK, yield_on_timeout=True):
+            if (changes or not session.seen) and session.look():
+                board.asking = False
+            for key in keys.pressed().lower() if session.has_keys else "":
+                if key in ("q", keys.END):
+                    return
+                board.press(key)
+
+
+class Keyboard:
+    """Does what keys ask for."""
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self.hints: dict[str, int] = {}
+        self.asking = False  # whether to reset the current exercise
+
+    def press(self, key: str) -> None:
+        """Do what a key asks for; other keys do nothing."""
+        try:
+            if self.asking:
+                self.answer(key)
+            elif key in "\r\n":
+                self.session.go_on()
+            elif key == "h":
+                self.hint()
+            elif key == "r":
+                self.ask()
+            elif key in "lap":
+                {"l": self.list, "a": self.check_all, "p": self.plot}[key]()
+                self.say(KEYS, "bold")
+        except TROUBLE as error:
+            self.note(str(error), "magenta")
+
+    def note(self, words: str, style: str = "") -> None:
+        """Add words to the page that is shown, in place of the last ones."""
+        self.session.page.note = [(line, style) for line in words.splitlines()]
+        self.session.draw()
+
+    def say(self, words: str, style: str = "") -> None:
+        """Print words below the page."""
+        self.session.console.print(words, style=style, markup=False, soft_wrap=True)
+
+    def hint(self) -> None:
+        """Show the next hint of the exercise, and at the end the last one again."""
+        if not self.session.current:
+            return
+        exercise = self.session.current[1]
+        of = len(exercise.hints)
+        number = self.hints[exercise.id] = min(self.hints.get(exercise.id, 0) + 1, of)
+        self.note(f"Hint {number} of {of}: {exercise.hints[number - 1]}")
+
+    def ask(self) -> None:
+        """Ask whether the stubs of the current exercise shall come back."""
+        if not self.session.current:
+            return
+        self.note(f"{question(*self.session.current, self.session.engine[0])} (y or n)", "bold")
+        self.asking = True
+
+    def answer(self, key: str) -> None:
+        """Reset the current exercise if the answer is yes."""
+        self.asking = False
+        if key != "y" or not self.session.current:
+            self.note("Nothing was reset.")
+            return
+        done = reset(*self.session.current, self.session.engine[0])
+        self.session.look()
+        self.note(done)
+
+    def list(self) -> None:
+        """Print the table of the chapter."""
+        session = self.session
+        chapter = session.current[0] if session.current else session.progress.chapters[-1]
+        print_chapter(session.console, session.progress.report(chapter), session.engine)
+
+    def check_all(self) -> None:
+        """Run every check again and print what check prints."""
+        session, progress = self.session, self.session.progress
+        progress.memory.known.clear()
+        reports = [progress.report(chapter) for chapter in progress.chapters]
+        print_report(session.console, reports, None, session.engine, progress.given)
+
+    def plot(self) -> None:
+        """Draw a chapter into files, in a process of its own that opens no window."""
+        session = self.session
+        chapter = session.current[0] if session.current else session.progress.chapters[-1]
+        self.say(f"Drawing chapter {chapter.number} ...")
+        command = [sys.executable, "-m", "studies", "plot", "--engine", str(session.engine[0])]
+        if given := session.progress.given:
+            command += ["--given", ",".join(str(chapter.number) for chapter in given)]
+        subprocess.run(
+            [*command, "--chapter", str(chapter.number)],
+            cwd=ROOT,
+            env=os.environ | {"MPLBACKEND": "agg"},
+            stdin=subprocess.DEVNULL,
+            start_new_session=True,  # Ctrl-C is for us alone, and ends it without its stack
+            check=False,
+        )

@@ -1,7 +1,7 @@
-"""What turns: angular velocity and acceleration, and the step of an orientation (book 9.3, 9.4.11).
+"""Angular velocity and acceleration, and a step of an orientation (book 9.3 and 9.4.11).
 
-Angular velocities are vectors in axes of the world, in rad/s: their direction is the axis, and
-their length how fast. Raises TypeError for what is no number, no Vector3 or no Quaternion.
+An angular velocity is a vector in world axes, in rad/s. Its direction is the axis, and its length
+is the speed of the rotation. The functions raise TypeError for an argument of the wrong type.
 """
 
 from __future__ import annotations
@@ -13,14 +13,15 @@ from ch09_rotations.quaternion import Quaternion
 def velocity_of_point(
     point: Vector3, position: Vector3, velocity: Vector3, angular_velocity: Vector3
 ) -> Vector3:
-    """Return the velocity of a point of an object that moves and turns, as new (Eq. 9.6).
+    """Return the velocity of a point of a moving and rotating object as a new vector (Eq. 9.6).
 
-    ``point`` is where it is in the world, ``position`` what the object turns about, ``velocity``
-    that one's own: in m and m/s, the angular velocity in rad/s.
+    ``point`` is the point's position in the world, in m. ``position`` is the position that the
+    object rotates about, and ``velocity`` the velocity of that position, in m/s.
 
-    Raises ValueError where a component is not finite.
+    Raises:
+        ValueError: if a component is not finite.
     """
-    raise NotImplementedError("Exercise B9.18: The velocity of a point, and a step of the turning")
+    raise NotImplementedError("Exercise B9.18: The velocity of a point, and a rotation step")
 
 
 def integrate_rotation(
@@ -29,33 +30,37 @@ def integrate_rotation(
     angular_acceleration: Vector3,
     duration: float,
 ) -> None:
-    """Move an orientation and an angular velocity on by one step, in place: semi-implicit Euler.
+    """Move an orientation and an angular velocity by one step of semi-implicit Euler, in place.
 
-    The angular velocity first, by w' = w + alpha h; then the orientation turns by w' h, and is
-    normalised, so that its length stays 1 whatever the roundings. angular_acceleration in rad/s^2,
-    duration in s. Of the first order where the axis moves.
+    First the angular velocity w changes to w' = w + alpha h. Then the orientation rotates by w' h
+    and is normalized, so that rounding errors do not accumulate in its length.
+    ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration`` (h) in s. The method is of order
+    1 if the axis changes.
 
-    Raises ValueError where the duration is not positive and finite, or a component of the two
-    vectors not finite. What is refused, with TypeError too, changes nothing.
+    Raises:
+        ValueError: if the duration is not positive and finite, or a component is not finite.
+            After this error and a TypeError, nothing has changed.
     """
-    raise NotImplementedError("Exercise B9.18: The velocity of a point, and a step of the turning")
+    raise NotImplementedError("Exercise B9.18: The velocity of a point, and a rotation step")
 
 
 def first_order_drift(angular_speed: float, duration: float, steps: int) -> tuple[float, float]:
-    """Return what Eq. 9.5 does to a steady turn: its length, and the angle that it lacks.
+    """Return the errors of Eq. 9.5 for a steady rotation: the final length and the missing angle.
 
-    An orientation of length 1 turns about one axis, by angular_speed in rad/s for duration in s, in
-    so many equal steps of ``Quaternion.add_scaled``, and is not normalised. The length is what its
-    1 has become; the angle, in radians, is angular_speed times duration less what it has really
-    turned by, negative for a negative speed. Normalising would mend the length (E-31) and leave the
-    angle as it is.
+    A unit quaternion rotates about one axis at ``angular_speed`` in rad/s for ``duration`` in s, in
+    ``steps`` equal steps of ``Quaternion.add_scaled``, without normalizing. The first result is its
+    length afterwards. The second is angular_speed times duration minus the angle that it has really
+    rotated by, in radians, and is negative for a negative speed. Normalizing corrects the length
+    (E-31) but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)
     (1.0856, 0.3284)
 
-    Raises ValueError where angular_speed is not finite, duration not positive and finite, steps not
-    1 or more; OverflowError where the length is too large for a float; TypeError where steps is no
-    whole number.
+    Raises:
+        ValueError: if angular_speed is not finite, duration is not positive and finite, or steps is
+            less than 1.
+        TypeError: if steps is not a whole number.
+        OverflowError: if the length is too large for a float.
     """
-    raise NotImplementedError("Exercise B9.19: What Eq. 9.5 gets wrong")
+    raise NotImplementedError("Exercise B9.19: The errors of Eq. 9.5")

@@ -1,4 +1,4 @@
-"""The demo of chapter 9: a box that spins freely about one of its axes, or turns over."""
+"""The demo of chapter 9: a box that spins freely about one of its axes, or flips over."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ MOMENTS = ("smallest", "middle", "largest")
 
 
 class Spin:
-    """A box is spun about one of its axes, and a little about the next; quaternions turn it."""
+    """A box that spins about one of its axes, and a little about the next."""
 
     seconds = 16.0
     keys = (
         "1, 2 and 3 spin it about the axis of the smallest, middle and largest moment of inertia, "
-        "the up and down arrow keys disturb that more and less, the space bar stops it and lets "
-        "it go on, r starts anew."
+        "the up and down arrow keys change the disturbance, the space bar pauses and resumes, "
+        "r starts again."
     )
     MASS = 1.0  # kg
     SIDES = (0.2, 0.3, 0.1)  # m, as a thick book has them
     SPEED = math.tau  # rad/s, a turn a second
-    DISTURBANCES = (0.0, 0.001, 0.01, 0.05, 0.2)  # parts of the speed
+    DISTURBANCES = (0.0, 0.001, 0.01, 0.05, 0.2)  # fractions of the speed
     SHOWN = 9.0  # s
     ARROW = 0.24  # m
 
@@ -46,16 +46,16 @@ class Spin:
         self.space.add_collection3d(self.faces)
         self.arrows: list[Artist] = []
         for height, words, color in (
-            (0.08, "angular momentum: stays", BLACK),
-            (0.03, "angular velocity: moves", PINK),
-            (-0.02, "pale: the sides where its axes are negative", GREY),
+            (0.08, "angular momentum: constant", BLACK),
+            (0.03, "angular velocity: changes", PINK),
+            (-0.02, "pale: sides on the negative axes", GREY),
         ):
             where = self.space.transAxes
             self.space.text2D(0.0, height, words, color=color, fontsize=9, transform=where)
         self.graph = figure.add_subplot(right)
         self.graph.set(ylim=(-1.7 * self.SPEED, 1.2 * self.SPEED), xlabel="time, s")
         self.graph.set_title("angular velocity about its own axes, rad/s", fontsize=10)
-        self.graph.locator_params(nbins=5)  # numbers take most of the time for a picture
+        self.graph.locator_params(nbins=5)  # drawing numbers takes most of the time of a picture
         self.graph.axhline(0.0, color=BLACK, lw=0.8)
         self.curves = [self.graph.plot([], [], color=color)[0] for color in COLORS]
         box = FreeBox(self.MASS, Vector3(*self.SIDES), Vector3())
@@ -68,7 +68,7 @@ class Spin:
         self.start()
 
     def start(self) -> None:
-        """Spin the box anew, from the reference orientation."""
+        """Spin the box again, from the reference orientation."""
         self.axis = self.axes[self.chosen]
         spin = [0.0, 0.0, 0.0]
         spin[self.axis] = self.SPEED
@@ -80,7 +80,7 @@ class Spin:
         self.times, self.velocities = [0.0], [numbers(self.box.own_velocity())]
 
     def momentum(self) -> Numbers:
-        """Return the angular momentum of the box as it is seen to turn, in kg m^2/s."""
+        """Return the angular momentum from the visible rotation of the box, in kg m^2/s."""
         own = self.box.own_velocity().component_product(self.box.inertia)
         return numbers(self.box.orientation.rotate(own))
 
@@ -117,7 +117,7 @@ class Spin:
             f"spun about {'XYZ'[self.axis]}, the axis of its {MOMENTS[self.chosen]} moment, and "
             f"{100.0 * self.DISTURBANCES[self.disturbed]:g}% about the next; "
             f"turned over {times} in {self.time:.1f} s\n"
-            f"off from the start: kinetic energy {self.box.energy() / energy - 1.0:+.3%}, "
+            f"change since the start: kinetic energy {self.box.energy() / energy - 1.0:+.3%}, "
             f"angular momentum {drift:.3%}"
         )
 
@@ -135,10 +135,10 @@ class Spin:
             self.start()
 
     def click(self, axes: object, x: float, y: float) -> None:
-        """Nothing here is clicked."""
+        """Ignore clicks."""
 
     def play(self, time: float) -> None:
-        """Watch it turn over, then disturb it more and spin it about the other two axes."""
+        """Watch the box flip over, then disturb it more and spin it about the other two axes."""
         frame = round(60.0 * time)
         if frame == 540:
             self.press("up")

@@ -1,9 +1,9 @@
-"""Going further, complete: a box that turns freely, by its inertia tensor.
+"""Going further, complete: a box that rotates freely, with its inertia tensor.
 
-Nothing acts on it, so its angular momentum stays as it is; its angular velocity does not. A body
-has three principal axes, about each of which it has a moment of inertia of its own. Spun about the
-axis of the largest or of the smallest it goes on doing so; spun about the one between, it turns
-over again and again as soon as anything disturbs it, as a book does that is thrown up.
+No torque acts on the box, so its angular momentum is constant, but its angular velocity is not. A
+body has three principal axes, with a moment of inertia about each of them. A spin about the axis of
+the largest or the smallest moment is stable. A spin about the axis in between is not: after any
+disturbance the body flips over again and again, like a book that you throw into the air.
 """
 
 from __future__ import annotations
@@ -12,19 +12,20 @@ from ch02_vectors.arguments import finite_vector, positive
 from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 
-X, Y, Z = Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)  # its principal axes, to itself
+# The principal axes, in the box's own axes.
+X, Y, Z = Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)
 
 
 class FreeBox:
-    """A box with sides along X, Y and Z of its own, that turns about its middle.
+    """A box that rotates about its center, with its sides along its own X, Y and Z axes.
 
-    mass in kg, sides in m, angular_velocity in rad/s. Its axes start as the world's, so that the
-    velocity has the same components in both. Attributes: ``orientation``; ``inertia``, the moments
-    about the three principal axes in kg m^2; ``angular_momentum`` in kg m^2/s, in axes of the
-    world.
+    ``mass`` is in kg, ``sides`` in m and ``angular_velocity`` in rad/s. At the start the box's axes
+    are those of the world. Its attributes are ``orientation``, ``inertia`` (the moments about the
+    three principal axes in kg m^2) and ``angular_momentum`` (in kg m^2/s, in world axes).
 
-    Raises ValueError where a mass or side is not positive and finite, or a component not finite;
-    TypeError for what is no number or no Vector3.
+    Raises:
+        ValueError: if the mass or a side is not positive and finite, or a component is not finite.
+        TypeError: if an argument has the wrong type.
     """
 
     def __init__(self, mass: float, sides: Vector3, angular_velocity: Vector3) -> None:
@@ -37,22 +38,25 @@ class FreeBox:
         )
 
     def own_velocity(self) -> Vector3:
-        """Return the angular velocity in rad/s, in the box's own axes: momentum / moment."""
+        """Return the angular velocity in rad/s in the box's own axes, momentum / moment."""
         own = self.orientation.conjugate().rotate(self.angular_momentum)
         moments = self.inertia
         return Vector3(own.x / moments.x, own.y / moments.y, own.z / moments.z)
 
     def energy(self) -> float:
-        """Return the kinetic energy of the turning, in J."""
+        """Return the kinetic energy of the rotation in J."""
         spin = self.own_velocity()
         return 0.5 * spin.dot(self.inertia.component_product(spin))
 
     def step(self, duration: float) -> None:
-        """Turn on by a duration in s. Raises ValueError where it is not positive and finite.
+        """Make a step of a duration in s.
 
-        The turn is split into five about one principal axis each, there and back: a turn about its
-        own axis leaves the momentum along that axis as it is, so each of the five is exact. Such a
-        splitting is of the second order, and its error in the energy stays small for ever.
+        The rotation is split into five rotations, each about one principal axis. A rotation about
+        such an axis keeps the momentum along it, so each of the five is exact. This symmetric
+        splitting is of order 2, and its error in the energy stays small forever.
+
+        Raises:
+            ValueError: if the duration is not positive and finite.
         """
         half = 0.5 * positive("duration", duration)
         for axis, time in ((X, half), (Y, half), (Z, duration), (Y, half), (X, half)):

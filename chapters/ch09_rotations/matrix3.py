@@ -1,10 +1,8 @@
-"""Matrices of three rows and columns, which turn and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
+"""Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
-A vector is a column and stands on the right: ``m @ v``; ``a @ b`` is b first and then a. Matrices
-are not changed once they are made: every method returns a new one.
-
-Raises TypeError for what is no Vector3, no Quaternion or no Matrix3 where one is wanted. Of vectors
-only the type is looked at: any components will do.
+Vectors are columns, on the right of a matrix: ``m @ v``. The product ``a @ b`` applies b first and
+then a. Matrices do not change, and every method returns a new object. The methods raise TypeError
+for an argument of the wrong type. The components of a vector are not checked.
 """
 
 from __future__ import annotations
@@ -15,19 +13,19 @@ from typing import overload
 from ch02_vectors.vector import Vector3
 from ch09_rotations.quaternion import Quaternion
 
-# A determinant below this share of the product of the rows' lengths, the largest that rows of such
-# lengths can have, is rounding.
+# A determinant up to this fraction of the product of the rows' lengths, its largest possible value,
+# counts as zero.
 SINGULAR = 1e-13
-# How far the products of a rotation's rows may be from 1 and 0: a quaternion that just passes for
-# one of length 1 makes them 8e-6, in a half-turn.
+
+# How far the products of a rotation's rows may be from 1 and 0. For a quaternion whose length
+# is_unit just accepts, the errors are up to 8e-6.
 ROTATION_TOLERANCE = 1e-5
 
 
 class Matrix3:
-    """Nine numbers, row by row: what turns and scales, and leaves the origin where it is.
+    """A 3x3 matrix of nine numbers, row by row. It keeps the origin where it is.
 
-    ``m[row, column]`` reads one, both from 0 to 2; ``entries`` is the tuple of all. They are what
-    float() takes. Raises TypeError where there are not nine.
+    ``m[row, column]`` reads one number, both indices from 0 to 2. ``entries`` is the tuple of all.
     """
 
     __slots__ = ("entries",)
@@ -46,11 +44,11 @@ class Matrix3:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Exact, number by number."""
+        """Compare exactly, number by number."""
         return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and column. Raises IndexError where there is none."""
+        """Return the number in a row and column."""
         row, column = place
         if row not in range(3) or column not in range(3):
             raise IndexError(f"row and column must be from 0 to 2, got {place!r}")
@@ -61,61 +59,62 @@ class Matrix3:
     @overload
     def __matmul__(self, other: Matrix3) -> Matrix3: ...
     def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
-        """Return m.transform(v) or m.product(n), by what is on the right."""
+        """Return m.transform(other) for a vector, and m.product(other) for a matrix."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return m v, as new; also written m @ v (9.4.2)."""
+        """Return the matrix times v as a new vector, also written m @ v (9.4.2)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return this matrix times m: m first, then this one; also written @ (9.4.2)."""
+        """Return the product self m: m first, then self. Also written self @ m (9.4.2)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def transpose(self) -> Matrix3:
-        """Return the matrix whose rows are the columns here: a rotation turned back (9.4.3)."""
+        """Return the matrix with rows and columns swapped: the inverse of a rotation (9.4.3)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def determinant(self) -> float:
-        """Return the volume that a unit cube comes to have, negative where mirrored (9.4.3)."""
+        """Return the factor by which volumes change, negative for a mirror image (9.4.3)."""
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def inverse(self) -> Matrix3:
-        """Return the matrix that undoes this one (9.4.3).
+        """Return the inverse (9.4.3).
 
-        Raises ValueError, with the determinant and what it was compared with, where no matrix
-        does, or nearly so: where |determinant| is not above SINGULAR, 1e-13, of the product of the
-        lengths of the rows; and where a number is not finite.
+        Raises:
+            ValueError: if a number is not finite, or unless |determinant| is greater than SINGULAR
+                (1e-13) times the product of the rows' lengths. It names both.
         """
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def is_rotation(self) -> bool:
-        """Say whether this turns and does nothing else: no scaling, no skewing, no mirroring.
+        """Return whether this is a rotation, without scaling, shear or mirroring.
 
-        Then the product of each row with itself is 1 and with each other row 0, both to within
-        ROTATION_TOLERANCE, and the determinant is positive. What is not finite is no rotation.
+        The product of each row with itself must be 1 and with each other row 0, both within
+        ROTATION_TOLERANCE, and the determinant positive. Otherwise, and for NaN, return False.
         """
         raise NotImplementedError("Exercise B9.6: Is it a rotation?")
 
     @staticmethod
     def from_quaternion(q: Quaternion) -> Matrix3:
-        """Return the rotation of a quaternion: its columns are the turned axes.
+        """Return the rotation of a quaternion. Its columns are the rotated axes.
 
-        The book prints its transpose, which turns the other way (E-11).
+        The book prints the transpose, which rotates in the opposite direction (E-11).
 
-        Raises ValueError where the quaternion's length is not 1 (is_unit).
+        Raises:
+            ValueError: if the quaternion's length is not 1 (is_unit).
         """
         raise NotImplementedError("Exercise B9.12: From a quaternion to a matrix")
 
     def to_quaternion(self) -> Quaternion:
-        """Return the quaternion of this rotation, of length 1; q and -q are equally right.
+        """Return the quaternion of this rotation, with length 1. Both q and -q are right.
 
-        Four sums of the diagonal give four squares of the components, 4 r^2, 4 i^2, 4 j^2 and
-        4 k^2. The largest is never below 1, and the others follow from it safely, while another may
-        be rounding alone, as r is in a half-turn.
+        Four sums of the diagonal give 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Compute the others from the
+        largest, which is at least 1. A smaller one may be rounding, as r is in a half-turn.
 
-        Raises ValueError where this is no rotation (is_rotation).
+        Raises:
+            ValueError: if this is not a rotation (is_rotation).
         """
         raise NotImplementedError("Exercise B9.13: From a matrix to a quaternion")

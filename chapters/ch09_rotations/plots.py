@@ -1,8 +1,8 @@
-"""Pictures of chapter 9: a turning motion, and the order of turns.
+"""Pictures of chapter 9: a rotating disc, and the order of rotations.
 
-Titles give what is measured on the picture with plain numbers: a wrong engine cannot hide. What is
-not written yet is left out where there is something else to see. Eq. 9.5 and gimbal lock are in
-plots_of_rates, the box of stones in plots_of_stones.
+Each title gives errors that are computed apart from the engine, so that its mistakes show. Parts
+that are not written yet are left out. Pictures of Eq. 9.5 and gimbal lock are in plots_of_rates,
+the box of stones in plots_of_stones.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def turning_motion() -> Picture:
-    """A thrown disc that wobbles as it flies, with its own axes at seven times."""
+    """A thrown disc that wobbles as it flies, with its axes at seven moments."""
     rates = (120, 240, 480)
     throws = {rate: throw_disc(rate) for rate in rates}
     shown = throws[240]
@@ -96,13 +96,13 @@ def turning_motion() -> Picture:
         artist.set_clip_on(False)  # the picture is wider than what matplotlib takes it for
     off = [throws[rate].worst_direction() for rate in rates]
     space.set_title(
-        "A thrown disc that wobbles, by integrate_rotation: its own axes X, Y, Z,"
-        " and where they must be (dashed)\n"
-        f"240 steps a second: off right angles by {shown.worst(off_right_angles):.2g}°, "
-        f"off length 1 by {shown.worst(off_unit_length):.2g} at most,\n"
-        f"off where they must be by {off[0]:.3g}°, {off[1]:.3g}° and {off[2]:.3g}° at most "
-        f"with {rates[0]}, {rates[1]} and {rates[2]} steps a second: "
-        f"of order {-slope(rates, off):.2f} in the step",
+        "A thrown disc that wobbles, by integrate_rotation: its axes X, Y, Z,"
+        " and the exact ones (dashed)\n"
+        f"240 steps per second: right angles off by up to {shown.worst(off_right_angles):.2g}°, "
+        f"lengths by {shown.worst(off_unit_length):.2g},\n"
+        f"errors of the directions at most {off[0]:.3g}°, {off[1]:.3g}° and {off[2]:.3g}° "
+        f"with {rates[0]}, {rates[1]} and {rates[2]} steps per second: "
+        f"order {-slope(rates, off):.2f} in the step",
         fontsize=11,
     )
     tell(figure, [f"{rate} Hz: {throw.message}" for rate, throw in throws.items() if throw.message])
@@ -112,12 +112,12 @@ def turning_motion() -> Picture:
             flat = [value for v in found for value in v]
             rows.append((rate, time, *disc_place(time), *flat, off_directions(found, wanted)))
     names = [f"{axis}.{name}" for axis in "XYZ" for name in "xyz"]
-    head = ("steps a second", "time, s", "x, m", "y, m", "z, m", *names, "off, degrees")
+    head = ("steps per second", "time, s", "x, m", "y, m", "z, m", *names, "error, degrees")
     return Picture(figure, head, rows)
 
 
 def order_of_turns() -> Picture:
-    """An L turned by 90 degrees about X and then Y of the world, and about Y and then X."""
+    """An L rotated by 90 degrees about the world's X and then Y, and about Y and then X."""
     figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
     grid = figure.add_gridspec(2, 3)
     quarter = {
@@ -154,11 +154,11 @@ def order_of_turns() -> Picture:
                     rows.append((order, name, how, label, *v))
     angles = {how: degrees_between_arrows(*pair) for how, pair in ends.items() if len(pair) == 2}
     told = [f"by {how} {angle:.7g}°" for how, angle in angles.items()]
-    lines = [f"One turn leads from the end above to that below: {', '.join(told)}"]
+    lines = [f"The angle between the upper and the lower result: {', '.join(told)}"]
     if "matrices" in angles:
         pairs = zip(*ends.values(), strict=True)
         off = largest([off_directions(*pair) for pair in pairs])
-        lines.append(f"The ends by matrices (dashed) are off those by quaternions by {off:.3g}°")
+        lines.append(f"Results by matrices (dashed) and by quaternions differ by {off:.3g}°")
     figure.suptitle("\n".join(lines), fontsize=12)
     tell(figure, notes)
     return Picture(figure, ("order", "state", "by", "axis", "x", "y", "z"), rows)
@@ -174,7 +174,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Return the arrows as the engine turns them: nowhere, and a note, where it refuses."""
+    """Return the arrows as the engine rotates them, or none and a note if it refuses."""
     found: list[Arrows] = []
     if message := stopped(lambda: found.append(arrows_by_engine(q))):
         notes.append(message)
@@ -182,7 +182,7 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Return the same by matrices: at the start, after the first turn, after both."""
+    """Return the same by matrices: at the start, after one rotation, and after both."""
     found: list[Arrows] = []
 
     def act() -> None:
@@ -196,14 +196,14 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
 
 
 def _letter(space: Any, found: Arrows) -> None:
-    """Draw a letter L, upright and facing along Z, turned as arrows are."""
+    """Draw a letter L, upright and facing along Z, rotated like the arrows."""
     if is_drawable(*found):
         for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
             _block(space, found, (x, y, (-0.1, 0.1)))
 
 
 def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
-    """Draw a block between two values of each of its own coordinates, turned as arrows are."""
+    """Draw a block between two values of each of its own coordinates, rotated like the arrows."""
     corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
     faces = []
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
@@ -215,7 +215,7 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
 
 
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
-    """Draw a disc of 0.45 m about its own Y, turned as arrows are."""
+    """Draw a disc of 0.45 m about its own Y, rotated like the arrows."""
     if is_drawable(*found):
         around = [math.radians(angle) for angle in range(0, 360, 10)]
         rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]
@@ -224,7 +224,7 @@ def _disc(space: Any, place: Numbers, found: Arrows) -> None:
 
 
 def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
-    """Return where a point is that an object at a place, turned as arrows are, has at ``own``."""
+    """Return the world position of the point ``own`` of an object rotated like the arrows."""
     x, y, z = (
         at + math.fsum(v[i] * c for v, c in zip(found, own, strict=True))
         for i, at in enumerate(place)
@@ -237,7 +237,7 @@ def _along(place: Numbers, v: Numbers, length: float) -> Numbers:
 
 
 def _point(v: Numbers) -> Numbers:
-    """Return the engine's X, Y, Z as matplotlib has them, whose third axis points up."""
+    """Return X, Y, Z in matplotlib's order, in which the third axis points up."""
     return v[2], v[0], v[1]
 
 

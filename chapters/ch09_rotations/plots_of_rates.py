@@ -1,4 +1,4 @@
-"""Pictures of chapter 9: what Eq. 9.5 does to a turn, and what Euler angles do to their rates."""
+"""Pictures of chapter 9: the errors of Eq. 9.5, and the rates of Euler angles near gimbal lock."""
 
 from __future__ import annotations
 
@@ -49,15 +49,15 @@ from studies.rotations import (
     worst_axis,
 )
 
-FLOOR = 1e-15  # where logarithmic axes have what is rounding, or nothing at all
-RATES = [10 * 2**n for n in range(8)]  # steps a second
+FLOOR = 1e-15  # zero and rounding errors are drawn here on logarithmic axes
+RATES = [10 * 2**n for n in range(8)]  # steps per second
 WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
     "steady axis, Eq. 9.5": (by_first_order, steady_velocity, 0.0, "o-", RED),
-    "steady axis, Eq. 9.5, normalised": (
+    "steady axis, Eq. 9.5, normalized": (
         *(by_first_order_normalized, steady_velocity, 0.0, "x", BLACK),
     ),
     "steady axis, rotate_by": (by_exponential, steady_velocity, 0.0, "D-", GREEN),
-    "moving axis, Eq. 9.5, normalised": (
+    "moving axis, Eq. 9.5, normalized": (
         *(by_first_order_normalized, coning_velocity, 0.0, "s-", ORANGE),
     ),
     "moving axis, rotate_by": (by_exponential, coning_velocity, 0.0, "^-", SKY),
@@ -68,7 +68,7 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
 
 
 def drift_of_first_order() -> Picture:
-    """What Eq. 9.5 does to the length of a quaternion and to its angle, and what is better."""
+    """The errors of Eq. 9.5 in length and angle, and of better methods."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
@@ -98,8 +98,8 @@ def drift_of_first_order() -> Picture:
         notes += [f"{way}, {rate} Hz: {message}"] if message else []
     left.plot([], [], color=GREY, lw=1, label="lines: (1 + (w h / 2)$^2$)$^{n/2}$ after n steps; 1")
     left.set_title(
-        "A turn a second about a steady axis: the length that was 1 is off the\n"
-        f"closed form (lines) by {largest(off):.2g} at most{_of_drift(drift_off, '')}",
+        "One turn per second about a steady axis: the length differs from the\n"
+        f"closed form (lines) by at most {largest(off):.2g}{_of_drift(drift_off, '')}",
         fontsize=11,
     )
     left.set(xlabel="time, s", ylabel="length of the quaternion")
@@ -108,13 +108,13 @@ def drift_of_first_order() -> Picture:
     for axes in (left, right):
         axes.grid(alpha=0.3)
     tell(figure, notes)
-    return Picture(figure, ("what", "way", "steps a second", "time, s", "value"), rows)
+    return Picture(figure, ("what", "way", "steps per second", "time, s", "value"), rows)
 
 
 def gimbal_lock() -> Picture:
-    """How the map of the Euler rates loses a direction near 90 degrees, and how the rates grow."""
+    """The map of the Euler rates near 90 degrees, where a direction is lost and the rates grow."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
-    x, z = 0.4, 1.1  # rad: these two make no difference
+    x, z = 0.4, 1.1  # rad: these two do not matter
     degrees = range(-90, 91, 3)
     distances = [10.0 ** (-0.25 * n) for n in range(-7, 25)]  # degrees
     found = written(
@@ -137,7 +137,7 @@ def gimbal_lock() -> Picture:
         off = largest([abs(a - b) for pairs in flat for a, b in pairs])
         left.set_title(
             f"Singular values of rate_map: the smallest is {found['map'][-1][2]:.2g} at 90°,\n"
-            f"all are off sqrt(1 + |sin y|), 1, sqrt(1 - |sin y|) (grey) by {off:.2g} at most",
+            f"all differ from sqrt(1 + |sin y|), 1, sqrt(1 - |sin y|) (gray) by at most {off:.2g}",
             fontsize=11,
         )
         left.legend(fontsize=9, loc="lower center")
@@ -146,7 +146,7 @@ def gimbal_lock() -> Picture:
         rates = [rate for rate, _ in found["rates"]]
         right.loglog(distances, theory, color=GREY, lw=4, alpha=0.4, label="1 / sqrt(1 - sin y)")
         right.loglog(
-            distances, rates, "o", color=RED, ms=4, label="length of what euler_rates gives"
+            distances, rates, "o", color=RED, ms=4, label="length of the result of euler_rates"
         )
         refused = [_refuses(x, math.radians(angle)) for angle in range(0, 360, 30)]
         right.set_title(
@@ -160,42 +160,42 @@ def gimbal_lock() -> Picture:
         rows += [("rates, rad/s", 90.0 - d, rate) for d, rate in zip(distances, rates, strict=True)]
     left.set(xlabel="middle angle y, degrees", ylabel="singular value of rate_map, no unit")
     left.set_xticks(range(-90, 91, 30))
-    right.set(xlabel="how far y is from 90°, degrees", ylabel="length of the Euler rates, rad/s")
+    right.set(xlabel="distance of y from 90°, degrees", ylabel="length of the Euler rates, rad/s")
     for axes in (left, right):
         axes.grid(alpha=0.3)
     return Picture(figure, ("what", "y, degrees", "value"), rows)
 
 
 def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) -> None:
-    """Draw by how many degrees each way is off in the end, by the step."""
+    """Draw the final error of each method in degrees, by the step."""
     found = written({way: partial(_ends, way, notes) for way in WAYS})
     steps = [1.0 / rate for rate in RATES]
     for way, errors in found.items():
         *_, style, color = WAYS[way]
         if max(errors) < 1e-9:
-            label = f"{way}: {max(errors):.1g}° at most"
+            label = f"{way}: at most {max(errors):.1g}°"
         else:
             order = slope(steps[-4:], errors[-4:])
             label = f"{way}: order {order:.2f}, {errors[3]:.2g}° at {RATES[3]} Hz"
         shown = [max(error, FLOOR) for error in errors]
         axes.loglog(steps, shown, style, color=color, ms=8 if style == "x" else 6, label=label)
         rows += [("error", way, rate, END, e) for rate, e in zip(RATES, errors, strict=True)]
-    lines = [f"How far off the orientation is after {END:g} s, by the step"]
-    bare, mended = (found.get(f"steady axis, Eq. 9.5{how}") for how in ("", ", normalised"))
+    lines = [f"Error of the orientation after {END:g} s, by the step"]
+    bare, mended = (found.get(f"steady axis, Eq. 9.5{how}") for how in ("", ", normalized"))
     if bare and mended:
         apart = largest([abs(a - b) for a, b in zip(bare, mended, strict=True)])
-        lines.append(f"Normalising changes the angle of Eq. 9.5 by {apart:.2g}° at most")
+        lines.append(f"Normalizing changes the angle of Eq. 9.5 by at most {apart:.2g}°")
     if bare:
         drifts = [_drift(END, round(END * rate))[1] for rate in RATES]
         off = [abs(drift - error) for drift, error in zip(drifts, bare, strict=True)]
         lines[-1] += _of_drift(off, "°")
     axes.set_title("\n".join(lines), fontsize=11)
-    axes.set(xlabel="step h, s", ylabel="angle off the closed form, degrees", ylim=(FLOOR, 1e3))
+    axes.set(xlabel="step h, s", ylabel="error of the angle, degrees", ylim=(FLOOR, 1e3))
     axes.legend(fontsize=8.5, loc="center", bbox_to_anchor=(0.5, 0.4))
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Return the length, and the angle in degrees, by first_order_drift; NaN while it is a stub."""
+    """Return the results of first_order_drift, the angle in degrees, or NaN for a stub."""
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
         length, angle = found[0] if isinstance(found[0], tuple) else (None, None)
@@ -204,14 +204,14 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Return how far first_order_drift is from what was measured, for a title."""
+    """Return the error of first_order_drift against the measurement, for a title."""
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
-    return f",\nfirst_order_drift is off what is measured by {largest([*off]):.2g}{unit}"
+    return f",\nfirst_order_drift differs from the measurement by {largest([*off]):.2g}{unit}"
 
 
 def _ends(way: str, notes: list[str]) -> list[float]:
-    """Return by how many degrees a way is off in the end, for each of the rates."""
+    """Return the final error of a method in degrees, for each of the rates."""
     step, velocity, share, *_ = WAYS[way]
     wanted = (steady_orientation if velocity is steady_velocity else coning_orientation)(END)
     errors = []
@@ -224,7 +224,7 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 
 
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
-    """Return how large the Euler rates get so many degrees from the lock, and what refused."""
+    """Return the largest Euler rates at a distance from gimbal lock in degrees, and any error."""
     left = math.radians(distance)
     found: list[float] = []
 
@@ -237,6 +237,6 @@ def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
 
 
 def _refuses(x: float, z: float) -> bool:
-    """Say whether euler_rates refuses to turn in gimbal lock about the axis that is lost."""
+    """Return whether euler_rates refuses a rotation about the lost axis in gimbal lock."""
     lost = worst_axis(0.0, z)
     return bool(stopped(lambda: euler_rates(x, 0.5 * math.pi, z, Vector3(*lost))))

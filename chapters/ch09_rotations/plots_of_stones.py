@@ -1,4 +1,4 @@
-"""A picture of chapter 9: lines below a box of stones, and how far off they balance."""
+"""A picture of chapter 9: the balance lines of a box of stones, and their errors."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def balance_lines() -> Picture:
-    """Exercise 9.7: the box with your stones, lines that it balances on, the masses beside them."""
-    masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # a stub says so before an empty file does
+    """Exercise 9.7: the box with your stones, its balance lines, and the masses beside them."""
+    masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # report a stub before an empty file
     stones = read_stones(own_stones())
     if not stones:
         raise ValueError("there are no stones in stones.csv: weigh some for exercise 9.7")
@@ -49,7 +49,7 @@ def balance_lines() -> Picture:
             beyond = (through[0] + math.cos(a), through[1] + math.sin(a))
             left.axline(through, beyond, color=color, lw=width, zorder=1)
     x, y = center(stones)
-    label = f"centre of mass by plain numbers: {x:.3f} m, {y:.3f} m"
+    label = f"exact center of mass: {x:.3f} m, {y:.3f} m"
     left.plot(x, y, "+", color=BLACK, ms=14, mew=2, label=label)
     left.plot([], [], color=GREY, lw=1, label="balance_offset, every 30°")
     left.plot([], [], color=RED, lw=2.5, label=f"at {uneven.angle}°: {sides}")
@@ -59,10 +59,10 @@ def balance_lines() -> Picture:
     left.set_aspect("equal")
     left.legend(fontsize=9, loc="upper left")
     left.set_title(
-        f"{len(stones)} stones: lines miss the centre of mass by "
-        f"{largest([line.miss for line in lines]):.2g} m at most,\n"
-        f"gravity's torque about them is {largest([line.torque for line in lines]):.2g} N m "
-        "at most",
+        f"{len(stones)} stones: the lines miss the center of mass by at most "
+        f"{largest([line.miss for line in lines]):.2g} m,\n"
+        "the torque of gravity about them is at most "
+        f"{largest([line.torque for line in lines]):.2g} N m",
         fontsize=11,
     )
     angles = [line.angle for line in lines]
@@ -75,7 +75,7 @@ def balance_lines() -> Picture:
     off += [abs(line.right - line.true_right) for line in lines]
     right.set_title(
         f"At {uneven.angle}°: {sides} (E-32);\n"
-        f"masses_beside is off plain numbers (lines) by {largest(off):.2g} kg at most",
+        f"the error of masses_beside (exact: lines) is at most {largest(off):.2g} kg",
         fontsize=11,
     )
     right.set(xlabel="angle of the balance line, degrees", ylabel="mass, kg")

@@ -1,8 +1,8 @@
-"""Read the stones in a box for exercise 9.7, from a CSV file with a line for each.
+"""Read the stones in a box for exercise 9.7 from a CSV file with one stone per line.
 
-Its columns are what, mass, x and y: a name, the mass in kg, and where the stone's middle is, in m
-from the left and from the front side of the box. At least three stones, and the empty box, have a
-line each.
+The columns are what, mass, x and y: a name, the mass in kg, and the distances of the stone's center
+from the left side and from the front side of the box in m. Enter at least three stones, and the
+empty box in a line of its own.
 """
 
 from __future__ import annotations
@@ -17,9 +17,11 @@ COLUMNS = ("what", "mass", "x", "y")
 
 
 def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
-    """Return the stones in a file, in its order; empty lines are left out.
+    """Return the stones in a file, in their order. Empty lines are skipped.
 
-    Raises ValueError for another first line, and for one that is no name, mass and place: by number.
+    Raises:
+        ValueError: if the first line is not the heading, or a line is not a name, a mass and a
+            position. It names the line.
     """
     stones = []
     with path.open(encoding="utf-8-sig", newline="") as file:
@@ -33,16 +35,17 @@ def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
                     raise ValueError
             except ValueError:
                 where = f"{path.name}, line {rows.line_num}"
-                wanted = "must be a name, a mass in kg above 0, x and y in m"
+                wanted = "must be a name, a positive mass in kg, and x and y in m"
                 raise ValueError(f"{where} {wanted}, got {','.join(row)!r}") from None
             stones.append((what, mass, x, y))
     return stones
 
 
 def own_stones() -> Path:
-    """Return the path of stones.csv: the student's own, where the engine has one.
+    """Return the path of stones.csv, preferring the student's own.
 
-    Raises FileNotFoundError where no folder of the engine has it.
+    Raises:
+        FileNotFoundError: if no folder of the engine has the file.
     """
     for folder in ch09_rotations.__path__:
         if (path := Path(folder) / "stones.csv").exists():

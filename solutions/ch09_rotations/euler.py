@@ -1,12 +1,12 @@
-"""Three angles for an orientation, for input only (book 9.2.1), and where they fail.
+"""Euler angles, and why they fail (book 9.2.1).
 
-The angles are turns in radians about axes of the world: by x about X first, then by y about Y, then
-by z about Z. Every orientation can be reached so (E-33). But where y is a quarter turn, X has been
-turned onto Z or its opposite: the first turn and the last are then about one axis, and two of the
-three angles do the work of one. That is gimbal lock, and why an engine keeps a quaternion.
+The three angles are rotations in radians about world axes: first by x about X, then by y about Y,
+then by z about Z. They can describe every orientation (E-33). But if y is a quarter turn, it takes
+X to Z or -Z. The first and the last rotation are then about the same axis, and one way to rotate is
+lost. This is gimbal lock, and the reason why engines store orientations as quaternions.
 
-Raises ValueError where an angle or a component is not finite, TypeError for what is no number or no
-Vector3.
+The functions raise ValueError for a number that is not finite, and TypeError for an argument of the
+wrong type.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from ch09_rotations.quaternion import Quaternion
 
 
 def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
-    """Return the orientation of three angles, of length 1."""
+    """Return the orientation of three angles as a unit quaternion."""
     first = Quaternion.from_axis_angle(Vector3(1.0, 0.0, 0.0), x)
     second = Quaternion.from_axis_angle(Vector3(0.0, 1.0, 0.0), y)
     third = Quaternion.from_axis_angle(Vector3(0.0, 0.0, 1.0), z)
@@ -28,12 +28,11 @@ def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
 
 
 def rate_map(x: float, y: float, z: float) -> Matrix3:
-    """Return the matrix that takes the rates of the three angles to the angular velocity.
+    """Return the matrix that maps the rates of the three angles to the angular velocity.
 
-    It depends on y and z; x has no part in it, but must be a finite number too. The rates are the
-    components of a Vector3, in rad/s; the angular velocity is in axes of the world. Each column
-    is the axis that its angle turns about: Z itself, Y as the turn about Z has left it, X as the
-    turns about Y and then Z have.
+    Both are vectors in rad/s, and the angular velocity is in world axes. Each column is the axis of
+    one angle. The axis of z is Z itself, that of y is Y rotated by z, and that of x is X rotated by
+    y and then by z. The matrix does not depend on x, but x must be finite too.
     """
     finite("x", x)
     cos_y, sin_y = math.cos(finite("y", y)), math.sin(y)
@@ -46,17 +45,17 @@ def rate_map(x: float, y: float, z: float) -> Matrix3:
 
 
 def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vector3:
-    """Return how fast the three angles change, in rad/s, where an object turns so.
+    """Return the rates of the three angles in rad/s for an angular velocity in world axes.
 
-    angular_velocity in rad/s, in axes of the world.
+    Near gimbal lock the rates are very large.
 
-    Raises ValueError in gimbal lock, where |cos y|, the determinant of the rate map, is not above
-    SINGULAR of matrix3.py: no rates make a turn about the axis that is lost. Close to it they are
-    as large as you like. Matrix3.inverse alone would not refuse all of these: at z = 0, say, a row
-    of the map is as short as the determinant is small.
+    Raises:
+        ValueError: in gimbal lock, that is, unless |cos y|, the determinant of the rate map, is
+            greater than SINGULAR of matrix3.py. No rates rotate about the lost axis. Matrix3.inverse
+            does not refuse all of these maps: at z = 0 a row is as small as the determinant.
     """
     velocity = finite_vector("angular_velocity", angular_velocity)
     rates = rate_map(x, y, z)
     if not abs(rates.determinant()) > SINGULAR:
-        raise ValueError(f"y must not be a quarter turn, where two axes are one, got {y!r}")
+        raise ValueError(f"y must not be a quarter turn (gimbal lock), got {y!r}")
     return rates.inverse().transform(velocity)

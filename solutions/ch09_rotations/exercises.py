@@ -1,7 +1,7 @@
 """The exercises of the book's chapter 9, as functions of their data.
 
-None of them changes what it is given. Angles are in radians, except where degrees are named. Raises
-TypeError for what is no number, no Vector3, no Quaternion or no Matrix4 where one is wanted.
+The functions do not change their arguments. Angles are in radians unless a docstring says degrees.
+An argument of the wrong type raises TypeError.
 """
 
 from __future__ import annotations
@@ -16,46 +16,46 @@ from ch09_rotations.quaternion import Quaternion
 
 Stone = tuple[str, float, float, float]  # what it is, its mass in kg, x and y in m
 
-# How near to a balance line what lies on it is, in m.
+# A stone within this distance of the balance edge lies on it, in m.
 _ON_THE_LINE = 1e-9
 
 
 def two_other_turns() -> tuple[float, float]:
-    """Exercise 9.1: return the angles a and b, in degrees, from -180 to 180.
+    """Exercise 9.1: return the angles (a, b) in degrees, from -180 to 180.
 
-    Turning an object by 90 degrees about X and then by 90 degrees about Y leaves it as turning it
-    by a about Z and then by b about X does. The axes are the world's, and do not turn with it;
-    turns are right-handed.
+    Rotating an object by 90 degrees about X and then by 90 degrees about Y has the same result as
+    rotating it by a about Z and then by b about X. The axes are the world's and do not rotate with
+    the object. Rotations are right-handed.
     """
     return -90.0, 90.0
 
 
 def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
-    """Exercise 9.2: return the one turn, axis and angle, that takes an orientation to (1, 0, 0, 0).
+    """Exercise 9.2: return the rotation, axis and angle, from an orientation to (1, 0, 0, 0).
 
-    The axis is a new unit vector in axes of the world, the angle in radians, from -pi to pi: the
-    same turn about the opposite axis has the opposite sign, and either will do. Where there is
-    nothing to turn back the angle is 0, about any axis.
+    The axis is a new unit vector in world axes, and the angle is in radians, from -pi to pi. The
+    opposite axis with the opposite angle is right too. If the orientation is the reference already,
+    the angle is 0 about any axis.
 
     >>> axis, angle = back_to_reference(Quaternion(0.5, 0.5, 0.5, 0.5))
     >>> round(angle, 6), [round(component, 6) for component in axis]  # 120 degrees
     (2.094395, [-0.57735, -0.57735, -0.57735])
 
-    Raises ValueError where the length is not 1 (Quaternion.is_unit).
+    Raises:
+        ValueError: if the length is not 1 (Quaternion.is_unit).
     """
     _quaternion("orientation", orientation)
     return orientation.conjugate().to_axis_angle()
 
 
 def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
-    """Exercise 9.3a: return a b, where j and k are zero in both, in four multiplications.
-
-    The numbers of the example are ours.
+    """Exercise 9.3a: return a b in four multiplications, for quaternions whose j and k are zero.
 
     >>> product_without_j_and_k(Quaternion(2, 3, 0, 0), Quaternion(4, -1, 0, 0))
     Quaternion(11.0, 10.0, 0.0, 0.0)
 
-    Raises ValueError where a j or a k is not zero.
+    Raises:
+        ValueError: if a j or k is not zero.
     """
     for name, q in (("a", a), ("b", b)):
         _quaternion(name, q)
@@ -65,11 +65,13 @@ def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Quaternion:
-    """Exercise 9.4: return where a steady turn about the world's X ends, as new: by one rotation.
+    """Exercise 9.4: return the orientation after a steady rotation about the world's X axis.
 
-    rate in rad/s, negative the other way round; duration in s.
+    Compute it with a single rotation. ``rate`` is in rad/s and may be negative, ``duration`` is in
+    s. The result is a new quaternion.
 
-    Raises ValueError where the rate is not finite or the duration not positive and finite.
+    Raises:
+        ValueError: if the rate is not finite, or the duration not positive and finite.
     """
     _quaternion("orientation", orientation)
     angle = finite("rate", rate) * positive("duration", duration)
@@ -79,18 +81,19 @@ def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Qu
 def turned_by_steps(
     orientation: Quaternion, rate: float, duration: float, steps: int = 1
 ) -> tuple[Quaternion, float]:
-    """Exercise 9.4: return the same by equal steps of Eq. 9.5, normalised, and its error.
+    """Exercise 9.4: return the same orientation by equal steps of Eq. 9.5, and its error.
 
-    The error is the angle, from 0 to pi, of the turn that would take the result to what
-    turned_by_sense returns. The rate of the example is ours.
+    The orientation is a new quaternion, normalized after the last step. The error is the angle,
+    from 0 to pi, of the rotation from it to the result of turned_by_sense.
 
     >>> q, error = turned_by_steps(Quaternion(0.5, 0.5, 0.5, 0.5), 0.5, 2.0)
     >>> [round(component, 6) for component in q], round(error, 6)  # 4.2 degrees
     ([0.223607, 0.67082, 0.223607, 0.67082], 0.072705)
 
-    Raises ValueError where the orientation's length is not 1 (Quaternion.is_unit), the rate is not
-    finite, the duration not positive and finite, or steps not 1 or more; TypeError where steps is
-    no whole number.
+    Raises:
+        ValueError: if the orientation's length is not 1 (Quaternion.is_unit), the rate is not
+            finite, the duration is not positive and finite, or steps is less than 1.
+        TypeError: if steps is not a whole number.
     """
     right = turned_by_sense(orientation, rate, duration)
     spin = Vector3(rate, 0.0, 0.0)
@@ -102,14 +105,13 @@ def turned_by_steps(
 
 
 def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
-    """Exercise 9.5: return the rotation and the position that a 3x4 matrix is made of, as new.
-
-    The numbers of the example are ours.
+    """Exercise 9.5: return the rotation and the position in a 3x4 matrix, as new objects.
 
     >>> read_off(Matrix4(0, -1, 0, 4, 1, 0, 0, 5, 0, 0, 1, 6))
     (Matrix3(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0), Vector3(4.0, 5.0, 6.0))
 
-    Raises ValueError where what should be the rotation is none (Matrix3.is_rotation).
+    Raises:
+        ValueError: if the first three columns are not a rotation (Matrix3.is_rotation).
     """
     if not isinstance(matrix, Matrix4):
         raise TypeError(f"matrix must be a Matrix4, got {matrix!r}")
@@ -123,8 +125,9 @@ def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
 def easy_inverse(matrix: Matrix4) -> Matrix4:
     """Exercise 9.6: return the inverse of a rotation and a translation, without any division.
 
-    The rotation is turned back by its transpose, and the translation with it. For other matrices
-    that is no inverse, and it does not look: that would take most of what it saves.
+    The rotation becomes its transpose, and the translation is rotated back and negated. For other
+    matrices the result is not the inverse. It is not checked, since that would cost most of the
+    time that is saved.
     """
     if not isinstance(matrix, Matrix4):
         raise TypeError(f"matrix must be a Matrix4, got {matrix!r}")
@@ -137,24 +140,26 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
 
 
 def center_of_stones(stones: Sequence[Stone]) -> Point:
-    """Exercise 9.7: return the centre of mass of a box with stones, in m, by sums.
+    """Exercise 9.7: return the center of mass (x, y) of a box with stones, in m.
 
-    A stone is a tuple of what it is, its mass in kg, and where its middle is, x and y in m. The box
-    itself is one of them, unless it has no mass to speak of.
+    A stone is a tuple of its name, its mass in kg, and the x and y of its center in m. The empty
+    box is one of them, unless its mass is negligible.
 
-    Raises what center_of_mass raises.
+    Raises:
+        ValueError, TypeError: as center_of_mass does.
     """
     masses = [mass for _, mass, _, _ in stones]
     return center_of_mass(masses, [(x, y) for _, _, x, y in stones])
 
 
 def balance_offset(stones: Sequence[Stone], angle: float) -> float:
-    """Exercise 9.7: return where a straight edge must lie below the box for it to balance, in m.
+    """Exercise 9.7: return the offset in m of a straight edge on which the box balances.
 
-    The edge has the direction of an angle, (cos, sin). The offset is how far to the left of it, in
-    the direction (-sin, cos), the edge lies from the corner of the box where x and y are 0.
+    The edge has the direction (cos, sin) of an angle. Its offset is its distance from the corner
+    x = y = 0 of the box, measured to the left, in the direction (-sin, cos).
 
-    Raises what center_of_stones raises, and ValueError where the angle is not finite.
+    Raises:
+        ValueError, TypeError: as center_of_stones does. Also if the angle is not finite.
     """
     x, y = center_of_stones(stones)
     along = angle_to_vector(angle)
@@ -164,11 +169,12 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
     """Exercise 9.7: return the masses on the left and on the right of that edge, in kg.
 
-    Where they differ, it balances all the same, since a small mass far away weighs up a large one
-    near by: the book has them equal (E-32). Each stone counts where its middle is; one whose middle
-    is over the edge, within 1e-9 m, counts on neither side.
+    The two may differ although the box balances, because a small mass far from the edge balances a
+    large one near it. The book says that they are equal (E-32). A stone counts on the side of its
+    center. If its center is within 1e-9 m of the edge, it counts on neither side.
 
-    Raises what balance_offset raises.
+    Raises:
+        ValueError, TypeError: as balance_offset does.
     """
     offset = balance_offset(stones, angle)
     cosine, sine = angle_to_vector(angle)
@@ -183,6 +189,6 @@ def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
 
 
 def _quaternion(name: str, q: Quaternion) -> None:
-    """Refuse what is no Quaternion."""
+    """Raise TypeError for anything that is not a Quaternion."""
     if not isinstance(q, Quaternion):
         raise TypeError(f"{name} must be a Quaternion, got {q!r}")

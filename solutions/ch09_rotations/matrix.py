@@ -1,6 +1,6 @@
-"""Matrices that turn and move points, and matrices in other axes (book 9.4.2, 9.4.3, 9.4.5, 9.4.6).
+"""Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-Columns, products and errors are as in matrix3.py. Its Matrix3 can be imported from here, too.
+Columns, products and errors are as in matrix3.py. You can import Matrix3 from here, too.
 """
 
 from __future__ import annotations
@@ -18,11 +18,10 @@ M = TypeVar("M", "Matrix3", "Matrix4")
 
 
 class Matrix4:
-    """Twelve numbers, row by row: a Matrix3, and after each of its rows a number of a translation.
+    """A 3x4 matrix of twelve numbers, row by row: a Matrix3 and, as last column, a translation.
 
-    It is the book's matrix of three rows and four columns, whose fourth row would be 0, 0, 0, 1.
-    ``m[row, column]`` reads a number, rows from 0 to 2 and columns from 0 to 3; ``entries`` is the
-    tuple of all. They are what float() takes. Raises TypeError where there are not twelve.
+    ``m[row, column]`` reads one number, with rows from 0 to 2 and columns from 0 to 3. ``entries``
+    is the tuple of all.
     """
 
     __slots__ = ("entries",)
@@ -41,11 +40,11 @@ class Matrix4:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Exact, number by number."""
+        """Compare exactly, number by number."""
         return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
-        """Return the number in a row and column. Raises IndexError where there is none."""
+        """Return the number in a row and column."""
         row, column = place
         if row not in range(3) or column not in range(4):
             raise IndexError(f"row must be from 0 to 2 and column from 0 to 3, got {place!r}")
@@ -56,13 +55,13 @@ class Matrix4:
     @overload
     def __matmul__(self, other: Matrix4) -> Matrix4: ...
     def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
-        """Return m.transform(v) or m.product(n), by what is on the right."""
+        """Return m.transform(other) for a vector, and m.product(other) for a matrix."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return where a point is taken, as new: turned, then moved; also written m @ v (9.4.2)."""
+        """Return a point transformed, translation included, as a new vector. Also m @ v (9.4.2)."""
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         x, y, z = v.x, v.y, v.z
@@ -72,42 +71,40 @@ class Matrix4:
         )
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Return this matrix times m: m first, then this one; also written @ (9.4.2)."""
+        """Return the product self m: m first, then self. Also written self @ m (9.4.2)."""
         if not isinstance(m, Matrix4):
             raise TypeError(f"m must be a Matrix4, got {m!r}")
         linear = _linear(self).product(_linear(m))
         return _joined(linear, self.transform(_translation(m)))
 
     def determinant(self) -> float:
-        """Return the determinant, in which the translation has no part.
-
-        The book's has a plus where a minus belongs (E-28).
-        """
+        """Return the determinant without the translation. The book has a wrong sign (E-28)."""
         return _linear(self).determinant()
 
     def inverse(self) -> Matrix4:
-        """Return the matrix that undoes this one: moves back, then turns back (E-13, E-29, E-30).
+        """Return the inverse (9.4.3, E-13, E-29, E-30).
 
-        Raises ValueError where the nine numbers without the translation have no inverse, as
-        Matrix3.inverse does.
+        Raises:
+            ValueError: if Matrix3.inverse refuses the nine numbers without the translation.
         """
         back = _linear(self).inverse()
         return _joined(back, -back.transform(_translation(self)))
 
     @staticmethod
     def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
-        """Return what takes an object's own coordinates to the world's: turned by q, moved by p.
+        """Return the matrix from object coordinates to world coordinates: rotate by q, add p.
 
-        Raises ValueError where the quaternion's length is not 1 (is_unit).
+        Raises:
+            ValueError: if the quaternion's length is not 1 (is_unit).
         """
         if not isinstance(p, Vector3):
             raise TypeError(f"p must be a Vector3, got {p!r}")
         return _joined(Matrix3.from_quaternion(q), p)
 
     def transform_inverse(self, v: Vector3) -> Vector3:
-        """Return what transform() takes to v, without the inverse: moved back, then turned back.
+        """Return the point that transform() takes to v: subtract the translation, rotate back.
 
-        Right only for a rotation and a translation: it turns back by the transpose (9.4.5).
+        It rotates back by the transpose, which is right only for a rotation (9.4.5).
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -116,7 +113,7 @@ class Matrix4:
         return Vector3(a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
 
     def transform_direction(self, v: Vector3) -> Vector3:
-        """Return a direction turned, as new: the translation has no part in it (9.4.5)."""
+        """Return a rotated direction as a new vector, without the translation (9.4.5)."""
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         x, y, z = v.x, v.y, v.z
@@ -124,7 +121,7 @@ class Matrix4:
         return Vector3(a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
     def transform_inverse_direction(self, v: Vector3) -> Vector3:
-        """Return a direction turned back, as new: by the transpose, as transform_inverse does."""
+        """Return a direction rotated back by the transpose, as a new vector (9.4.5)."""
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         x, y, z = v.x, v.y, v.z
@@ -133,21 +130,21 @@ class Matrix4:
 
 
 def change_basis(m: M, basis: M) -> M:
-    """Return m expressed in other axes: basis m basis^-1 (9.4.6).
+    """Return m expressed in other axes, basis m basis^-1 (9.4.6).
 
-    ``m`` is expressed in one set of axes; ``basis`` takes coordinates in those to coordinates in
-    the others; both are of one size.
+    ``basis`` takes coordinates in the old axes, those of ``m``, to coordinates in the new ones.
 
-    Raises ValueError where the basis has no inverse, TypeError where the two are not matrices of
-    one size.
+    Raises:
+        ValueError: if the basis has no inverse.
+        TypeError: if the two are not matrices of the same size.
     """
     if not isinstance(m, (Matrix3, Matrix4)) or type(m) is not type(basis):
-        raise TypeError(f"m and basis must be matrices of one size, got {m!r} and {basis!r}")
+        raise TypeError(f"m and basis must be matrices of the same size, got {m!r} and {basis!r}")
     return basis.product(m).product(basis.inverse())
 
 
 def _linear(m: Matrix4) -> Matrix3:
-    """Return the numbers without the translation."""
+    """Return the matrix without the translation."""
     a, b, c, _, d, e, f, _, g, h, i, _ = m.entries
     return Matrix3(a, b, c, d, e, f, g, h, i)
 
@@ -158,7 +155,7 @@ def _translation(m: Matrix4) -> Vector3:
 
 
 def _joined(linear: Matrix3, translation: Vector3) -> Matrix4:
-    """Return a Matrix4 of its two parts."""
+    """Return a Matrix4 from its two parts."""
     a, b, c, d, e, f, g, h, i = linear.entries
     x, y, z = translation
     return Matrix4(a, b, c, x, d, e, f, y, g, h, i, z)

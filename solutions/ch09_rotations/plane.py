@@ -1,7 +1,8 @@
-"""Angles, directions and points in the plane, and the centre of mass (book 9.1).
+"""Angles, directions and points in the plane, and the center of mass (book 9.1).
 
-A point or direction is a tuple (x, y). Angles are in radians and counter-clockwise, from the X axis
-towards the Y axis. None of these functions changes what it is given.
+A point or direction is a tuple (x, y). Angles are in radians, counter-clockwise from the X axis
+toward the Y axis. The functions do not change their arguments. They raise ValueError for a number
+that is not finite, and TypeError for anything that is not a number.
 """
 
 from __future__ import annotations
@@ -15,37 +16,29 @@ Point = tuple[float, float]
 
 
 def wrap_angle(angle: float) -> float:
-    """Return the same direction's angle above -pi and up to pi (9.1.1).
+    """Return the angle above -pi and up to pi that has the same direction (9.1.1).
 
-    An angle and one that is turned on by 2 pi point the same way; this picks one of them. Half a
-    turn is pi, whether it came as pi or as -pi.
-
-    Raises ValueError where the angle is not finite, TypeError where it is no number.
+    Angles that differ by 2 pi have the same direction. For both pi and -pi the result is pi.
     """
     wrapped = math.remainder(finite("angle", angle), math.tau)
     return wrapped if wrapped > -math.pi else math.pi
 
 
 def angle_to_vector(angle: float) -> Point:
-    """Return the direction of an angle, a vector of length 1 (Eq. 9.1).
-
-    Raises ValueError where the angle is not finite, TypeError where it is no number.
-    """
+    """Return the unit vector (cos(angle), sin(angle)) in the direction of an angle (Eq. 9.1)."""
     finite("angle", angle)
     return math.cos(angle), math.sin(angle)
 
 
 def rotate_point(point: Point, angle: float, origin: Point) -> Point:
-    """Return where a point of an object is in the world (Eq. 9.2).
+    """Return the position in the world of a point of an object (Eq. 9.2).
 
-    ``point`` is where the object has it, before it was turned and moved; ``angle`` is the object's
-    orientation and ``origin`` its position, both in the world: turn first, then move.
+    ``point`` is relative to the object. ``angle`` is the object's orientation in the world and
+    ``origin`` its position. Rotate the point first, then add origin.
 
     >>> x, y = rotate_point((1.5, -0.75), 3 * math.pi / 8, (4, 3.85))  # a headlight of a car
     >>> round(x, 2), round(y, 2)
     (5.27, 4.95)
-
-    Raises ValueError where a number is not finite, TypeError where one is no number.
     """
     x, y = finite("point[0]", point[0]), finite("point[1]", point[1])
     across, up = finite("origin[0]", origin[0]), finite("origin[1]", origin[1])
@@ -54,16 +47,17 @@ def rotate_point(point: Point, angle: float, origin: Point) -> Point:
 
 
 def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point:
-    """Return the mean of the positions, each counted by its mass (9.1.3).
+    """Return the mean of the positions, weighted by the masses (9.1.3).
 
-    Masses in kg, positions in m, one for each mass and in the same order.
+    Masses are in kg and positions in m, one position per mass, in the same order.
 
-    Raises ValueError where there is no mass, where masses and positions are not as many, where a
-    mass is not positive or a number not finite; TypeError where one is no number.
+    Raises:
+        ValueError: also if there are no masses, if the numbers of masses and positions differ, or
+            if a mass is not positive.
     """
     if not masses or len(masses) != len(positions):
         raise ValueError(
-            "masses and positions must be as many, and one at least: "
+            "masses and positions must have the same length, 1 or more, "
             f"got {len(masses)} masses and {len(positions)} positions"
         )
     total = math.fsum(positive("masses", mass) for mass in masses)

@@ -197,7 +197,7 @@ def test_a_length_is_1_to_a_millionth(sign: float) -> None:
     assert near_1.to_axis_angle()[1] == 0.0
     assert Matrix3.from_quaternion(near_1).is_rotation()
     for refused in (lambda: off.rotate(v), off.to_axis_angle, lambda: Matrix3.from_quaternion(off)):
-        with pytest.raises(ValueError, match=r"must be of length 1, got Quaternion\((1\.0|0\.9)"):
+        with pytest.raises(ValueError, match=r"must have length 1, got Quaternion\((1\.0|0\.9)"):
             refused()
     assert not Quaternion(math.nan).is_unit()
     assert not Quaternion(math.inf).is_unit()

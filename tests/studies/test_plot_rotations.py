@@ -106,11 +106,11 @@ def test_each_way_to_step_has_its_order(reference: Path) -> None:
         half = math.pi / rate
         lacking = math.degrees(2.0 * (0.7 * rate) * (half - math.atan(half)))
         assert bare == pytest.approx(lacking, abs=1e-11)
-        assert off[f"{steady}Eq. 9.5, normalised"][i] == pytest.approx(bare, abs=1e-11)
+        assert off[f"{steady}Eq. 9.5, normalized"][i] == pytest.approx(bare, abs=1e-11)
     assert max(off[f"{steady}rotate_by"]) < 1e-11
     orders = {
         f"{steady}Eq. 9.5": 2,
-        f"{moving}Eq. 9.5, normalised": 1,
+        f"{moving}Eq. 9.5, normalized": 1,
         f"{moving}rotate_by": 1,
         f"{moving}rotate_by, velocity of mid-step": 2,
     }
@@ -176,8 +176,8 @@ def test_what_is_not_written_is_left_out(tmp_path: Path) -> None:
     assert [*ends(tmp_path)] == [("XY", "quaternions"), ("YX", "quaternions")]
     assert [*errors(tmp_path)] == [
         "steady axis, Eq. 9.5",
-        "steady axis, Eq. 9.5, normalised",
-        "moving axis, Eq. 9.5, normalised",
+        "steady axis, Eq. 9.5, normalized",
+        "moving axis, Eq. 9.5, normalized",
     ]
     assert len(table(tmp_path, "gimbal_lock")) == 3 * 61
 

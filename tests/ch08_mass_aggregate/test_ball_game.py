@@ -1,4 +1,4 @@
-"""Project 8.1, a ball game over the bridge: its rules, and its play."""
+"""Project 8.1, a ball game on the bridge: its rules and its play."""
 
 from __future__ import annotations
 
@@ -14,84 +14,79 @@ RULES = "the docstrings of Rules, landed and fell"
 LANDINGS = "the docstrings of Landings and Landings.contacts"
 STEP = "the docstring of BallGame.step"
 FRAME = 1.0 / 60.0
-FIRST = -5.0  # m, where the first row is
+FIRST = -5.0  # m, the position of the first row
 
 
 @pytest.mark.exercise("P8.1a")
 def test_a_row_counts_once(rng: Random) -> None:
-    about.read = RULES
     rows = rng.randint(5, 9)
-    a, b = rng.sample(range(1, rows - 1), 2)  # the first and the last have a check of their own
+    a, b = rng.sample(range(1, rows - 1), 2)  # other checks have the first and the last row
     events = [a, a, b, a, b]
-    about.call = f"Rules({rows}); rules.landed() on {events} in turn: the score after each"
-    about.cause = "POINTS, 10, for a row that is not in visited yet, and nothing for one that is"
+    about(f"Rules({rows}); rules.landed() for the rows {events}: the score after each", read=RULES)
+    about.cause = "A row gives POINTS, 10, the first time, and nothing after that."
     seen = ruled(rows, events)
     got = [score for score, *_ in seen]
     mistakes = [
-        ([10, 20, 30, 40, 50], "a row counts once: look whether it is in visited already"),
-        ([160] * 5, "won after one row: won is that all rows are visited"),
+        ([10, 20, 30, 40, 50], "A row counts only once. Check whether it is in visited already."),
+        ([160] * 5, "The game is won after one row. It is won when all rows are visited."),
     ]
     blame(got, mistakes)
     expect_exactly(got, [10, 10, 20, 20, 20])
-    about.call = f"Rules({rows}); rules.landed() on {events} in turn: visited, lives"
-    about.cause = "a landing adds its row to visited, and costs no life"
+    about.call = f"Rules({rows}); rules.landed() for the rows {events}: visited, lives"
+    about.cause = "A landing adds its row to visited and costs no life."
     expect_exactly(seen[-1][2], sorted((a, b)))
     expect_exactly(seen[-1][1], 3)
 
 
 @pytest.mark.exercise("P8.1a")
 def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
-    about.read = RULES
-    rows, falls = rng.randint(3, 6), 1  # two lives are left: neither one nor all
+    rows, falls = rng.randint(3, 6), 1  # two lives are left, so neither one nor all
     order = rng.sample(range(rows), rows)
     events = [*order[:1], *([-1] * falls), *order[1:], order[0], -1]
-    about.call = f"Rules({rows}); rules.landed() on rows, or -1 for a fall: {events}"
-    about.cause = "the last row wins: its POINTS, and then BONUS, 50, for each life that is left"
+    about(f"Rules({rows}); rules.landed() for these rows (-1 is a fall): {events}", read=RULES)
+    about.cause = "The last row gives its POINTS, and then BONUS, 50, for each life that is left."
     seen = ruled(rows, events)
     won = seen[rows + falls - 1]
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
     mistakes = [
-        (
-            points,
-            "no bonus: is it left out, or does a fall take visited rows away, so that some "
-            "are missing?",
-        ),
-        (points + 50, "the bonus is 50 for each life that is left, not once"),
-        (points + 150, "the bonus is for the lives that are left, not for all three"),
-        (score - 10, "10 too few: does the last row count, beside the bonus, or does a fall cost?"),
-    ]
+        (points, "The bonus is missing. Is it added at all? Or does a fall remove visited rows, so "
+         "that the game is not won?"),
+        (points + 50, "The bonus was given once. It is 50 for each life that is left."),
+        (points + 150, "The bonus counts all three lives. Count only those that are left."),
+        (score - 10, "10 points are missing. The last row gives its POINTS in addition to the "
+         "bonus, and a fall costs no points."),
+    ]  # fmt: skip
     blame(won[0], mistakes)
-    expect_exactly(won[0], score, then=": score once all are visited")
-    name = f"Rules({rows}); {events}: rules.won, rules.over"
-    expect_exactly(list(won[3:]), [True, True], call=name)
+    expect_exactly(won[0], score, then=": the score when all rows are visited")
+    name = f"Rules({rows}); {events}: rules.won, rules.over when all rows are visited"
+    over = "The game is over if it is won, or if no lives are left."
+    expect_exactly(list(won[3:]), [True, True], call=name, cause=over)
     before = seen[rows + falls - 2]
-    about.cause = "before the last row nothing is won, and there is no bonus"
-    expect_exactly(before[0], 10 * (rows - 1), then=": score before")
-    about.cause = "once it is over nothing counts any more"
+    about.cause = "Before the last row the game is not won, so there is no bonus."
+    expect_exactly(before[0], 10 * (rows - 1), then=": the score before the last row")
+    about.cause = "After the end of the game nothing counts any more."
     got = list(seen[-1][:2])
-    expect_exactly(got, [score, 3 - falls], then=": score and lives in the end")
+    expect_exactly(got, [score, 3 - falls], then=": score and lives at the end")
 
 
 @pytest.mark.exercise("P8.1a")
 def test_three_falls_are_the_end(rng: Random) -> None:
-    about.read = RULES
     a, b = rng.sample(range(1, 5), 2)
     events = [-1, a, -1, -1, -1, b]
-    about.call = f"Rules(6); rows landed on, or -1 for a rules.fell(): {events}"
-    about.cause = "a fall takes a life, but never one below 0, and after the last one nothing "
-    about.cause += "counts"
+    about(f"Rules(6); landings on these rows, and rules.fell() for each -1: {events}", read=RULES)
+    about.cause = "A fall takes a life. After the last life nothing counts, so lives stay at 0."
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
-    expect_exactly(got, [2, 2, 1, 0, 0, 0], then=": lives")
+    expect_exactly(got, [2, 2, 1, 0, 0, 0], then=": lives after each")
     got = [over for *_, over in seen]
     wanted = [False, False, False, True, True, True]
-    expect_exactly(got, wanted, call=f"Rules(6); {events}: rules.over")
-    about.cause = "a fall takes neither points nor the rows that were visited"
+    expect_exactly(got, wanted, call=f"Rules(6); {events} (-1 is a fall): rules.over after each")
+    about.cause = "A fall must not change the points or the visited rows."
     got = [seen[-1][0], *seen[-1][2]]
     if got[0] == 20:
-        about.cause = "a row counts after the end: landed does nothing where self.over"
-    expect_exactly(got, [10, a], then=": score, visited, in the end")
+        about.cause = "A row counted after the end. Return from landed at once if self.over."
+    expect_exactly(got, [10, a], then=": score and visited at the end")
 
 
 @pytest.mark.exercise("P8.1a")
@@ -99,16 +94,16 @@ def test_three_falls_are_the_end(rng: Random) -> None:
 def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
     about.read = RULES
     rows = rng.randint(3, 6)
-    about.cause = "rows are numbered from 0: ValueError for any other"
+    about.cause = "Rows are numbered from 0. Raise ValueError for a row that does not exist."
     for row in (rows, -1):
-        about.call = f"Rules({rows}).landed({row}): the error, '' for none"
+        about.call = f"Rules({rows}).landed({row}): the error raised ('' is none)"
         error, *after = refused_row(rows, row)
         expect_exactly(error, "ValueError")
-        name = f"Rules({rows}).landed({row}): score and visited then"
-        expect_exactly(after, [0, []], call=name, cause="what is refused does not count")
-    about.cause = "what is right must not be refused"
+        name = f"Rules({rows}).landed({row}): score and visited afterward"
+        expect_exactly(after, [0, []], call=name, cause="A rejected row must not count.")
+    about.cause = "This row exists, so it must not be rejected."
     for row in (0, rows - 1):
-        about.call = f"Rules({rows}).landed({row}): the error, '' for none"
+        about.call = f"Rules({rows}).landed({row}): the error raised ('' is none)"
         expect_exactly(refused_row(rows, row)[0], "")
 
 
@@ -116,37 +111,29 @@ def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
 def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
     about.read = LANDINGS
     row = rng.randint(1, 4)
-    before, beyond = FIRST + 2.0 * row - 0.5, FIRST + 2.0 * row + 0.5  # it is the nearest of both
+    before, beyond = FIRST + 2.0 * row - 0.5, FIRST + 2.0 * row + 0.5  # row is nearest to both
     depth, speed = round(rng.uniform(0.01, 0.2), 3), round(rng.uniform(2.0, 9.0), 3)
-    named = "the row that the deck names"
+    named = "The ball lands. Set row to the row that deck.nearest() returns."
     for what, x, height, velocity, wanted, cause in (
         ("in the deck, falling", before, 4.5 - depth, -speed, (2, row), named),
-        ("in the deck, falling slowly", beyond, 4.5 - depth, -0.01, (2, row), "however slow it is"),
-        (
-            "in the deck, on its way up",
-            before,
-            4.5 - depth,
-            speed,
-            (2, -1),
-            "on its way up it is in contact, but lands nowhere",
-        ),
-        (
-            "in the deck, at rest",
-            before,
-            4.5 - depth,
-            0.0,
-            (2, -1),
-            "it lands only on its way down",
-        ),
-        ("above the deck, falling", before, 4.5 + depth, -speed, (0, -1), "it touches nothing yet"),
-    ):
+        ("in the deck, falling slowly", beyond, 4.5 - depth, -0.01, (2, row), "A slow ball lands "
+         "as well. Any negative separating velocity counts."),
+        ("in the deck, on its way up", before, 4.5 - depth, speed, (2, -1), "A ball that moves up "
+         "touches the deck but does not land. Set row to None."),
+        ("in the deck, at rest", before, 4.5 - depth, 0.0, (2, -1), "A ball at rest does not land. "
+         "The separating velocity must be negative."),
+        ("above the deck, falling", before, 4.5 + depth, -speed, (0, -1), "There is no contact, so "
+         "row is None."),
+    ):  # fmt: skip
         about.cause = cause
-        about.call = f"a ball at x = {x}, {what}: landings.contacts(), how many; row, -1 for None"
+        about.call = f"a ball at x = {x}, {what}: number of landings.contacts(), row (-1 is None)"
         count, first, later = landing(height, velocity, x)
         got = (count, -1 if first is None else first)
+        if not count and wanted[0]:
+            about.cause = "The contacts are missing. Return those of the deck."
         expect_close(got, wanted, tolerance=0.0)
-        about.call = f"a ball at x = {x}, {what}; again, far above: landings.contacts(); row"
-        about.cause = "the row is that of the last frame: None where the ball does not touch then"
+        about.call = f"a ball at x = {x}, {what}; then far above: landings.contacts(); row is None"
+        about.cause = "Set row again on every call. It is None if the ball does not touch the deck."
         expect_exactly(later is None, True)
 
 
@@ -159,8 +146,8 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     damped = 0.6**frame
     about.call = f"a game with direction {direction}, the ball at ({x}, 9, 0), velocity ({speed}, "
     about.call += f"0, 0), mass {mass}; three times game.step({frame}): its velocity"
-    about.cause = "PUSH * mass is a force, of PUSH = 8 m/s^2, added between start_frame and "
-    about.cause += "run_physics"
+    about.cause = "Add the force direction * PUSH * mass along X between start_frame and "
+    about.cause += "run_physics, and pass the duration on."
     vx, vy = speed, 0.0
     free, weak = speed, speed
     for _ in range(3):
@@ -171,12 +158,10 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     got = seen[-1]["velocity"]
     if direction:
         mistakes = [
-            (
-                (free, vy, 0.0),
-                "no push comes: add it after start_frame, which clears what was there before",
-            ),
-            ((weak, vy, 0.0), "PUSH is in m/s^2: the force is PUSH * mass"),
-        ]
+            ((free, vy, 0.0), "The push has no effect. Add it after start_frame, which clears "
+             "earlier forces."),
+            ((weak, vy, 0.0), "PUSH is an acceleration in m/s^2. The force is PUSH * mass."),
+        ]  # fmt: skip
         blame(got, mistakes)
     expect_close(got, (vx, vy, 0.0), tolerance=1e-12)
 
@@ -188,27 +173,29 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
         x = FIRST + 2.0 * row
         about.call = f"a game, the ball 0.05 m above row {row} at -6 m/s: its velocity along Y, "
         about.call += "score and visited, after game.step(1/60), in which it lands"
-        about.cause = "landings.row is known once the physics have run: tell the rules, and let "
-        about.cause += "the ball go up at JUMP"
+        about.cause = "After run_physics, check landings.row. If it is not None, call "
+        about.cause += "self.rules.landed(row) and set the vertical velocity to JUMP."
         seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
         got = (seen["velocity"][1], seen["score"], *seen["visited"])
         if got[:2] == (6.0, 0):
-            about.cause = "it jumps, but the landing does not count: tell self.rules by landed(row)"
+            about.cause = "The ball jumps, but the landing does not count. Call rules.landed(row)."
         elif got[1:] == (10, row):
-            about.cause = "it counts, but the ball does not jump: its velocity along Y is JUMP, 6 "
-            about.cause += "m/s"
+            about.cause = "The landing counts, but the ball does not jump. Set its velocity along "
+            about.cause += "Y to JUMP, 6 m/s."
         elif row == 0:
-            about.cause = "0 is the first row, and None is none: ask whether landings.row is None"
+            about.cause = "0 is the first row, and `if row` is false for it. Compare: row is not "
+            about.cause += "None."
         expect_close(got, (6.0, 10.0, float(row)), tolerance=1e-12)
     about.call = f"a game, the ball 0.05 m above row {row} at -6 m/s: score, lives; 20 "
     about.call += "game.step(1/60)"
-    about.cause = "it lands once, and flies on from there"
+    about.cause = "The ball must land once and then fly up from the row."
     seen = played(20, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
     got = (seen["score"], seen["lives"])
     expect_close(got, (10.0, 3.0), tolerance=0.0)
     about.call = f"a game with row {row} visited, the ball 0.05 m above it at -6 m/s: its velocity "
     about.call += "along Y, and score, after game.step(1/60)"
-    about.cause = "it jumps from every row that it lands on, whether that counts or not"
+    about.cause = "The ball jumps from every row that it lands on, even if the row no longer "
+    about.cause += "counts."
     seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=[row])[-1]
     got = (seen["velocity"][1], seen["score"])
     expect_close(got, (6.0, 0.0), tolerance=1e-12)
@@ -219,37 +206,36 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     about.read = STEP
     x = round(rng.uniform(8.0, 9.0), 3)
     about.call = f"a game, the ball at ({x}, 0.6, 0), beside the bridge, at -9 m/s; game.step(1/60)"
-    about.cause = "where its lowest point is at the ground, a life goes, and the ball starts anew: "
-    about.cause += "over the first row, 2 m above where the bridge begins, at rest"
+    about.cause = "The ball has reached the ground. Take a life, and let the ball start again "
+    about.cause += "above the first row."
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
     expect_exactly(seen["lives"], 2, then=": lives")
-    kept = "it takes a life, and nothing else"
-    expect_exactly(seen["visited"], [2, 4], then=": visited, of rows 2 and 4 before", cause=kept)
+    kept = "A fall takes a life and changes nothing else."
+    expect_exactly(seen["visited"], [2, 4], then=": visited, which was [2, 4]", cause=kept)
     got = seen["place"] + seen["velocity"]
     place = (FIRST, 6.0, 0.0, 0.0, 0.0, 0.0)
-    # The cables, too short at first, have pulled the row inwards by 0.13 m in that frame.
-    expect_close(got, place, then=": place and velocity", tolerance=0.2)
-    about.cause = "where its lowest point is no more than TOUCH, 1e-6 m, above the ground, a life "
-    about.cause += "goes"
+    # The cables, too short at first, have pulled the row inward by 0.13 m in that step.
+    expect_close(got, place, then=": position and velocity", tolerance=0.2)
+    about.cause = "Take a life if the lowest point is at most TOUCH, 1e-6 m, above the ground."
     for above, lives in ((5e-7, 2), (5e-6, 3)):
         about.call = f"a game, the ball beside the bridge, its lowest point {above} m above the "
-        about.call += "ground at the end of a frame: lives"
-        # Its speed upwards is what gravity takes in that frame: it stays where it is.
+        about.call += "ground at the end of a step: lives"
+        # In one step gravity takes exactly its upward speed, so it stays where it is.
         seen = played(1, FRAME, 0, (x, 0.5 + above, 0.0), (0.0, 9.81 * FRAME, 0.0))[-1]
         expect_exactly(seen["lives"], lives)
     about.call = f"a game with one life left, the ball at ({x}, 0.6, 0) at -9 m/s; 3 "
     about.call += "game.step(1/60)"
-    about.cause = "after the last life it is over: the ball stays where it is, and no frame moves "
-    about.cause += "it"
+    about.cause = "After the last life the game is over. The ball does not start again, and step "
+    about.cause += "does nothing."
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
     expect_exactly(seen[-1]["lives"], 0, then=": lives")
     expect_close(
         seen[-1]["place"],
         seen[0]["place"],
-        then=": place, as after the first of them",
+        then=": position, as after the first step",
         tolerance=0.0,
     )
-    expect_exactly(seen[-1]["place"][0] > 7.0, True, then=": is it still beside the bridge")
+    expect_exactly(seen[-1]["place"][0] > 7.0, True, then=": is the ball still beside the bridge")
 
 
 @pytest.mark.exercise("P8.1b")
@@ -260,13 +246,13 @@ def test_the_last_row_ends_the_game(rng: Random) -> None:
     x = FIRST + 2.0 * row
     about.call = f"a game with rows {visited} visited, the ball 0.05 m above row {row} at -6 m/s; "
     about.call += "three times game.step(1/60)"
-    about.cause = "the game is won: POINTS and BONUS, once; then nothing moves any more"
+    about.cause = "The game is won. POINTS and the bonus are given once, and then nothing moves."
     seen = played(3, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=visited)
     scores = [frame["score"] for frame in seen]
-    expect_exactly(scores, [160] * 3, then=": score")
+    expect_exactly(scores, [160] * 3, then=": the scores")
     expect_close(
         seen[-1]["place"],
         seen[0]["place"],
-        then=": place, as after the first of them",
+        then=": position, as after the first step",
         tolerance=0.0,
     )

@@ -1,4 +1,4 @@
-"""Going further, G8.1: what wakes particles that sleep, and what does not."""
+"""Going further, G8.1: what wakes sleeping particles, and what does not."""
 
 from __future__ import annotations
 
@@ -43,22 +43,22 @@ def test_what_is_moved_by_hand_wakes(
     how: str, sleeps: list[int], mass: float, velocity: tuple[float, float, float]
 ) -> None:
     about.read = f"{WAKE}wake_moved"
-    about.call = f"a particle of 2 kg asleep on the ground, given a new {how}; then 1/60 s, "
+    new = how.replace("place", "position")
+    about.call = f"a particle of 2 kg asleep on the ground gets a new {new}; a step of 1/60 s, "
     about.call += "wake_moved()"
+    about.cause = f"A new {new} must wake it. Compare with the values in its Sleep, and call "
+    about.cause += "wake_moved before the integrator, so that this step already moves it."
     if how == "nothing":
-        about.call = "a particle of 2 kg asleep on the ground, and nothing happens; 1/60 s, "
-        about.call += "wake_moved()"
-    about.cause = f"another {how} wakes it: compare with what its Sleep keeps, and a force with "
-    about.cause += "none; before the integrator moves what is awake, as this frame counts for it "
-    about.cause += "already"
-    if how == "nothing":
-        about.cause = "nothing was moved by hand: it sleeps on"
+        about.call = "a particle of 2 kg asleep on the ground; a step of 1/60 s, wake_moved()"
+        about.cause = "Nothing has changed, so the particle must stay asleep. Is its inverse_mass "
+        about.cause += "0, and is its velocity 0?"
     before, got, now, fast = woken_by_hand(how)
     expect_exactly(before, [0], then=": who slept before")
-    expect_exactly(got, sleeps, then=": who sleeps")
-    about.cause = "its mass is what it was, unless it was given another"
+    expect_exactly(got, sleeps, then=": who sleeps afterward")
+    about.cause = "A particle that wakes gets its old mass back, unless it was given a new one."
     expect_close(1.0 / now, 1.0 / mass, then=": 1 / mass", tolerance=1e-12)
-    about.cause = "it moves in this very frame, by force and gravity"
+    about.cause = "Forces and gravity must already move it in this step. Call wake_moved before "
+    about.cause += "the integrator."
     expect_close(fast, velocity, then=": velocity", tolerance=1e-12)
 
 
@@ -67,14 +67,15 @@ def test_what_is_moved_by_hand_wakes(
 def test_whatever_is_moved_a_little_wakes(how: str) -> None:
     about.read = f"{WAKE}wake_moved"
     for axis, by in product("xyz", (1e-3, -1e-3)):
-        about.call = f"three particles asleep on the ground, the last two given a {how} that is "
-        about.call += f"new by {by} along {axis}; then 1/60 s, wake_moved()"
-        about.cause = "they lie still"
+        new = how.replace("place", "position")
+        about.call = f"three particles asleep on the ground, the {new} of 1 and 2 is changed by "
+        about.call += f"{by} along {axis}; a step of 1/60 s, wake_moved()"
+        about.cause = "All three are at rest, so they must fall asleep."
         before, after = woken_by_little(how, axis, by)
-        expect_exactly(before, [0, 1, 2], then=": who slept")
-        about.cause = "whatever was moved by hand wakes, along each axis, either way, and however "
-        about.cause += "little"
-        expect_exactly(after, [0], then=": who sleeps")
+        expect_exactly(before, [0, 1, 2], then=": who slept before")
+        about.cause = f"A change of the {new} wakes a particle along every axis, in both "
+        about.cause += "directions and however small it is."
+        expect_exactly(after, [0], then=": who sleeps afterward")
 
 
 @pytest.mark.exercise("G8.1")
@@ -87,30 +88,29 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         ((0.1, 0.0), (0.0, 0.0, 0.0)),
         ((-0.1, 0.0), (0.0, 0.0, 0.0)),
     ):
-        about.call = f"2 kg asleep at a wall under two forces, 3 and 2 N/kg; then one is {change} "
-        about.call += "N/kg larger, along X and Y; wake_pushed()"
-        about.cause = "what is pushed as before sleeps on: compare the sum of its forces, each "
-        about.cause += "generator asked while the particle has its own mass"
+        about.call = "2 kg asleep at a wall under forces of 3 and 2 N/kg; then the second one "
+        about.call += f"changes by {change} N/kg along X and Y; wake_pushed()"
+        about.cause = "The same forces as before must not wake it. Compare the sum of all its "
+        about.cause += "forces, computed while the particle has its own mass."
         done = pushed(*change)
-        expect_exactly(done["before"], [0], then=": who slept")
-        about.cause = "the accumulators of what sleeps are empty before and afterwards"
-        expect_exactly(
-            done["sums"], [(0.0, 0.0, 0.0)], then=": what its accumulator held while it slept"
-        )
-        about.cause = "a change of more than SAME, 1 %, of what acts wakes; it moves in this very "
-        about.cause += "frame, and each force counts once: clear what you added up to compare"
+        expect_exactly(done["before"], [0], then=": who slept before")
+        about.cause = "After the comparison, clear the accumulator of a sleeping particle and set "
+        about.cause += "its inverse_mass back to 0."
+        expect_exactly(done["sums"], [(0.0, 0.0, 0.0)], then=": its accumulator while it slept")
+        about.cause = "A change of more than SAME, 1 %, of what acts must wake the particle. The "
+        about.cause += "step in which it wakes already moves it, by each force once."
         woken = done["velocity"] is not None
-        expect_exactly(woken, True, then=": does it wake within 10 frames")
+        expect_exactly(woken, True, then=": does it wake within 10 steps")
         got = done["velocity"] or (math.nan,) * 3
         twice = tuple(2.0 * part for part in velocity)
         if any(velocity):
-            seen = "the forces count twice: clear what was added up to compare"
+            seen = "The forces count twice. Clear the accumulator after the comparison."
             blame(got, [(twice, seen)])
         expect_close(
-            got, velocity, then=": velocity after the frame in which it wakes", tolerance=1e-12
+            got, velocity, then=": velocity after the step in which it wakes", tolerance=1e-12
         )
-        about.cause = "generators are told the duration of the frame"
-        expect_exactly(done["durations"], [1.0 / 60.0], then=": what they were told")
+        about.cause = "Pass the duration of the step to the generators."
+        expect_exactly(done["durations"], [1.0 / 60.0], then=": the durations that they got")
 
 
 @pytest.mark.exercise("G8.1")
@@ -121,27 +121,28 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
 )
 def test_what_is_pushed_otherwise_wakes(old: float, new: float, late: bool) -> None:
     about.read = f"{WAKE}wake_pushed"
-    about.call = f"2 kg asleep at a wall, pushed by {old} N/kg to it; then {new}; wake_pushed()"
-    about.call += ", by a generator that is added" if late else ""
-    about.cause = "it has to sleep first: the wall holds it"
+    about.call = f"2 kg asleep, pushed by {old} N/kg against a wall; then by {new} N/kg; "
+    about.call += "wake_pushed()" + (", by a generator that is added" if late else "")
+    about.cause = "The wall holds the particle, so it must fall asleep first."
     seen = woken_by_force(old, new, 10, late)
-    expect_exactly(seen[0], [0], then=": who sleeps before")
-    about.cause = "every LOOK_EVERY-th frame, so within 10, its generators are asked, with its own "
-    about.cause += "mass"
-    expect_exactly(seen[-1], [], then=": who sleeps after 10 frames")
+    expect_exactly(seen[0], [0], then=": who slept before")
+    about.cause = "Call wake_pushed in every LOOK_EVERY-th step, so within 10. It must evaluate "
+    about.cause += "the forces while the particle has its own mass."
+    expect_exactly(seen[-1], [], then=": who sleeps after 10 steps")
 
 
 @pytest.mark.exercise("G8.1")
 def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
-    about.read = f"{WAKE}wake_pushed"
     push = positive_number(rng, 2.0, 9.0)
-    about.call = f"a particle asleep at a wall, pushed by {push} N/kg to it; wake_pushed()"
-    about.cause = "what changes by SAME or less wakes nothing: compare with the acceleration of "
-    about.cause += "then"
+    about(f"a particle asleep, pushed by {push} N/kg against a wall", read=f"{WAKE}wake_pushed")
+    about.cause = "A change by SAME or less must not wake it. Compare with the acceleration that "
+    about.cause += "is stored in its Sleep."
     for new in (push, 1.009 * push, 0.991 * push):
         seen = woken_by_force(push, new, 25)
         expect_exactly(
-            seen, [[0]] * 26, then=f", then by {new} N/kg: who sleeps after each of 25 frames"
+            seen,
+            [[0]] * 26,
+            then=f", then by {new} N/kg; wake_pushed(): who sleeps after each of 25 steps",
         )
 
 
@@ -150,23 +151,24 @@ def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
 def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool) -> None:
     about.read = f"{WAKE}wake_touched, and run_physics"
     speed = positive_number(rng, 4.0, 9.0)
-    about.call = f"three balls asleep side by side, another one comes at {speed} m/s; "
+    about.call = f"three balls asleep side by side, another one rolls at them at {speed} m/s; "
     about.call += "wake_touched()"
-    about.cause = "they lie still, each touching the next"
+    about.cause = "The three balls are at rest and touch each other, so they must fall asleep."
     done = woken_by_contact(speed, 40, first)
-    expect_exactly(done["before"], [0, 1, 2], then=": who sleeps")
-    about.cause = "until it is there, nothing wakes"
-    expect_exactly(done["seen"][0], [0, 1, 2], then=": after a frame")
+    expect_exactly(done["before"], [0, 1, 2], then=": who slept before")
+    about.cause = "The fourth ball is still far away, so nothing may wake."
+    expect_exactly(done["seen"][0], [0, 1, 2], then=": who sleeps after one step")
     hit = next((i for i, now in enumerate(done["seen"]) if now != [0, 1, 2]), -1)
-    about.cause = "the contact wakes the first ball, the contacts are looked for again, and it "
-    about.cause += "wakes the next one, all in the same frame"
-    expect_exactly(
-        done["seen"][hit], [], then=": who sleeps after the first frame in which any of them wakes"
-    )
-    about.cause = "they are awake, with their masses, before the contact is resolved: momentum is "
-    about.cause += "kept"
+    about.cause = "The contact wakes the first ball. Find the contacts again, so that it wakes the "
+    about.cause += "next one in the same step, and so on."
+    if hit < 0:
+        about.cause = "No ball wakes. Check both particles of each contact: a particle that can "
+        about.cause += "move wakes a sleeping one."
+    expect_exactly(done["seen"][hit], [], then=": who sleeps after the step of the hit")
+    about.cause = "Momentum is lost. The balls must have their masses back before the contacts are "
+    about.cause += "resolved."
     expect_close(
-        done["momenta"][hit], speed, then=": momentum along X after that frame", tolerance=1e-9
+        done["momenta"][hit], speed, then=": momentum along X after that step", tolerance=1e-9
     )
 
 
@@ -174,9 +176,10 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool
 def test_what_lies_still_wakes_what_it_touches() -> None:
     about.read = f"{WAKE}wake_touched"
     for order in ((0, 1), (1, 0)):
-        about.call = "a particle asleep, and an awake one at rest that touches it, contact of "
-        about.call += f"{order}; wake_touched(): who sleeps before, and after a frame"
-        about.cause = "the other one can move: how fast it is, or how deep, makes no difference"
+        about.call = "particle 0 asleep, particle 1 at rest but awake touches it, contact of "
+        about.call += f"{order}; wake_touched(): who sleeps before, and after a step"
+        about.cause = "A particle that can move wakes every sleeping particle that it touches, "
+        about.cause += "even if it is at rest itself. Check both particles of the contact."
         expect_exactly(touched_gently(order), [[0], []])
 
 
@@ -185,10 +188,10 @@ def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
     about.read = RUN
     speed = positive_number(rng, 4.0, 9.0)
     about.call = f"a ball asleep on the ground, another one falls on it at {speed} m/s; "
-    about.call += "run_physics(): velocity and height of the lower one, after the frame in which "
-    about.call += "it wakes"
-    about.cause = "what sleeps has no contact with the ground: look for contacts again when one "
-    about.cause += "wakes, or it is pushed into the ground"
+    about.call += "run_physics(): velocity and height of the lower ball after the step in which it "
+    about.call += "wakes"
+    about.cause = "The ball is pushed into the ground, because a sleeping ball has no contact with "
+    about.cause += "it. Find the contacts again after a particle has woken."
     before, *got = dropped_on(speed)
     expect_exactly(before, [0], then=": who slept before")
     # Two hundred iterations leave some 1e-9 m/s.
@@ -198,85 +201,89 @@ def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
 @pytest.mark.exercise("G8.1")
 def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
-    about.call = "a ball asleep on another one, which is put elsewhere; wake(), 6 frames"
-    about.cause = "both lie still"
+    about.call = "ball 1 asleep on ball 0, which is moved away by hand; wake(), 6 steps"
+    about.cause = "Both balls are at rest, so they must fall asleep."
     before, after, speed = support_gone(6)
     expect_exactly(before, [0, 1], then=": who slept before")
-    about.cause = "what wakes, wakes its neighbours: those that it touched when it fell asleep"
-    expect_exactly(1 in after, False, then=": does the upper one sleep")
-    expect_close(speed, -1.0, then=": how fast it moves, along Y", tolerance=0.01)
+    about.cause = "wake must also wake the neighbors in the Sleep, which touched the particle when "
+    about.cause += "it fell asleep. fall_asleep must store them."
+    expect_exactly(1 in after, False, then=": does ball 1 still sleep")
+    expect_close(speed, -1.0, then=": the vertical velocity of ball 1", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
         for first in range(4):
-            about.call = f"five particles, contacts of {pairs} but in the frame in which they fall "
-            about.call += f"asleep; then number {first} moves; wake()"
+            about.call = f"five particles, contacts of {pairs} except in the step in which they "
+            about.call += f"fall asleep; then number {first} gets a velocity; wake()"
             was, now = group_woken(pairs, first)
-            about.cause = "they lie still"
-            expect_exactly(was, [0, 1, 2, 3, 4], then=": who slept")
-            about.cause = "neighbours are what was in contact in one of the last sleep_frames "
-            about.cause += "frames, of both sides; all of the group wakes, and nothing else"
-            expect_exactly(now, [4], then=": who sleeps")
+            about.cause = "All five are at rest, so they must fall asleep."
+            expect_exactly(was, [0, 1, 2, 3, 4], then=": who slept before")
+            about.cause = "The whole group must wake, and nothing else. Wake neighbors of "
+            about.cause += "neighbors too, and store as neighbors all that touched in the last "
+            about.cause += "sleep_frames steps."
+            expect_exactly(now, [4], then=": who sleeps afterward")
     about.call = "three particles in a row on two springs, asleep; the last one gets 6 m/s; wake()"
-    about.cause = "they rest"
+    about.cause = "All three are at rest, so they must fall asleep."
     seen, places = on_a_spring(20)
     expect_exactly(seen[0], [0, 1, 2], then=": who slept before")
-    about.cause = "what a generator joins is one group, as what touches is: all wake in that very "
-    about.cause += "frame"
-    expect_exactly(seen[1], [], then=": who sleeps after a frame")
-    about.cause = "forces of springs are equal and opposite: the middle of the three moves at 2 m/s"
+    about.cause = "Particles that a generator joins are one group too: use joined(self.registry). "
+    about.cause += "All three must wake in the same step."
+    expect_exactly(seen[1], [], then=": who sleeps after a step")
+    about.cause = "The forces of a spring are equal and opposite, so the center of mass of the "
+    about.cause += "three must move at 2 m/s."
     drift = 2.0 * sum(0.9 ** (i / 60.0) for i in range(1, 21)) / 60.0
     middle = math.fsum(place[0] for place in places) / 3.0 - 1.0
     expect_close(
-        middle, drift, then=": how far the middle has moved after 20 frames", tolerance=1e-9
+        middle, drift, then=": displacement of the center of mass after 20 steps", tolerance=1e-9
     )
 
 
 @pytest.mark.exercise("G8.1")
 def test_what_hangs_still_sleeps_on() -> None:
     about.read = f"{WAKE}wake_pushed"
-    about.call = "a mass that hangs still on a spring; wake_pushed(): who sleeps in frames 5 to 40"
-    about.cause = "gravity and spring cancel: compare the change with |a| + |f / m|, not with "
-    about.cause += "their sum"
+    about.call = "a mass that hangs still on a spring; wake_pushed(): who sleeps in steps 5 to 40"
+    about.cause = "Gravity and the spring cancel, so a + f / m is almost 0. Compare the change "
+    about.cause += "with |a| + |f / m| and not with |a + f / m|."
     expect_exactly(hung(40, 40, 0.0)[4:], [[0]] * 36)
-    about.call += ", pushed by 0.15 N/kg more from frame 20 on"
-    about.cause = "|a| and |f / m| are 10 m/s^2 each: 0.15 is less than SAME of both together"
+    about.call += ", with an extra push of 0.15 N/kg from step 20 on"
+    about.cause = "|a| + |f / m| is 20 m/s^2, and 0.15 is less than SAME times that. Let it sleep."
     expect_exactly(hung(40, 20, 0.15)[4:], [[0]] * 36)
-    about.call = "a mass that hangs still on a spring, pushed by 0.5 N/kg more from frame 20 on; "
-    about.call += "wake_pushed(): does it wake within 10 frames"
-    about.cause = "that is more than SAME of |a| + |f / m|, which are 10 m/s^2 each"
+    about.call = "a mass that hangs still on a spring, with an extra push of 0.5 N/kg from step 20 "
+    about.call += "on; wake_pushed(): does it wake within 10 steps"
+    about.cause = "|a| + |f / m| is 20 m/s^2, and 0.5 is more than SAME times that. Wake it."
     expect_exactly([] in hung(31, 20, 0.5)[20:], True)
 
 
 @pytest.mark.exercise("G8.1")
 def test_what_sleeps_costs_no_work(rng: Random) -> None:
-    about.read = RUN
     count, awake = rng.randint(20, 30), rng.randint(2, 4)
-    about.call = f"{count} particles with a generator each, all asleep but {awake}; 20 "
-    about.call += "run_physics()"
-    about.cause = "those that are slow sleep by then"
+    about.call = f"{count} particles with a generator each, all at rest except {awake}; 20 calls "
+    about.call += "of run_physics()"
+    about(cause="All particles at rest must sleep by now.", read=RUN)
     asked, given, sleepers = work_asleep(count, awake, 20)
     wanted = [*range(awake, count)]
     expect_exactly(sleepers, wanted, then=": who sleeps")
-    about.cause = "give the integrator only what is awake"
-    expect_exactly(given, 20 * awake, then=": particles that it was given")
-    about.cause = "the generators of what sleeps are asked in every tenth frame, and once each"
+    about.cause = "Give the integrator only the particles that are awake."
     expect_exactly(
-        asked, 20 * awake + 2 * (count - awake), then=": how often generators were asked"
+        given, 20 * awake, then=": particles given to the integrator, in all steps together"
     )
+    about.cause = "Evaluate the generators of sleeping particles only in every tenth step, and "
+    about.cause += "once."
+    expect_exactly(asked, 20 * awake + 2 * (count - awake), then=": calls of update_force in all")
 
 
 @pytest.mark.exercise("G8.1")
 def test_sleep_changes_no_rest() -> None:
     about.read = RUN
-    about.call = "two balls bounce until they lie, by run_physics(): where, with sleep and without"
-    about.cause = "what is asleep would have lain still anyway: is anything put to sleep in "
-    about.cause += "mid-air?"
+    about.call = "two balls bounce until they rest, by run_physics(): position, compared with a "
+    about.call += "run without sleep"
+    about.cause = "A particle was put to sleep while it was still moving. Only particles at rest "
+    about.cause += "may sleep."
     places, awake, sleepers = both_ways(360)
     for got, wanted in zip(places, awake, strict=True):
-        # What falls asleep has 0.17 m/s at most, and damping of 0.5 would end that within 0.25 m.
+        # A ball that falls asleep has at most 0.17 m/s. Damping of 0.5 would stop it within 0.25 m.
         expect_close(got, wanted, tolerance=0.25)
-        expect_close(got[1], 0.0, then=": how far above the ground", tolerance=1e-6)
-    about.cause = "in six seconds both have come to rest"
-    expect_exactly(sleepers, 2, then=": how many sleep")
+        expect_close(got[1], 0.0, then=": height above the ground", tolerance=1e-6)
+    about.cause = "After six seconds both balls are at rest, so they must sleep."
+    expect_exactly(sleepers, 2, then=": number of sleepers")
 
 
 @pytest.mark.exercise("G8.1")
@@ -285,11 +292,10 @@ def test_a_frame_without_a_duration_is_refused_here_too() -> None:
     about.read = RUN
     for duration, error in ((0.0, "ValueError"), (math.nan, "ValueError"), ("1", "TypeError")):
         about.call = f"world.run_physics({duration!r})"
-        about.cause = "positive() refuses it, before anything changes"
+        about.cause = 'Check it before anything changes: positive("duration", duration).'
         name, force = refused(duration)
-        expect_exactly(name, error, then=": the error, '' for none")
-        expect_close(
-            force, (1.0, 2.0, 3.0), then=": the force that was added before it", tolerance=0.0
-        )
-    about.call, about.cause = "world.run_physics(0.1)", "what is right must not be refused"
-    expect_exactly(refused(0.1)[0], "", then=": the error, '' for none")
+        expect_exactly(name, error, then=": the error raised ('' is none)")
+        what = f"{about.call}: the force that was added before"
+        expect_close(force, (1.0, 2.0, 3.0), call=what, tolerance=0.0)
+    about("world.run_physics(0.1)", cause="A valid duration must not be rejected.")
+    expect_exactly(refused(0.1)[0], "", then=": the error raised ('' is none)")

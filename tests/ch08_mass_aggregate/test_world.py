@@ -1,4 +1,4 @@
-"""The world: energy and frames, B8.1 and B8.2."""
+"""The world: mechanical energy and time steps, B8.1 and B8.2."""
 
 from __future__ import annotations
 
@@ -24,6 +24,7 @@ from expect import about, blame, cause_of, expect_close, expect_exactly
 ZERO = (0.0, 0.0, 0.0)
 ENERGY = "the docstring of mechanical_energy"
 WORLD = "book 8.1, and the docstring of ParticleWorld."
+VALID = "A valid argument must not be rejected."
 
 
 def draw_body(rng: Random) -> Body:
@@ -40,27 +41,27 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     about.call += "-10, 0)"
     got = energy_of([simple])
     mistakes = [
-        (16.0, "that is the kinetic energy alone: m g y, so 60 J, is left out"),
-        (60.0, "that is m g y alone: the kinetic energy, 16 J, is left out"),
-        (-44.0, "the sign of the second part is turned round: - m a . p, with a = (0, -g, 0)"),
-        (74.86, "that is with 9.81 m/s^2: take the particle's own acceleration, 10 m/s^2 here"),
-        (92.0, "the half of m v^2 / 2 is left out"),
-        (38.0, "the mass is left out: m v^2 / 2 - m a . p"),
-        (46.0, "the mass is left out of the second part: m v^2 / 2 - m a . p"),
+        (16.0, "This is the kinetic energy alone. Add the potential energy, m g y = 60 J."),
+        (60.0, "This is the potential energy alone. Add the kinetic energy, 16 J."),
+        (-44.0, "The potential energy has the wrong sign. It is - m a . p, with a = (0, -g, 0)."),
+        (74.86, "This uses 9.81 m/s^2. Use the particle's own acceleration, here 10 m/s^2."),
+        (92.0, "The kinetic energy is m v^2 / 2. The half is missing."),
+        (38.0, "The mass is missing from the potential energy. It is - m a . p."),
+        (46.0, "The mass is missing from the potential energy. It is - m a . p."),
     ]
-    about.cause = cause_of(got, mistakes, "m v^2 / 2 + m g y: 16 J and 60 J")
+    about.cause = cause_of(got, mistakes, "The energy is m v^2 / 2 + m g y: 16 J and 60 J.")
     expect_close(got, 76.0)
-    about.cause = "m v^2 / 2 - m a . p of each: with a = (0, -g, 0) the second part is + m g y"
+    about.cause = "The energy of a particle is m v^2 / 2 - m a . p. Add up all particles."
     for name, some, wanted in (
         ("one particle", bodies[:1], parts[0]),
         ("three particles", bodies, math.fsum(parts)),
     ):
-        about.call = f"mechanical_energy of {name}, by place, velocity, acceleration, mass: {some}"
+        about.call = f"mechanical_energy of {name} (position, velocity, acceleration, mass): {some}"
         got = energy_of(some)
         # Rounding of terms of some hundreds of J.
         expect_close(got, wanted, tolerance=1e-10)
-    about.call = f"mechanical_energy of one particle, and a force acts on it: {bodies[0]}"
-    about.cause = "forces have no part in it: only the particle's own acceleration"
+    about.call = f"mechanical_energy of one particle on which a force acts: {bodies[0]}"
+    about.cause = "Forces do not count. Use the particle's own acceleration only."
     got = energy_of(bodies[:1], components(rng))
     expect_close(got, parts[0], tolerance=1e-10)
 
@@ -69,8 +70,7 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
 def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
     about.read = ENERGY
     p, v, a, m = draw_body(rng)
-    about.cause = "leave out what has no inverse_mass: its energy would be infinite, or not a "
-    about.cause += "number"
+    about.cause = "Skip particles whose inverse_mass is 0. Their energy would be infinite or NaN."
     wanted = 0.5 * m * dot(v, v) - m * dot(a, p)
     for first, call in (
         (True, "mechanical_energy of a particle and an immovable one"),
@@ -81,7 +81,7 @@ def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
         got = energy_of(both if first else both[::-1])
         expect_close(got, wanted, tolerance=1e-10)
     about.call = "mechanical_energy of no particles"
-    expect_close(energy_of([]), 0.0, cause="nothing has no energy", tolerance=0.0)
+    expect_close(energy_of([]), 0.0, cause="An empty sum is 0.", tolerance=0.0)
 
 
 @pytest.mark.exercise("B8.2")
@@ -90,15 +90,14 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     bodies = [draw_body(rng) for _ in range(3)]
     bodies.insert(1, (components(rng), ZERO, ZERO, math.inf))
     force = components(rng)
-    about.call = f"each of four particles, one of them immovable, .add_force(Vector3{force}); "
+    about.call = f"add_force(Vector3{force}) on four particles, number 1 is immovable; "
     about.call += "world.start_frame()"
-    about.cause = "clear_forces() of every particle, and nothing else"
+    about.cause = "Call clear_forces() on every particle, and change nothing else."
     done = started(bodies, force)
     for i, body in enumerate(bodies):
-        expect_close(
-            done["after"][i], ZERO, then=f"; particles[{i}].force_accumulator", tolerance=0.0
-        )
-        name = f"{about.call}; place and velocity of particles[{i}]"
+        name = f"{about.call}; particles[{i}].force_accumulator"
+        expect_close(done["after"][i], ZERO, call=name, tolerance=0.0)
+        name = f"{about.call}; position and velocity of particles[{i}]"
         expect_close(done["states"][i][0], body[0], call=name, tolerance=0.0)
         expect_close(done["states"][i][1], body[1], call=name, tolerance=0.0)
 
@@ -109,24 +108,25 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     count = rng.randint(150, 300)
     low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
     about.call = f"{count} particles at a height of 1, floors at 0, 1, {low} and {high}: the "
-    about.call += "depths of world.contacts(), one list of contacts"
-    about.cause = "one generator after the other, in their order, and none of what they find is "
-    about.cause += "left out: the book's world has a maximum, and drops what is above it"
+    about.call += "penetrations in world.contacts()"
+    about.cause = "Return all contacts of all generators in one list. The book's world has a "
+    about.cause += "maximum and drops the others; this one must not."
     wanted = [0.0] * count + [low - 1.0] * count + [high - 1.0] * count
     got = depths_of(count, [0.0, 1.0, low, high])
-    first = "nothing touches the first floor: go on to the next generator"
-    seen = cause_of(len(got), [(0, first)], about.cause)
+    first = "The first floor has no contacts. Continue with the next generator."
+    only = f"Only {len(got) // count} of 3 floors were asked. Collect the contacts of all of them."
+    seen = cause_of(len(got), [(0, first), (count, only), (2 * count, only)], about.cause)
     expect_exactly(len(got), 3 * count, then=": how many", cause=seen)
-    order = "one generator after the other, in the order of contact_generators"
+    order = "The contacts must be in the order of contact_generators."
     runs = [round(depth, 9) for depth in got[::count]]
     expect_exactly(
-        runs, [0.0, low - 1.0, high - 1.0], then=": in which order, by depth", cause=order
+        runs,
+        [0.0, low - 1.0, high - 1.0],
+        then=": the penetration for each floor, in order",
+        cause=order,
     )
     expect_close(got, wanted)
-    about.call, about.cause = (
-        "world.contacts() without a generator",
-        "there are none: an empty list",
-    )
+    about("world.contacts() without generators", cause="Return an empty list.")
     expect_exactly(depths_of(count, []), [])
 
 
@@ -137,9 +137,8 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
     h, k = positive_number(rng, 0.05, 0.2), positive_number(rng)
     hand = components(rng)
     bodies = [draw_body(rng) for _ in range(2)]
-    about.cause = "the integrator is called with the particles, with what adds the registry's "
-    about.cause += "forces, registry.update_forces, and with the duration; what was added since "
-    about.cause += "start_frame counts"
+    about.cause = "Call self.integrator(self.particles, self.registry.update_forces, duration). "
+    about.cause += "Forces that were added since start_frame count too."
     about.call = f"world of two particles, integrator={integrator}, forces -{k} x: start_frame(); "
     about.call += f"add_force(Vector3{hand}); run_physics({h})"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
@@ -156,40 +155,39 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
                 why,
             )
             for c, d, why in (
-                (1.0, 0.0, "the forces of the registry are left out: the integrator asks for them "
-                 "by the second thing that it is given, self.registry.update_forces"),
-                (1.0, 2.0, "the forces of the registry count twice: the integrator asks for them "
-                 "itself, so nothing else may"),
-                (0.0, 1.0, "the force that was added since start_frame is lost: run_physics does "
-                 "not clear"),
-                (0.0, 0.0, "no force counts: only the acceleration is there"),
+                (1.0, 0.0, "The forces of the registry are missing. Pass "
+                 "self.registry.update_forces to the integrator."),
+                (1.0, 2.0, "The forces of the registry count twice. Do not call update_forces "
+                 "yourself: the integrator does."),
+                (0.0, 1.0, "The force that was added after start_frame is lost. run_physics must "
+                 "not clear forces."),
+                (0.0, 0.0, "No force counts, only the acceleration."),
             )
         ]  # fmt: skip
         seen = cause_of(got[1], mistakes, about.cause)
         # A few roundings of numbers of some hundreds.
         expect_close(got[1], velocity, call=f"{name}.velocity", cause=seen, tolerance=1e-11)
         other = [p[j] + v[j] * h for j in range(3)]
-        seen = "that is an explicit step: use self.integrator, which is another one here"
+        seen = "This is a step of explicit Euler. Use self.integrator, which differs here."
         blame(got[0], [(other, seen)])
         expect_close(got[0], place, call=f"{name}.position", tolerance=1e-11)
 
 
 @pytest.mark.exercise("B8.2")
 def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
-    about.read = f"{WORLD}step"
     h, force = positive_number(rng, 0.05, 0.2), components(rng)
     p, v, a, m = draw_body(rng)
-    about.call = f"add_force(Vector3{force}); world.step({h})"
-    about.cause = "step is start_frame and then run_physics: the first clears what was there before"
+    about(f"add_force(Vector3{force}); world.step({h})", read=f"{WORLD}step")
+    about.cause = "Call start_frame first, which clears earlier forces, and then run_physics."
     done = frame([(p, v, a, m)], "step", h, early=force)
     velocity = [v[j] + a[j] * h for j in range(3)]
     got = done["states"][0][1]
     expect_close(got, velocity, then="; particle.velocity", tolerance=1e-12)
-    about.call = f"a world whose run_physics only writes down that it is asked; world.step({h})"
-    about.cause = "call self.run_physics(duration), once: a world that is made from this one has "
-    about.cause += "another"
+    about.call = f"world.step({h}) in a subclass that replaces run_physics: the calls of it"
+    about.cause = "Call self.run_physics(duration) once. Do not repeat its code in step, because a "
+    about.cause += "subclass such as SleepingWorld has its own run_physics."
     expect_exactly(told_frame(h), [("run_physics", h)])
-    about.cause = "its run_physics uses the integrator and the registry as well"
+    about.cause = "run_physics must use the integrator and the registry."
     f = components(rng)
     about.call = f"a registry with a force -Vector3{f}; world.step({h})"
     done = frame([(p, v, a, m)], "step", h, f=f)
@@ -206,15 +204,16 @@ def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> 
     bodies = [draw_body(rng) for _ in range(2)]
     evaluations = 4 if integrator == "runge_kutta_4" else 1
     about.call = f"two particles with a generator each, integrator={integrator}; run_physics({h})"
-    about.cause = "the integrator is called once, with all particles and the whole duration"
+    about.cause = "Call self.integrator once, with all particles and the whole duration."
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k)
     asked = [row[1:] for row in done["diary"] if row[0] == "integrator"]
-    expect_exactly(asked, [(h, 2)], then=": calls of it, and particles")
-    about.cause = "give it registry.update_forces and let it ask: Runge-Kutta does so four times"
+    expect_exactly(asked, [(h, 2)], then=": duration and number of particles of each call of it")
+    about.cause = "Pass self.registry.update_forces to the integrator and do not call it yourself. "
+    about.cause += "Runge-Kutta evaluates the forces four times."
     count = sum(row[0] == "force" for row in done["diary"])
-    expect_exactly(count, 2 * evaluations, then=": how often the generators were asked")
+    expect_exactly(count, 2 * evaluations, then=": calls of update_force in all")
     asked = [row[1] for row in done["diary"] if row[0] == "force"]
-    expect_exactly(asked, [h] * count, then=": the durations that they were told")
+    expect_exactly(asked, [h] * count, then=": the durations passed to update_force")
 
 
 @pytest.mark.exercise("B8.2")
@@ -227,18 +226,22 @@ def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
         ((5.0, 9.0, 0.0), (2.0, -speed, 0.0), ZERO, 1.0),
     ]
     about.call = f"a particle 0.5 m above a floor at {-speed} m/s; world.run_physics({h})"
-    about.cause = "first the particles move, then the generators are asked, then the resolver ends "
-    about.cause += "what they found: it stands on the floor, and no longer falls"
+    about.cause = "Move the particles first, then collect the contacts, then resolve them. The "
+    about.cause += "particle should end on the floor and no longer fall."
     done = frame(bodies, "run_physics", h, floors=[0.0])
     place, velocity = done["states"][0]
     fallen = 0.5 - speed * h
-    mistakes = [
-        ((0.25, fallen, 0.0), "it is in the floor: the contacts of the new place are not resolved")
-    ]
-    seen = cause_of(place, mistakes, about.cause)
-    expect_close(place, (0.25, 0.0, 0.0), then="; particle.position", cause=seen, tolerance=1e-12)
-    expect_close(velocity, (2.0, 0.0, 0.0), then="; particle.velocity", tolerance=1e-12)
-    about.cause = "what is in no contact flies on"
+    inside = (
+        "The particle is inside the floor. Collect the contacts after the integrator has moved "
+    )
+    inside += "the particles, and resolve them."
+    seen = cause_of(place, [((0.25, fallen, 0.0), inside)], about.cause)
+    name = f"{about.call}; particle.position"
+    expect_close(place, (0.25, 0.0, 0.0), call=name, cause=seen, tolerance=1e-12)
+    name = f"{about.call}; particle.velocity"
+    expect_close(velocity, (2.0, 0.0, 0.0), call=name, tolerance=1e-12)
+    about.cause = "A particle without a contact keeps its velocity."
+    name = f"{about.call}; another particle, far above: velocity"
     got = done["states"][1][1]
     expect_close(
         got, (2.0, -speed, 0.0), then="; another particle, far above: velocity", tolerance=1e-12
@@ -253,8 +256,8 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     bodies: list[Body] = [((float(i), 1.0, 0.0), ZERO, ZERO, 1.0) for i in range(3)]
     about.call = f"three particles at a height of 1, floors at {low} and at {high}; "
     about.call += f"run_physics({h})"
-    about.cause = "collect the contacts of every generator, once each and in their order, and call "
-    about.cause += "resolver.resolve_contacts once, with all of them and the duration"
+    about.cause = "Collect the contacts of every generator once, and call "
+    about.cause += "resolver.resolve_contacts once, with all contacts and the duration."
     done = frame(bodies, "run_physics", h, floors=[low, high], record=True)
     calls = [row for row in done["diary"] if row[0] == "resolve"]
     expect_exactly(len(calls), 1, then=": calls of the resolver")
@@ -262,12 +265,12 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     expect_close(
         (calls[0][1], *calls[0][2]),
         (h, *depths),
-        then=": the resolver's duration, and the depths of its contacts",
+        then=": the duration passed to the resolver, and the penetrations",
     )
     asked = [row[1] for row in done["diary"] if row[0] == "contacts"]
-    expect_exactly(asked, [low, high], then=": which floors were asked")
+    expect_exactly(asked, [low, high], then=": the floors whose contacts() was called")
     about.call = f"three particles at a height of 1, above a floor at 0.5; run_physics({h})"
-    about.cause = "a frame without contacts needs no resolver: model no more than is there"
+    about.cause = "There are no contacts, so do not call the resolver. This saves time."
     done = frame(bodies, "run_physics", h, floors=[0.5], record=True)
     count = sum(row[0] == "resolve" for row in done["diary"])
     expect_exactly(count, 0, then=": calls of the resolver")
@@ -278,7 +281,8 @@ def test_no_contact_is_left_out(rng: Random) -> None:
     about.read = f"{WORLD}contacts, and the class: there is no maximum"
     count = rng.randint(30, 60)
     about.call = f"{count} particles fall on the ground at once; their heights after a second"
-    about.cause = "all contacts are resolved: the book's world has a maximum, and drops the others"
+    about.cause = "Some contacts were not resolved. The book's world has a maximum and drops the "
+    about.cause += "others; this one must not."
     heights = rained(count, 0.05, 20)
     expect_close(heights, (0.0,) * count, tolerance=1e-9)
 
@@ -287,9 +291,10 @@ def test_no_contact_is_left_out(rng: Random) -> None:
 def test_a_world_may_get_more_later(rng: Random) -> None:
     about.read = "the docstring of ParticleWorld: its lists may be appended to"
     h = positive_number(rng, 0.05, 0.2)
-    about.call = f"a particle falls for a frame of {h} s, then a second one is appended, and a "
-    about.call += "third one on a ground; world.step: their velocities along Y"
-    about.cause = "read self.particles and self.contact_generators in every frame"
+    about.call = f"a particle falls for {h} s; then a second one and a third one, which lies on a "
+    about.call += "new ground, are appended; world.step: the vertical velocities"
+    about.cause = "Read self.particles and self.contact_generators again in every step, and "
+    about.cause += "resolve the contacts."
     got = [velocity[1] for _, velocity in appended(h)]
     wanted = (-20.0 * h, -10.0 * h, 0.0)
     expect_close(got, wanted, tolerance=1e-12)
@@ -307,15 +312,16 @@ def test_a_frame_without_a_duration_is_refused(method: str) -> None:
         (math.inf, "ValueError"),
         ("0.1", "TypeError"),
     ):
-        about.call = f"world.{method}({duration!r})"
-        about.cause = "positive() refuses it; call it before anything changes"
+        about(
+            f"world.{method}({duration!r})", cause='Check it first: positive("duration", duration).'
+        )
         done = refused(method, duration)
-        expect_exactly(done["error"], error, then=": the error, '' for none")
-        about.cause = "what is refused loses nothing: not a place, not a velocity, not an added "
-        about.cause += "force"
+        expect_exactly(done["error"], error, then=": the error raised ('' is none)")
+        about.cause = "A rejected call must change nothing. Check the duration before you clear "
+        about.cause += "forces or move anything."
         got = tuple(number for part in done["left"] for number in part)
         wanted = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
         expect_close(got, wanted, then="; position, velocity, force_accumulator", tolerance=0.0)
     done = frame([(ZERO, ZERO, (1.0, 0.0, 0.0), 1.0)], method, 0.5)
-    about.call, about.cause = f"world.{method}(0.5)", "what is right must not be refused"
+    about(f"world.{method}(0.5)", cause=VALID)
     expect_close(done["states"][0][1], (0.5, 0.0, 0.0), then="; velocity")

@@ -1,4 +1,4 @@
-"""What must run beside the student's code: loops of frames, and drawing many numbers.
+"""Loops of frames and long series of random numbers, which must run beside the student's code.
 
 Each function takes and returns plain numbers.
 """
@@ -29,12 +29,12 @@ from ch04_particle_engine.grenade import fragments
 Components = tuple[float, float, float]
 State = tuple[Components, Components]
 
-# type, ages, smallest and largest velocity, damping, payloads as (type, count)
+# type, smallest and largest age, smallest and largest velocity, damping, payloads as (type, count)
 RuleData = tuple[int, float, float, Components, Components, float, Sequence[tuple[int, int]]]
 
 
 def rule(data: RuleData) -> FireworkRule:
-    """Return the rule of these numbers."""
+    """Return the rule with these numbers."""
     type, min_age, max_age, low, high, damping, payloads = data
     left = tuple(Payload(*payload) for payload in payloads)
     return FireworkRule(type, min_age, max_age, low, high, damping, left)
@@ -50,7 +50,7 @@ def xyz(v: Vector3) -> Components:
 
 
 def shot_after(name: str, duration: float, frames: int) -> State:
-    """Fire a shot, let frames pass and return its position and velocity."""
+    """Fire a shot, update it for some frames, and return its position and velocity."""
     at = BallisticRange()
     at.fire(name)
     shot = at.shots[0]
@@ -60,7 +60,7 @@ def shot_after(name: str, duration: float, frames: int) -> State:
 
 
 def frames_in_flight(name: str, duration: float, most: int) -> int:
-    """Fire a shot and return the number of the frame that drops it, most + 1 if none does."""
+    """Fire a shot and return the number of the frame that drops it, or most + 1 if none does."""
     at = BallisticRange()
     at.fire(name)
     for frame in range(1, most + 1):
@@ -71,7 +71,7 @@ def frames_in_flight(name: str, duration: float, most: int) -> int:
 
 
 def landing(name: str, duration: float) -> tuple[float, float]:
-    """Fire a shot and return when and at which z it reaches y = 0, within its last frame."""
+    """Fire a shot and return the time and the z at which it reaches y = 0, within a frame."""
     at = BallisticRange()
     at.fire(name)
     time = 0.0
@@ -147,7 +147,7 @@ def lit(
 
 
 def places_of_launches(data: RuleData, type: int, count: int) -> list[tuple[float, float]]:
-    """Launch fireworks and return the x and y that occur, in order."""
+    """Launch fireworks and return the different x and y at which they start, sorted."""
     show = show_of([data], count, "keep_old", 1)
     for _ in range(count):
         show.launch(type)
@@ -156,7 +156,7 @@ def places_of_launches(data: RuleData, type: int, count: int) -> list[tuple[floa
 
 
 def births_after(first: RuleData, second: RuleData, when_full: str) -> list[tuple[int, int]]:
-    """Light births and return the list that was given, as it is then."""
+    """Light births and return what is then in the list that was passed."""
     show = show_of([first, second], 4, when_full, 1)
     births: list[tuple[int, int, Particle | None]] = [(1, 2, None), (2, 3, None)]
     show.light(births)
@@ -176,7 +176,7 @@ def many_births(
 
 @contextmanager
 def counted(module: Any, name: str) -> Iterator[list[None]]:
-    """Let a list grow by one whenever code of a module calls a function of it by its name."""
+    """Make a list grow by one each time a module's code calls one of its functions by name."""
     function = getattr(module, name)
     calls: list[None] = []
 
@@ -214,7 +214,7 @@ def sparks(
 def show_after(
     rules: Sequence[RuleData], launches: Sequence[int], seed: int, duration: float, frames: int
 ) -> list[list[float]]:
-    """Launch fireworks, let frames pass, and return type, age, position, velocity of each."""
+    """Launch fireworks, update the show, and return type, age, position and velocity of each."""
     show = show_of(rules, 500, "keep_old", seed)
     for type in launches:
         show.launch(type)
@@ -227,7 +227,7 @@ def show_after(
 
 
 def endless(leaves: dict[int, list[int]]) -> list[int]:
-    """Return the endless types of rules that leave one firework of each of these types behind."""
+    """Return the endless types of rules with one payload for each of the listed types."""
     still = (0.0, 0.0, 0.0)
     rules = [
         rule((type, 1.0, 1.0, still, still, 1.0, [(other, 1) for other in after]))
@@ -253,7 +253,7 @@ def nine_rules() -> list[list[object]]:
 
 
 def own_show(type: int, seed: int, duration: float, frames: int) -> list[int]:
-    """Light a firework high up, with all eleven types; return how many burn after each frame."""
+    """Light a firework high up in a show of all eleven types; return how many burn each frame."""
     show = FireworksShow([*FIREWORK_TYPES, *own_types()], 2000, seed)
     show.light([(type, 1, Particle(Vector3(0, 50, 0)))])
     counts = []
@@ -264,7 +264,7 @@ def own_show(type: int, seed: int, duration: float, frames: int) -> list[int]:
 
 
 def sparks_of_a_wheel(sparks_per_second: float, duration: float, frames: int) -> list[int]:
-    """Turn a wheel and return how many sparks there are after each frame."""
+    """Turn a wheel and return the number of sparks after each frame."""
     still = (0.0, 0.0, 0.0)
     show = show_of([(7, 90.0, 90.0, still, still, 1.0, ())], 5000, "keep_old", 1)
     wheel = CatherineWheel(show, 7, Vector3(0, 5, 0), 1.0, 2.0, sparks_per_second)
@@ -295,7 +295,7 @@ def stepped(
 def speeds_after(
     start: float, speeds: list[float], acceleration: float, damping: float, time: float
 ) -> list[float]:
-    """Ask for the positions of a burst and return the speeds that were given, as they are then."""
+    """Compute the positions of a burst and return what is then in the list of speeds."""
     burst_positions(start, speeds, acceleration, damping, time)
     return speeds
 
@@ -303,7 +303,7 @@ def speeds_after(
 def calls_of_drag_factors(
     start: float, speeds: list[float], acceleration: float, damping: float, time: float
 ) -> tuple[list[float], int]:
-    """Return the positions of a burst, and how often drag_factors was called for them."""
+    """Return the positions of a burst, and how many times drag_factors was called for them."""
     with counted(closed_form, "drag_factors") as calls:
         positions = closed_form.burst_positions(start, speeds, acceleration, damping, time)
     return [*positions], len(calls)

@@ -12,7 +12,7 @@ from ch04_particle_engine import ballistics
 from ch04_particle_engine.ballistics import BallisticRange
 from expect import about, blame, cause_of, expect_close, expect_error, expect_exactly, xyz
 
-# The book's table, and the numbers of the grenade: mass, velocity, acceleration, damping.
+# The book's table and our numbers of the grenade: mass, velocity, acceleration, damping.
 TABLE = {
     "pistol": (2.0, (0.0, 0.0, 35.0), (0.0, -1.0, 0.0), 0.99),
     "artillery": (200.0, (0.0, 30.0, 40.0), (0.0, -20.0, 0.0), 0.99),
@@ -22,7 +22,7 @@ TABLE = {
 }
 QUARTER = math.pi / 2.0
 
-ROUNDED = 1e-12  # some roundings of numbers up to 100, and of a sine or a root
+ROUNDED = 1e-12  # some rounding errors of numbers up to 100, and of a sine or a root
 
 
 def types_of(at: Any) -> tuple[str, ...]:
@@ -38,35 +38,35 @@ def test_the_axes_of_aiming(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     about.read = "the docstring of aim"
     for azimuth, elevation, wanted, cause in (
-        (0.0, 0.0, (0.0, 0.0, speed), "straight down the range: along Z"),
-        (QUARTER, 0.0, (speed, 0.0, 0.0), "a quarter of a turn of azimuth is along X"),
-        (0.0, QUARTER, (0.0, speed, 0.0), "a quarter of a turn of elevation is straight up"),
-        (0.0, -QUARTER, (0.0, -speed, 0.0), "a negative elevation is down"),
+        (0.0, 0.0, (0.0, 0.0, speed), "With both angles 0 the velocity points along Z."),
+        (QUARTER, 0.0, (speed, 0.0, 0.0), "An azimuth of a quarter turn points along X."),
+        (0.0, QUARTER, (0.0, speed, 0.0), "An elevation of a quarter turn points straight up."),
+        (0.0, -QUARTER, (0.0, -speed, 0.0), "A negative elevation points down."),
     ):
         about(f"aim({speed}, {azimuth}, {elevation})", cause=cause)
         got = xyz(ballistics.aim(speed, azimuth, elevation))
         small = math.radians(QUARTER)
-        degrees = "the angles are in radians already: take math.radians out"
+        degrees = "The angles are in radians already. Do not convert them with math.radians."
         mistakes = {
             (0.0, 0.0): [
-                ((speed, 0.0, 0.0), "the azimuth is measured from Z, not from X"),
-                ((0.0, speed, 0.0), "the elevation is measured from the level, not from above"),
+                ((speed, 0.0, 0.0), "The azimuth was measured from X. Measure it from Z."),
+                ((0.0, speed, 0.0), "The elevation was measured from above. 0 is level."),
             ],
             (QUARTER, 0.0): [
-                ((-speed, 0.0, 0.0), "the azimuth turns from Z towards X, not the other way"),
+                ((-speed, 0.0, 0.0), "The azimuth has the wrong sign. It turns from Z to X."),
                 ((speed * math.sin(small), 0.0, speed * math.cos(small)), degrees),
             ],
             (0.0, QUARTER): [
                 (
                     (0.0, speed, speed),
-                    "of a shot that goes up, speed x cos(elevation) is left along the ground",
+                    "The speed along the ground must be speed x cos(elevation).",
                 ),
-                ((0.0, -speed, 0.0), "a positive elevation is up"),
+                ((0.0, -speed, 0.0), "A positive elevation points up. The sign is wrong."),
                 ((0.0, speed * math.sin(small), speed * math.cos(small)), degrees),
             ],
         }
         blame(got, mistakes.get((azimuth, elevation), []))
-        # The cosine of a quarter of a turn is 6e-17, not 0.
+        # The cosine of a quarter turn is 6e-17 in floats, not 0.
         expect_close(got, wanted)
 
 
@@ -74,8 +74,8 @@ def test_the_axes_of_aiming(rng: Random) -> None:
 def test_azimuth_and_elevation_together(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     azimuth, elevation = round(rng.uniform(0.4, 1.1), 3), round(rng.uniform(0.4, 1.1), 3)
-    about.cause = "what is up is speed x sin(elevation); speed x cos(elevation) is left along the "
-    about.cause += "ground, and the azimuth shares that out between X and Z"
+    about.cause = "The speed upward is speed x sin(elevation). The speed along the ground is speed "
+    about.cause += "x cos(elevation), of which sin(azimuth) goes to X and cos(azimuth) to Z."
     about.read = "the docstring of aim"
     turned = ((-azimuth, elevation), (azimuth + math.pi, -elevation), (azimuth, elevation + 1.6))
     for a, e in ((azimuth, elevation), *turned):
@@ -90,7 +90,7 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_angles_are_finite(bad: float) -> None:
-    about.cause = "finite and not_negative of arguments.py, in chapter 2, refuse it in one line"
+    about.cause = "Check the arguments with not_negative and finite from arguments.py."
     about.read = "the docstring of aim"
     for data in ((bad, 0.0, 0.0), (3.0, bad, 0.0), (3.0, 0.0, bad), (-3.0, 0.0, 0.0)):
         about.call = f"aim{data}"
@@ -109,36 +109,37 @@ def test_speed_and_angles_are_finite(bad: float) -> None:
 def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mass, velocity, acceleration, damping = TABLE[name]
     about.call = f'r = BallisticRange(); r.fire("{name}"); r.shots'
-    about.cause = "one Shot of that type is added to the shots"
+    about.cause = "Append one Shot of that type to shots."
     about.read = "the docstring of fire; book 4.1.2"
     at = BallisticRange()
     at.fire(name)
     expect_exactly(types_of(at), (name,), then=", their types")
     shot = at.shots[0]
-    about.cause = "a shot that has just been fired has the age 0"
+    about.cause = "A shot that was just fired has age 0."
     expect_close(shot.age, 0.0, then="[0].age")
     p, own = shot.particle, f"{about.call}[0].particle"
-    about.cause = "every shot starts at MUZZLE"
+    about.cause = "Every shot must start at MUZZLE."
     expect_close(xyz(p.position), (0.0, 1.5, 0.0), call=f"{own}.position")
     _, up, along = velocity
     speed = math.hypot(up, along)
     mistakes = [
         (
             (0.0, 0.0, speed),
-            "without an elevation the shot is not level: it has the angle of its type's velocity",
+            "Without an elevation the shot must keep the angle of its type's velocity.",
         ),
         (
             (0.0, up * along / speed, along * along / speed),
-            "the speed is the length of the type's velocity, not its Z alone",
+            "The speed is the length of the type's velocity, not only its Z component.",
         ),
     ]
-    about.cause = cause_of(xyz(p.velocity), mistakes, "not aimed, it has the velocity of its type")
+    unaimed = "Without angles the shot must have the velocity of its type."
+    about.cause = cause_of(xyz(p.velocity), mistakes, unaimed)
     expect_close(xyz(p.velocity), velocity, call=f"{own}.velocity")
-    about.cause = "the Particle is given the acceleration of its type"
+    about.cause = "Pass the acceleration of the type to the Particle."
     expect_close(xyz(p.acceleration), acceleration, call=f"{own}.acceleration")
-    about.cause = "the Particle is given the mass of its type"
+    about.cause = "Pass the mass of the type to the Particle."
     expect_close(p.mass, mass, call=f"{own}.mass")
-    about.cause = "the Particle is given the damping of its type"
+    about.cause = "Pass the damping of the type to the Particle."
     expect_close(p.damping, damping, call=f"{own}.damping")
 
 
@@ -149,18 +150,18 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
     names = rng.sample(sorted(TABLE), 3)
     names.append(names[0])
     calls = "; ".join(f'r.fire("{name}")' for name in names)
-    about(f"r = BallisticRange(); {calls}; r.shots", cause="append the new shot behind the others")
+    about(f"r = BallisticRange(); {calls}; r.shots", cause="Append each new shot at the end.")
     about.read = "the docstring of BallisticRange"
     at = BallisticRange()
     for name in names:
         at.fire(name)
     expect_exactly(types_of(at), tuple(names), then=", their types")
-    about.cause = "each shot has a particle of its own, and each range its own shots"
+    about.cause = "Each shot needs its own particle, and each range its own list of shots."
     at.shots[0].particle.velocity.x = 99.0
     about.call = f"{about.call}[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
     got = at.shots[3].particle.velocity.x
     expect_close(got, 0.0, tolerance=ROUNDED)
-    about.call = f"{about.call}; BallisticRange().shots, how many"
+    about.call = f"{about.call}; len(BallisticRange().shots)"
     expect_exactly(len(BallisticRange().shots), 0)
 
 
@@ -170,13 +171,13 @@ def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> N
     about.read = "the docstring of fire"
     for name, up, along in (("artillery", 30.0, 40.0), ("pistol", 0.0, 35.0)):
         about.call = f'r.fire("{name}", azimuth={azimuth}); r.shots[-1].particle.velocity'
-        about.cause = "the azimuth turns the type's velocity along the ground; what is up stays as "
-        about.cause += "it is"
+        about.cause = "The azimuth rotates the type's velocity about Y. Its Y component does not "
+        about.cause += "change."
         at = BallisticRange()
         at.fire(name, azimuth=azimuth)
         wanted = (along * math.sin(azimuth), up, along * math.cos(azimuth))
         got = xyz(at.shots[-1].particle.velocity)
-        unaimed = "that is the type's own velocity: the azimuth turns it"
+        unaimed = "This is the type's own velocity. Rotate it by the azimuth."
         blame(got, [((0.0, up, along), unaimed)])
         expect_close(got, wanted, tolerance=ROUNDED)
 
@@ -185,18 +186,18 @@ def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> N
 def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
     about.read = "the docstring of fire"
     for elevation in (round(rng.uniform(0.3, 1.2), 3), 0.0):
-        about.cause = "in place of the type's own, with the whole speed of 50 m/s, the velocity's "
-        about.cause += "length"
+        about.cause = "Aim the whole speed, 50 m/s, at the elevation instead of the type's own "
+        about.cause += "angle."
         if elevation == 0.0:
-            about.cause = "an elevation of 0 is level: ask whether it is None, since 0 counts as "
-            about.cause += "false"
+            about.cause = "An elevation of 0 means level. Test for None, because 0 is false in an "
+            about.cause += "if."
         about.call = f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.velocity'
         at = BallisticRange()
         at.fire("artillery", elevation=elevation)
         wanted = (0.0, 50.0 * math.sin(elevation), 50.0 * math.cos(elevation))
         got = xyz(at.shots[-1].particle.velocity)
         expect_close(got, wanted, tolerance=ROUNDED)
-        about.cause = "gravity points down wherever the shot is aimed: only the velocity is turned"
+        about.cause = "Aim only the velocity. Gravity always points down."
         about.call = (
             f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.acceleration'
         )
@@ -208,17 +209,17 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
 def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     azimuth, elevation = round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(0.3, 1.2), 3)
     about.call = f'r.fire("artillery", {azimuth}, {elevation}); r.shots[-1].particle.velocity'
-    about(cause="aim takes both, whichever of them is given", read="the docstring of fire")
+    about(cause="Pass both angles to aim.", read="the docstring of fire")
     at = BallisticRange()
     at.fire("artillery", azimuth, elevation)
     level = 50.0 * math.cos(elevation)
     wanted = (level * math.sin(azimuth), 50.0 * math.sin(elevation), level * math.cos(azimuth))
     got = xyz(at.shots[-1].particle.velocity)
     mistakes = [
-        ((0.0, 50.0 * math.sin(elevation), level), "with an elevation the azimuth is forgotten"),
+        ((0.0, 50.0 * math.sin(elevation), level), "The azimuth was ignored. Pass it to aim."),
         (
             (40.0 * math.sin(azimuth), 30.0, 40.0 * math.cos(azimuth)),
-            "with an azimuth the elevation is forgotten",
+            "The elevation was ignored. Pass it to aim.",
         ),
     ]
     blame(got, mistakes)
@@ -228,7 +229,7 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
 @pytest.mark.exercise("B4.2")
 @pytest.mark.robust
 def test_what_cannot_be_fired_is_refused_and_nothing_flies() -> None:
-    about.cause = "look for the name first, and make the shot before it joins the others"
+    about.cause = "Look up the type and check the angles before you add the shot."
     about.read = "the docstring of fire"
     at = BallisticRange()
     for call, attempt in (

@@ -30,16 +30,16 @@ STATE = "the docstring of state_after"
 def particle_of(
     x: Components, v: Components, a: Components, damping: float, mass: float = 1.0
 ) -> tuple[str, Any]:
-    """Return a particle and the words that make it."""
+    """Return the code that makes a particle, and the particle."""
     words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, damping={damping})"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), damping=damping, mass=mass)
     return words, p
 
 
 def by_series(damping: float, time: float) -> tuple[float, float, float]:
-    """Return the factors for a small k t, by the series of fallen."""
+    """Return the factors for a small k t, from the power series of fallen."""
     kt = -math.log(damping) * time
-    # After 12 terms of (k t)^n / (n + 2)! there is less than the last digit left, for k t to 0.1.
+    # For k t up to 0.1, the terms (k t)^n / (n + 2)! after the 12th are below the last digit.
     fallen = time * time * math.fsum((-kt) ** n / math.factorial(n + 2) for n in range(12))
     gone = time + math.log(damping) * fallen
     return damping**time, gone, fallen
@@ -50,35 +50,35 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
     about.read = FACTORS
     for damping, time in (
         (0.5, 1.0),
-        (round(rng.uniform(0.1, 0.3), 3), round(rng.uniform(5.0, 9.0), 3)),  # too far for a series
-        (1.5, round(rng.uniform(1.0, 3.0), 3)),  # above 1 it gains speed, by the same formula
-        (0.9999, 3000.0),  # what counts as small is k t, not k
+        (round(rng.uniform(0.1, 0.3), 3), round(rng.uniform(5.0, 9.0), 3)),  # too long for a series
+        (1.5, round(rng.uniform(1.0, 3.0), 3)),  # the formula also holds for a damping above 1
+        (0.9999, 3000.0),  # k t decides whether the drag is small, not k
     ):
         about.call = f"kept, gone and fallen of drag_factors({damping}, {time})"
         k = -math.log(damping)
         gone = -math.expm1(-k * time) / k
         wanted = (math.exp(-k * time), gone, (time - gone) / k)
-        about.cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k, with k = -ln d"
+        about.cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k with k = -ln d."
         got = closed_form.drag_factors(damping, time)
         size = max(1.0, *wanted)
-        undamped = "damping was left out"
+        undamped = "The damping was ignored."
         if damping == 0.9999:
-            undamped = "a damping near 1 was taken for 1: what may count as small is k t, not k"
+            undamped = "A damping near 1 was taken for 1, but k t decides whether drag is small."
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
         mistakes = [
             *(
-                ((kept, gone, (time - gone) / drag), "k was taken for 1 - d: it is -ln d")
+                ((kept, gone, (time - gone) / drag), "This uses k = 1 - d. k is -ln d.")
                 for kept, gone in powers
             ),
             (
                 (wanted[0], wanted[1], time * time / 2.0),
-                "fallen is t^2 / 2 without drag only: (t - gone) / k",
+                "fallen is t^2 / 2 only without drag. With drag it is (t - gone) / k.",
             ),
             ((1.0, time, time * time / 2.0), undamped),
         ]
         blame(got, mistakes)
-        # Nine digits are promised: where a series begins, and where it is cut, is left open.
+        # Nine digits are required. A solution may choose where its series begins and ends.
         expect_close(got, wanted, tolerance=1e-9 * size)
 
 
@@ -87,10 +87,10 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
     time = round(rng.uniform(1.0, 9.0), 3)
     about.read = FACTORS
     for damping, t, wanted, cause in (
-        (1.0, time, (1.0, time, time * time / 2.0), "without damping: 1, t and t^2 / 2; k is 0"),
-        (0.0, time, (0.0, 0.0, 0.0), "a damping of 0 stops everything at once; ln 0 is no number"),
-        (0.5, 0.0, (1.0, 0.0, 0.0), "no time, no change"),
-        (0.0, 0.0, (1.0, 0.0, 0.0), "no time, no change, whatever the damping"),
+        (1.0, time, (1.0, time, time * time / 2.0), "Damping 1 gives k = 0: return 1, t, t^2 / 2."),
+        (0.0, time, (0.0, 0.0, 0.0), "Damping 0 stops everything at once. ln 0 does not exist."),
+        (0.5, 0.0, (1.0, 0.0, 0.0), "At time 0 nothing has changed: 1, 0 and 0."),
+        (0.0, 0.0, (1.0, 0.0, 0.0), "At time 0 nothing has changed, whatever the damping is."),
     ):
         about(f"kept, gone and fallen of drag_factors({damping}, {t})", cause=cause)
         got = closed_form.drag_factors(damping, t)
@@ -100,15 +100,15 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
 @pytest.mark.exercise("B4.8")
 @pytest.mark.parametrize("away", [1e-13, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2])
 def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> None:
-    about.cause = "for small k t, 1 - d^t and t - gone are differences of numbers that are nearly "
-    about.cause += "equal, and lose their digits: math.expm1 and a few terms of the series do not"
+    about.cause = "For small k t, 1 - d^t and t - gone subtract nearly equal numbers and lose "
+    about.cause += "digits. Use math.expm1 and a few terms of the series."
     about.read = FACTORS
-    # The formulas lose 1e-8 of short times, but for luck; a drag of nothing is seen in long ones.
+    # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
     for damping, most in itertools.product((1.0 - away, 1.0 + away), (2.0, 2.0, 9.0)):
         t = round(rng.uniform(most - 1.0, most), 3)
         about.call = f"kept, gone and fallen of drag_factors({damping!r}, {t})"
         got = closed_form.drag_factors(damping, t)
-        # A series that is cut early, or that begins elsewhere, may be as far off as 1e-9.
+        # A series that is cut early or begins elsewhere may be wrong by up to 1e-9.
         wanted = by_series(damping, t)
         size = wanted[2]
         expect_close(got, wanted, tolerance=1e-9 * max(1.0, size))
@@ -116,7 +116,7 @@ def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> N
 
 @pytest.mark.exercise("B4.8")
 def test_the_factors_hold_for_short_times(rng: Random) -> None:
-    about(cause="however short the time, something is lost, gone and fallen", read=FACTORS)
+    about(cause="gone and fallen are not zero, even for a very short time.", read=FACTORS)
     damping = round(rng.uniform(0.3, 0.9), 3)
     for t in (1.0 / 60.0, 1e-6):
         about.call = f"kept, gone and fallen of drag_factors({damping}, {t})"
@@ -130,15 +130,15 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.8")
 def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
-    about.cause = "v(t) = v kept + a gone and p(t) = p + v gone + a fallen, axis by axis, in no "
-    about.cause += "steps"
+    about.cause = "On each axis v(t) = v kept + a gone and p(t) = p + v gone + a fallen. No steps "
+    about.cause += "are needed."
     about.read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
     for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
         words, p = particle_of(x, v, a, damping)
         about.call = f"{words}; state_after(p, {time})[0]"
         position, _ = closed_form.state_after(p, time)
-        # The times are known to 5e-8 s, and the shell has up to 50 m/s.
+        # The times are known to 5e-8 s, and the shell moves at up to 50 m/s.
         got = expect_vector(position)
         expect_close(got, (0.0, 0.0, reach), tolerance=1e-5)
 
@@ -147,10 +147,10 @@ def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
 def test_without_damping_it_is_the_parabola(rng: Random) -> None:
     x, v, a, t = components(rng), components(rng), components(rng), round(rng.uniform(2, 9), 3)
     words, p = particle_of(x, v, a, 1.0)
-    about(f"{words}; state_after(p, {t})", cause="p + v t + a t^2 / 2 and v + a t", read=STATE)
+    about(f"{words}; state_after(p, {t})", cause="p + v t + a t^2 / 2 and v + a t.", read=STATE)
     position, velocity = closed_form.state_after(p, t)
     wanted = tuple(x[i] + v[i] * t + a[i] * t * t / 2.0 for i in range(3))
-    # Rounding of numbers up to 500.
+    # The rounding errors of numbers up to 500.
     got = xyz(position)
     expect_close(got, wanted, then="[0]", tolerance=1e-11)
     wanted = tuple(v[i] + a[i] * t for i in range(3))
@@ -164,11 +164,12 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
     words, p = particle_of(x, v, a, damping)
     about.call = f"{words}; state_after(p, {first}), and from there {second} s more"
-    about(cause="the state after a + b seconds is that b seconds after the one after a", read=STATE)
+    about.cause = "b seconds after the state at time a, the state must be that of time a + b."
+    about.read = STATE
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
-        about.cause = "state_after has moved the particle itself: return new vectors"
-    undamped = "the velocity itself is not damped: v kept + a gone"
+        about.cause = "state_after moved the particle itself. Return new vectors."
+    undamped = "The velocity was not damped. It is v kept + a gone."
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))
     blame(xyz(middle[1]), [(gain, undamped)])
@@ -178,12 +179,12 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
         got, wanted = xyz(later[i]), xyz(at_once[i])
         expect_close(got, wanted, then=f", [{i}]", tolerance=1e-11)
     about.call = f"{words}; state_after(p, {first})[1]"
-    about.cause = "its velocity must be the change of its position: dp/dt = v"
+    about.cause = "The velocity must be the rate of change of the position, dp/dt."
     step = 1e-4
     around = [closed_form.state_after(p, first + s)[0] for s in (-step, step)]
     low, high = (xyz(position) for position in around)
     slope = tuple((high[i] - low[i]) / (2.0 * step) for i in range(3))
-    # The central difference errs by h^2 / 6 times the third derivative, some 30 m/s^3.
+    # The central difference is off by h^2 / 6 times the third derivative, about 30 m/s^3.
     expect_close(xyz(middle[1]), slope, tolerance=1e-6)
 
 
@@ -192,8 +193,8 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
     x, v, a = components(rng), components(rng), (number(rng), -9.81, number(rng))
     damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
     words, p = particle_of(x, v, a, damping)
-    about.cause = "half the frame, half the error: integrate is of first order, and this is its "
-    about.cause += "limit"
+    about.cause = "integrate must come closer to this state as steps get shorter, with half the "
+    about.cause += "error for half the step."
     about(f"{words}; state_after(p, {t})", read=f"{STATE}; chapter 3's integrate")
     exact = [xyz(vector) for vector in closed_form.state_after(p, t)]
     for i, name in enumerate(("position", "velocity")):
@@ -202,7 +203,7 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
             stepped = probes.stepped(x, v, a, damping, t / frames, frames)
             errors.append(math.dist(stepped[i], exact[i]))
         about.call = f"{words}; error of the {name} after {t} s in 2000 frames over that in 4000"
-        # Each error is of the order of 10 / 2000; the next order bends the ratio by as little.
+        # Each error is of the order of 10 / 2000, and the next order changes the ratio as little.
         ratio = errors[0] / max(errors[1], 1e-300)
         expect_close(ratio, 2.0, tolerance=0.02)
 
@@ -212,7 +213,7 @@ def test_the_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5)
     about.call = f"{words}; position, velocity = state_after(p, t); position.x = velocity.x = 99"
-    about(cause="return new vectors: the state of the particle is still needed", read=STATE)
+    about(cause="Return new vectors and do not change the particle.", read=STATE)
     for t in (2.0, 0.0):
         state = closed_form.state_after(p, t)
         state[0].x = state[1].x = 99.0
@@ -226,13 +227,13 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5, mass=math.inf)
     about.call = f"{words}; p.mass = math.inf; position, velocity = state_after(p, 3)"
-    about(cause="integrate leaves it as it is, so it is there at any time", read=STATE)
+    about(cause="An immovable particle has the same state at any time.", read=STATE)
     position, velocity = closed_form.state_after(p, 3.0)
     expect_close(xyz(position), x, then="; position")
     expect_close(xyz(velocity), v, then="; velocity")
     position.x = velocity.x = 99.0
     about.call += "; position.x = velocity.x = 99"
-    about.cause = "return new vectors"
+    about.cause = "Return new vectors, not those of the particle."
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
 
@@ -241,7 +242,7 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
-    about.cause = "not_negative of arguments.py, in chapter 2, refuses it in one line"
+    about.cause = "Check time and damping with not_negative from arguments.py."
     about.read = f"{FACTORS}, and of state_after"
     for call, attempt in (
         (f"drag_factors({bad}, 1)", lambda: closed_form.drag_factors(bad, 1.0)),
@@ -273,32 +274,30 @@ BURST = "the docstring of burst_positions"
 def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     start, a = number(rng), number(rng)
     speeds = [number(rng) for _ in range(5)]
-    about.cause = "start + speed x gone + acceleration x fallen, one after the other as they were "
-    about.cause += "given"
+    about.cause = "Return start + speed x gone + acceleration x fallen for each speed, in order."
     about.read = BURST
     t = round(rng.uniform(1.0, 3.0), 3)
     about.call = f"burst_positions({start}, {speeds}, {a}, 1.0, {t})"
     got = closed_form.burst_positions(start, speeds, a, 1.0, t)
     wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     mistakes = [
-        ([number - start for number in wanted], "the start is missing"),
-        ([start + speed * t for speed in speeds], "the acceleration x fallen is missing"),
-        (sorted(wanted), "they were sorted: the order is that of the speeds"),
+        ([number - start for number in wanted], "The start is missing. Add it to each position."),
+        ([start + speed * t for speed in speeds], "acceleration x fallen is missing."),
+        (sorted(wanted), "The positions were sorted. Return them in the order of the speeds."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
     given = probes.speeds_after(start, list(speeds), a, 0.5, t)
-    about.cause = "the list of speeds is the caller's: leave it as it is"
+    about.cause = "The list of speeds belongs to the caller. Do not change it."
     expect_unchanged("the list of speeds", given, speeds)
-    about.cause = "start + speed x gone + acceleration x fallen, one after the other as they were "
-    about.cause += "given"
+    about.cause = "Return start + speed x gone + acceleration x fallen for each speed, in order."
     damping = round(rng.uniform(0.2, 0.8), 3)
     k = -math.log(damping)
     gone = -math.expm1(-k * t) / k
     about.call = f"burst_positions({start}, {speeds}, {a}, {damping}, {t})"
     got = closed_form.burst_positions(start, speeds, a, damping, t)
     without = [start + speed * t + a * t * t / 2.0 for speed in speeds]
-    blame(got, [(without, "damping was left out: gone and fallen are less")])
+    blame(got, [(without, "The damping was ignored. Use gone and fallen of drag_factors.")])
     wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
     expect_close(got, wanted, tolerance=1e-11)
 
@@ -306,12 +305,12 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
 @pytest.mark.exercise("B4.9")
 def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
     about.call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
-    about.cause = "the factors do not depend on the speed: call drag_factors before the loop"
+    about.cause = "The factors do not depend on the speed. Call drag_factors once, before the loop."
     about.read = BURST
     positions, calls = probes.calls_of_drag_factors(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
     expect_close(max(0, calls - 1), 0, then=" beyond one")
-    about.cause = "50 sparks have 50 positions"
-    name = "burst_positions(1, [2.0] * 50, -10, 0.5, 1), how many"
+    about.cause = "Return one position for each of the 50 speeds."
+    name = "len(burst_positions(1, [2.0] * 50, -10, 0.5, 1))"
     expect_close(len(positions), 50, call=name)
 
 
@@ -319,11 +318,11 @@ def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
 def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     start = number(rng)
     about(f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)", read=BURST)
-    about.cause = "at the time 0 all sparks are where they started"
+    about.cause = "At time 0 every spark is at its start."
     got = closed_form.burst_positions(start, [3.0, -4.0], -10.0, 0.5, 0.0)
     expect_close(got, [start, start])
-    about.call = f"burst_positions({start}, [], -10.0, 0.5, 1.0), how many"
-    about.cause = "no sparks, no positions"
+    about.call = f"len(burst_positions({start}, [], -10.0, 0.5, 1.0))"
+    about.cause = "Without speeds, return an empty list."
     got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
     expect_close(got, 0)
 
@@ -332,7 +331,8 @@ def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_burst_starts_somewhere(bad: float) -> None:
-    about.cause = "finite of arguments.py refuses it in one line; the rest drag_factors refuses"
+    about.cause = "Check start and acceleration with finite from arguments.py. drag_factors checks "
+    about.cause += "the rest."
     about.read = BURST
     good = (1.0, [2.0], -10.0, 0.5, 1.0)
     empty = (1.0, [], -10.0, 0.5, 1.0)

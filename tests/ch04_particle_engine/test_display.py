@@ -14,7 +14,7 @@ from draw import number
 from expect import about, expect_close, expect_exactly
 
 STILL = (0.0, 0.0, 0.0)
-# Type 1 is a rocket that leaves three sparks of type 2; type 3 is another rocket.
+# Type 1 is a rocket that leaves three sparks of type 2. Type 3 is another rocket.
 RULES: list[probes.RuleData] = [
     (1, 2.0, 2.0, STILL, STILL, 1.0, ((2, 3),)),
     (2, 5.0, 5.0, STILL, STILL, 1.0, ()),
@@ -23,7 +23,7 @@ RULES: list[probes.RuleData] = [
 
 
 def game(*lit: tuple[int, float, float], z: float = 0.0) -> Any:
-    """Return a game with fireworks of these types at these places in the X-Y plane."""
+    """Return a game with fireworks of these types at these points of the X-Y plane."""
     show = probes.show_of(RULES, 50, "keep_old", 1)
     for type, x, y in lit:
         show.light([(type, 1, Particle(Vector3(x, y, z)))])
@@ -38,7 +38,7 @@ def types(of: Any) -> list[int]:
 def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
     about.read = "the docstring of find_rocket"
-    about.cause = "the smallest distance to the click, not the first rocket in the list"
+    about.cause = "Return the rocket nearest to the click, not the first one in the list."
     about.call = f"rockets at ({x} - 2, {y}), ({x} + 1, {y}) and ({x}, {y} + 1.5); "
     about.call += f"find_rocket(display, {x}, {y})"
     found = display.find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
@@ -46,8 +46,8 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     what = None if found is None else found.type
     expect_exactly(what, 3, then=", its type")
     for away, reached in ((2.4, True), (2.6, False)):
-        about.cause = "REACH is 2.5 m: the distance in the plane, the root of both squared "
-        about.cause += "coordinates"
+        about.cause = "The distance in the X-Y plane, sqrt(dx^2 + dy^2), must be at most REACH = "
+        about.cause += "2.5 m."
         place = (x + away * 0.6, y - away * 0.8)
         about.call = f"one rocket, {away} m from the click; find_rocket(display, {x}, {y}) is None"
         found = display.find_rocket(game((1, *place)), x, y)
@@ -56,7 +56,8 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
 
 @pytest.mark.exercise("P4.1")
 def test_a_rocket_at_exactly_the_reach_is_found() -> None:
-    about(cause="at exactly REACH it is still found", read="the docstring of find_rocket")
+    about(cause="A rocket at a distance of exactly REACH is within reach.")
+    about.read = "the docstring of find_rocket"
     for place in ((2.5, 20.0), (-1.5, 22.0)):
         about.call = f"one rocket at {place}; find_rocket(display, 0, 20) is None"
         found = display.find_rocket(game((1, *place)), 0.0, 20.0)
@@ -67,7 +68,7 @@ def test_a_rocket_at_exactly_the_reach_is_found() -> None:
 def test_what_lies_behind_on_the_screen_is_found_too(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
     about.call = f"one rocket at ({x}, {y}, 40); find_rocket(display, {x}, {y}) is None"
-    about(cause="a screen shows X and Y: z does not count", read="the docstring of find_rocket")
+    about(cause="The screen shows only X and Y. Ignore z.", read="the docstring of find_rocket")
     found = display.find_rocket(game((1, x, y), z=40.0), x, y)
     expect_exactly(found is None, False)
 
@@ -75,7 +76,7 @@ def test_what_lies_behind_on_the_screen_is_found_too(rng: Random) -> None:
 @pytest.mark.exercise("P4.1")
 def test_sparks_are_no_rockets() -> None:
     about.call = "a spark at (0, 20), a rocket at (2, 20); find_rocket(display, 0, 20), its type"
-    about.cause = "rockets are the fireworks whose rule has payloads"
+    about.cause = "Sparks do not count. A rocket is a firework whose rule has payloads."
     about.read = "the docstring of find_rocket"
     found = display.find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
     what = found is not None and found.type
@@ -89,8 +90,8 @@ def test_sparks_are_no_rockets() -> None:
 def test_a_rocket_without_a_fuse_is_past_saving() -> None:
     about.read = "the docstring of find_rocket"
     for age, cause in (
-        (0.0, "an age of 0 bursts in the next update: it could be clicked on twice otherwise"),
-        (-0.5, "below 0 there is no fuse left either: an age of 0 or less is past saving"),
+        (0.0, "A rocket of age 0 bursts in the next update. Ignore it, or it could be hit twice."),
+        (-0.5, "A rocket whose age is 0 or less has no fuse left. Ignore it."),
     ):
         about.cause = cause
         about.call = f"rockets at (0, 20) with the age {age} and at (2, 20); find_rocket(display, "
@@ -107,20 +108,21 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
     about.call = "rockets of types 1 and 3 at (0, 20) and (9, 20); click(display, 9, 20)"
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
-    about.cause = "it hit a rocket"
+    about.cause = "A rocket was hit, so return True."
     hit = display.click(a_game, 9.0, 20.0)
     expect_exactly(hit, True)
-    about.cause = "another rocket of the same type is launched, and the one that was hit still "
-    about.cause += "burns"
+    about.cause = "Launch another rocket of the same type. The hit rocket still burns until the "
+    about.cause += "next update."
     expect_exactly(types(a_game), [1, 3, 3], then="; types in the show")
-    about.cause = "its age is 0: it bursts in the next update, by the show's own rule"
+    about.cause = "Set the age of the hit rocket to 0, so that the show bursts it in its next "
+    about.cause += "update."
     ages = tuple(firework.age for firework in a_game.show.fireworks)
     expect_close(ages, (2.0, 0.0, 1.0), then="; ages")
     height = a_game.show.fireworks[2].particle.position.y
-    about.cause = "it starts from the ground: show.launch"
+    about.cause = "The new rocket must start on the ground. Use show.launch."
     expect_close(height, 0.0, then="; height of the new one")
     a_game.show.update(0.001)
-    about.cause = "the rocket that was hit has left its payload, of type 2"
+    about.cause = "The hit rocket must burst in the next update and leave its payload of type 2."
     expect_exactly(types(a_game).count(2), 1, then="; show.update(0.001); how many of type 2")
 
 
@@ -128,9 +130,9 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
 def test_a_late_click_scores_more() -> None:
     about.read = "the docstring of click"
     for fuse, score, cause in (
-        (1.5, 1, "a fuse of 1.5 s is not late, and scores 1: look at it before it is set to 0"),
-        (0.4, 1, "a fuse of 0.4 s is not shorter than LATE, 0.4 s"),
-        (0.39, 3, "a fuse shorter than LATE scores 3: look at it before it is set to 0"),
+        (1.5, 1, "A hit with 1.5 s of fuse left scores 1. Read the fuse before you set it to 0."),
+        (0.4, 1, "A hit scores 3 only below LATE = 0.4 s of fuse, not at exactly 0.4 s."),
+        (0.39, 3, "A hit with less fuse than LATE scores 3. Read the fuse before you set it to 0."),
     ):
         about(f"a rocket at (0, 20) with {fuse} s of fuse; click(display, 0, 20); ", cause=cause)
         about.call += "display.score"
@@ -138,11 +140,11 @@ def test_a_late_click_scores_more() -> None:
         a_game.show.fireworks[0].age = fuse
         display.click(a_game, 0.0, 20.0)
         expect_exactly(a_game.score, score)
-        about.cause = "a hit is no miss"
+        about.cause = "A hit does not count as a miss."
         name = about.call.replace("display.score", "display.misses")
         expect_exactly(a_game.misses, 0, call=name)
     about.call = "two rockets; click(display, 0, 20); click(display, 9, 20); display.score"
-    about.cause = "each hit adds to the score"
+    about.cause = "Each hit must add to the score."
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
     display.click(a_game, 0.0, 20.0)
     display.click(a_game, 9.0, 20.0)
@@ -152,7 +154,8 @@ def test_a_late_click_scores_more() -> None:
 @pytest.mark.exercise("P4.1")
 def test_a_click_into_the_dark_is_a_miss() -> None:
     about.call = "a rocket at (0, 20); click(display, 30, 20)"
-    about.cause = "no rocket is within reach: the misses grow by 1, and nothing else changes"
+    about.cause = "No rocket is within reach. Add 1 to misses, change nothing else and return "
+    about.cause += "False."
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
     hit = display.click(a_game, 30.0, 20.0)
@@ -161,7 +164,7 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
     expect_exactly(counted, (1, 0), then="; misses and score")
     expect_exactly(types(a_game), [1], then="; types in the show")
     about.call = "two rockets; click on one, beside, on the other, beside: misses and score"
-    about.cause = "each hit adds to the score and each miss to the misses, whatever came before"
+    about.cause = "Add each hit to score and each miss to misses."
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
     for x in (0.0, 30.0, 9.0, 30.0):
         display.click(a_game, x, 20.0)
@@ -172,7 +175,7 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
 @pytest.mark.exercise("P4.1")
 def test_a_click_in_a_full_show_counts_too() -> None:
     about.call = "a show of one slot, a rocket at (0, 20); click(display, 0, 20)"
-    about.cause = "the rocket bursts and the click scores, though the show has no room for another"
+    about.cause = "A hit scores and bursts the rocket even if the show has no room for a new one."
     about.read = "the docstring of click"
     show = probes.show_of(RULES, 1, "keep_old", 1)
     show.light([(1, 1, Particle(Vector3(0.0, 20.0, 0.0)))])
@@ -190,11 +193,16 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
     about.read = "the docstring of is_over"
     rocket, spark = (1, 0.0, 20.0), (2, 0.0, 20.0)
     for lit, misses, over, cause in (
-        ((rocket,), 0, False, "a rocket burns"),
-        ((rocket, spark), 5, False, "MISSES_ALLOWED, 5, may miss"),
-        ((rocket, spark), 6, True, "the sixth miss ends it, though a rocket burns"),
-        ((spark, spark), 0, True, "sparks alone do not keep the display alive"),
-        ((), 0, True, "nothing burns"),
+        ((rocket,), 0, False, "A rocket burns, so the game goes on."),
+        (
+            (rocket, spark),
+            5,
+            False,
+            "MISSES_ALLOWED is 5, so the fifth miss does not end the game.",
+        ),
+        ((rocket, spark), 6, True, "The sixth miss ends the game, although a rocket burns."),
+        ((spark, spark), 0, True, "Only sparks burn. Without rockets the game is over."),
+        ((), 0, True, "Nothing burns, so the game is over."),
     ):
         about.cause = cause
         about.call = f"fireworks of types {[type for type, *_ in lit]}, of which only 1 has a "
@@ -203,7 +211,7 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         a_game.misses = misses
         expect_exactly(display.is_over(a_game), over)
     about.call = "one rocket, whose age is 0; is_over(display)"
-    about.cause = "a rocket counts until it has burst"
+    about.cause = "A rocket counts until it has burst, even if its age is 0."
     a_game = game(rocket)
     a_game.show.fireworks[0].age = 0.0
     expect_exactly(display.is_over(a_game), False)
@@ -211,7 +219,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
 
 @pytest.mark.exercise("P4.1")
 def test_a_click_after_the_end_does_nothing() -> None:
-    about("a rocket at (0, 20), 6 misses; click(display, 0, 20)", cause="ask is_over first")
+    about("a rocket at (0, 20), 6 misses; click(display, 0, 20)")
+    about.cause = "The game is over. Call is_over first, and let the click do nothing."
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
     a_game.misses = 6
@@ -222,7 +231,7 @@ def test_a_click_after_the_end_does_nothing() -> None:
     expect_exactly(counted, (6, 0), then="; click(display, 30, 20); misses and score")
     expect_exactly(types(a_game), [1], then="; types in the show")
     about.call = "only a spark burns; click(display, 0, 20)"
-    about.cause = "without rockets it is over too: ask is_over first, not the misses alone"
+    about.cause = "The game is over without rockets, too. Call is_over instead of counting misses."
     a_game = game((2, 0.0, 20.0))
     hit = display.click(a_game, 0.0, 20.0)
     expect_exactly(hit, False)

@@ -16,16 +16,16 @@ from ch04_particle_engine import probes
 from draw import components
 from expect import about, expect_close, expect_error, expect_exactly, scoped
 
-# The book's first rule, but for its payload.
+# The book's first rule, without its payload.
 FIRST: probes.RuleData = (
     1, 0.5, 1.4, (-5.0, 25.0, -5.0), (5.0, 28.0, 5.0), 0.1, ()
 )  # fmt: skip
-MANY = 400  # draws, whose mean is within 5 standard deviations of the middle
+MANY = 400  # draws. Their mean is within 5 standard deviations of the middle
 STILL = (0.0, 0.0, 0.0)
 
 
 def simple(type: int, *payloads: tuple[int, int]) -> probes.RuleData:
-    """Return a rule without anything random: 2 s, straight up."""
+    """Return a rule without randomness: 2 s, straight up."""
     return (type, 2.0, 2.0, (0.0, 9.0, 0.0), (0.0, 9.0, 0.0), 1.0, payloads)
 
 
@@ -42,17 +42,17 @@ def burning(a_show: Any) -> list[int]:
 
 @scoped
 def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
-    """Expect numbers drawn evenly between two limits."""
+    """Expect numbers that were drawn evenly between two limits."""
     about.call = call
     __tracebackhide__ = True
     outside = sum(not low <= number <= high for number in drawn)
-    expect_exactly(outside, 0, then=f", how many outside {low} to {high}")
+    expect_exactly(outside, 0, then=f": how many of {len(drawn)} are outside {low} to {high}")
     # The standard deviation of the mean of n even draws is their range / sqrt(12 n).
     tolerance = 5.0 * (high - low) / math.sqrt(12.0 * len(drawn))
     middle = (low + high) / 2.0
     mean = math.fsum(drawn) / len(drawn)
-    expect_close(mean, middle, then=f", the mean of {len(drawn)}", tolerance=tolerance)
-    # A quarter of even draws lies in each outer quarter; the deviation is sqrt(n 3 / 16).
+    expect_close(mean, middle, then=f": the mean of {len(drawn)}", tolerance=tolerance)
+    # A quarter of even draws lies in each outer quarter. The standard deviation is sqrt(n 3 / 16).
     quarter = (high - low) / 4.0
     for part, inside in (
         ("lowest", sum(number < low + quarter for number in drawn)),
@@ -63,7 +63,7 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
         expect_close(
             inside,
             wanted,
-            then=f", how many of {len(drawn)} in the {part} quarter",
+            then=f": how many of {len(drawn)} are in the {part} quarter",
             tolerance=spread,
         )
 
@@ -75,7 +75,7 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
 def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = f"make_firework(rule, Random({seed})).age, min_age=0.5, max_age=1.4"
-    about.cause = "random.uniform(min_age, max_age), anew for each firework"
+    about.cause = "Draw random.uniform(min_age, max_age) for each firework."
     about.read = "the docstring of make_firework; book 4.2.1"
     ages = [firework[1] for firework in probes.lit(FIRST, seed, MANY)]
     expect_even(about.call, ages, 0.5, 1.4)
@@ -90,19 +90,20 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     made = probes.lit(FIRST, seed, MANY)
     columns = {}
     for i, axis in enumerate("XYZ"):
-        about.cause = "random.uniform of the smallest and the largest on this axis"
+        about.cause = "Draw random.uniform(min, max) with the limits of this axis."
         columns[axis] = [firework[5 + i] for firework in made]
         expect_even(f"{about.call}, on {axis}", columns[axis], low[i], high[i])
     ages = [firework[1] for firework in made]
-    if min(ages) < max(ages):  # a check of their own says whether they are drawn
+    if min(ages) < max(ages):  # another check tests whether ages are drawn at all
         columns["the age"] = ages
-    about.cause = "one number drawn for all three axes sends every spark along one line: draw three"
+    about.cause = "One draw was used for several numbers. Draw each component and the age "
+    about.cause += "separately."
     for one, other in itertools.combinations(columns, 2):
         correlation = statistics.correlation(columns[one], columns[other])
-        # The deviation of the correlation of n independent pairs is 1 / sqrt(n).
+        # The standard deviation of the correlation of n independent pairs is 1 / sqrt(n).
         tolerance = 5.0 / math.sqrt(MANY)
         expect_close(
-            correlation, 0.0, then=f", correlation of {one} and {other}", tolerance=tolerance
+            correlation, 0.0, then=f": correlation of {one} and {other}", tolerance=tolerance
         )
 
 
@@ -110,15 +111,15 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
 def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = f"make_firework(rule, Random({seed})).particle.position"
-    about.cause = "LAUNCH_PLACES along X, -5, 0 and 5, each as often as the others; y and z are 0"
+    about.cause = "Choose x from LAUNCH_PLACES, each equally often. y and z are 0."
     about.read = "the docstring of make_firework; book 4.2.3"
     places = [tuple(firework[2:5]) for firework in probes.lit(FIRST, seed, MANY)]
     for x in (-5.0, 0.0, 5.0):
-        # A third of them; five times the deviation sqrt(n 2 / 9).
+        # A third is expected, within five standard deviations of sqrt(n 2 / 9).
         spread = 5.0 * math.sqrt(MANY * 2.0 / 9.0)
         found = places.count((x, 0.0, 0.0))
         expect_close(
-            found, MANY / 3.0, then=f", how many of {MANY} at ({x}, 0, 0)", tolerance=spread
+            found, MANY / 3.0, then=f": how many of {MANY} are at ({x}, 0, 0)", tolerance=spread
         )
 
 
@@ -130,12 +131,12 @@ def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
     about.call += f"{own}"
     about.read = "the docstring of make_firework; book 4.2.3"
     (firework,) = probes.lit(data, seed, 1, (x, v))
-    about.cause = "it starts where its parent is"
+    about.cause = "A firework with a parent must start at the parent's position."
     expect_close(firework[2:5], x, then=".particle.position")
-    about.cause = "its velocity is the drawn one plus that of its parent"
+    about.cause = "The velocity is the drawn one plus the parent's."
     wanted = tuple(a + b for a, b in zip(v, own, strict=True))
     expect_close(firework[5:8], wanted, then=".particle.velocity")
-    about.cause = "one parent has many children: it must stay as it is"
+    about.cause = "The parent was changed. Copy its vectors, since one parent has many children."
     family = probes.lit(data, seed, 3, (x, v))
     expect_close(family[2][5:8], wanted, then=", the third")
 
@@ -148,10 +149,10 @@ def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng
     about.read = "the docstring of make_firework"
     for parent in (None, (components(rng), components(rng))):
         (firework,) = probes.lit(data, 1, 1, parent, parent_mass=4.0)
-        about.cause = "the type and the damping of the rule"
+        about.cause = "Use the type and the damping of the rule."
         expect_close(firework[0], type, then="; its type")
         expect_close(firework[12], damping, then="; its damping")
-        about.cause = "every firework has the mass 1 and falls with GRAVITY, (0, -9.81, 0)"
+        about.cause = "Every firework has mass 1 and the acceleration GRAVITY, (0, -9.81, 0)."
         gravity = (0.0, -9.81, 0.0)
         expect_close(firework[8:11], gravity, then="; acceleration")
         expect_close(firework[11], 1.0, then="; its mass")
@@ -160,15 +161,16 @@ def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng
 @pytest.mark.exercise("B4.4")
 def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> None:
     seed = rng.randrange(10**6)
-    about.call = f"make_firework(rule, Random({seed})) 5 times, and the same once more"
-    about.cause = "draw from the argument random, not from the module: the same seed, the same show"
+    about.call = f"make_firework(rule, Random({seed})) 5 times, and all of it again"
+    about.cause = "Draw from the argument random, not from the module, so that a seed repeats a "
+    about.cause += "show."
     about.read = "the docstring of make_firework"
     once, again = (probes.lit(FIRST, seed, 5) for _ in range(2))
     differ = sum(a != b for a, b in zip(once, again, strict=True))
-    expect_exactly(differ, 0, then=": fireworks that differ")
-    about.call = f"make_firework(rule, Random({seed})) and with Random({seed + 1}): velocities "
-    about.call += "that agree"
-    about.cause = "another seed gives other numbers"
+    expect_exactly(differ, 0, then=": how many fireworks differ")
+    about.call = f"make_firework(rule, Random({seed})) and with Random({seed + 1}): how many "
+    about.call += "velocities are equal"
+    about.cause = "Another seed must give other numbers."
     other = probes.lit(FIRST, seed + 1, 5)
     same = sum(a[5:8] == b[5:8] for a, b in zip(once, other, strict=True))
     expect_exactly(same, 0)
@@ -181,16 +183,16 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
 def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     type = rng.randrange(1, 5)
     about.call = f"show.launch({type}); the types of show.fireworks"
-    about(cause="one birth of that type, without a parent", read="the docstring of launch")
+    about(cause="Light one birth of that type, without a parent.", read="the docstring of launch")
     a_show = show(9, "keep_old")
     a_show.launch(type)
     expect_exactly(burning(a_show), [type])
-    about.call = f"show.launch({type}) 80 times; the x and y that occur"
-    about.cause = "without a parent make_firework chooses one of three places on the ground"
+    about.call = f"show.launch({type}) 80 times; the different (x, y) at the start"
+    about.cause = "Without a parent, make_firework must choose one of three places on the ground."
     places = probes.places_of_launches(simple(type), type, 80)
     if len(places) == 1:
-        about.cause = "always the same place: make_firework wants no parent here, and self.random, "
-        about.cause += "which goes on from call to call, as a Random made anew does not"
+        about.cause = "All start at the same place. Pass no parent to make_firework, and pass "
+        about.cause += "self.random instead of making a new Random in each call."
     wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]
     expect_exactly(places, wanted)
 
@@ -199,44 +201,44 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
 def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> None:
     order = rng.sample([1, 2, 3, 4], 4)
     about.call = f"launch {', '.join(map(str, order))}; the types of show.fireworks"
-    about.cause = "each is lit behind those that burn already: the oldest is the first"
+    about.cause = "Append each new firework at the end, so that the oldest is the first."
     about.read = "the docstrings of FireworksShow and launch"
     for when_full in ("keep_old", "drop_oldest"):
         a_show = show(9, when_full)
         for type in order:
             a_show.launch(type)
         expect_exactly(burning(a_show), order)
-        nobody = "dropped counts those without a slot, and here all have one"
+        nobody = "Every firework had a slot here, so dropped must stay 0."
         expect_exactly(a_show.dropped, 0, then="; show.dropped", cause=nobody)
 
 
 @pytest.mark.exercise("B4.5")
 def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
     about.call = 'capacity 3, "keep_old"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
-    about.cause = "those that burn keep their slots, as the book's text says (E-20)"
+    about.cause = "With keep_old, burning fireworks keep their slots, as in the book's text (E-20)."
     about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "keep_old")
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
     lit = burning(a_show)
     if len(lit) == 3 and 4 in lit:
-        about.cause = "the oldest were put out, as in the book's listing: keep_old is its text, in "
-        about.cause += "which they keep their slots (E-20)"
+        about.cause = "The oldest fireworks were put out, as in the book's listing. With keep_old "
+        about.cause += "they must keep their slots (E-20)."
     expect_exactly(lit, [1, 2, 3])
-    about.cause = "dropped counts those that were not lit"
+    about.cause = "Add to dropped the fireworks that were not lit."
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
 @pytest.mark.exercise("B4.5")
 def test_drop_oldest_puts_out_the_oldest() -> None:
     about.call = 'capacity 3, "drop_oldest"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
-    about.cause = "the oldest makes room for each new one, as in the book's listing (E-20)"
+    about.cause = "Each new firework replaces the oldest one, as in the book's listing (E-20)."
     about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "drop_oldest")
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
     expect_exactly(burning(a_show), [3, 4, 1])
-    about.cause = "dropped counts those that were put out"
+    about.cause = "Add to dropped the fireworks that were put out."
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
@@ -244,8 +246,8 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
 @pytest.mark.parametrize(
     ("when_full", "wanted", "cause"),
     [
-        ("keep_old", [1, 2, 2, 3], "one burns, so the first three of the births have room"),
-        ("drop_oldest", [3, 3, 3, 4], "the last four of the births stay, and the oldest goes out"),
+        ("keep_old", [1, 2, 2, 3], "One firework burns, so the first three new ones have room."),
+        ("drop_oldest", [3, 3, 3, 4], "The last four stay, and all older ones are put out."),
     ],
 )
 def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], cause: str) -> None:
@@ -257,7 +259,7 @@ def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], c
     a_show.launch(1)
     a_show.light(births)
     expect_exactly(burning(a_show), wanted)
-    about.cause = "8 were asked for and 4 burn: dropped counts the other 4, however they were lost"
+    about.cause = "Of 8 fireworks 4 burn. Add the other 4 to dropped, whether lit or not."
     expect_exactly(a_show.dropped, 4, then="; show.dropped")
 
 
@@ -265,7 +267,7 @@ def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], c
 def test_births_have_their_own_parents(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about.call = f"show.light([(1, 2, Particle(Vector3{x}, Vector3{v})), (2, 1, None)]); positions"
-    about(cause="give each birth's parent to make_firework", read="the docstring of light")
+    about(cause="Pass each birth's own parent to make_firework.", read="the docstring of light")
     a_show = show(9, "keep_old")
     a_show.light([(1, 2, Particle(Vector3(*x), Vector3(*v))), (2, 1, None)])
     expect_exactly(burning(a_show), [1, 1, 2], then=": types")
@@ -275,10 +277,10 @@ def test_births_have_their_own_parents(rng: Random) -> None:
     wanted = [x[0], x[0], x[1], x[1], 0.0]
     expect_close(got, wanted, then=": x of two and y of three")
     places[0].x = 99.0
-    about.cause = "each is made anew: a list of one firework many times is one firework"
-    expect_close(places[1].x, x[0], then="; the first one's x = 99; that of the second one")
+    about.cause = "Both entries are the same firework. Call make_firework for each one."
+    expect_close(places[1].x, x[0], then="; the first one's x = 99; x of the second one")
     about.call = "births = [(1, 2, None), (2, 3, None)]; show.light(births); births"
-    about.cause = "the list is the caller's: go through it, and leave it as it is"
+    about.cause = "The list of births belongs to the caller. Do not change it."
     for when_full in ("keep_old", "drop_oldest"):
         left = probes.births_after(simple(1), simple(2), when_full)
         expect_exactly(left, [(1, 2), (2, 3)])
@@ -290,8 +292,8 @@ def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str
     about.call = (
         f'capacity 2000, "{when_full}"; show.light() of 1000 births of 50 each; fireworks made'
     )
-    about.cause = "work out how many have room before any is made, and of which births: what would "
-    about.cause += "be put out at once is not made at all"
+    about.cause = "First compute how many fireworks have room, and then make only those. Do not "
+    about.cause += "make one that is put out at once."
     about.read = "the docstring of light"
     _, _, made = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 50)
     expect_exactly(max(0, made - 2000), 0, then=", beyond 2000")
@@ -299,11 +301,9 @@ def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str
     lit, dropped, _ = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 10**9)
     wanted = [2000, 0] if when_full == "keep_old" else [0, 2000]
     expect_exactly(
-        lit,
-        wanted,
-        then=", the first of type 1 and the last of type 2; how many burn of types 1 and 2",
+        lit, wanted, then=", the first half of type 1, the rest of type 2; how many of each burn"
     )
-    about.cause = "all others found no room: dropped counts those of every birth"
+    about.cause = "Add all fireworks of every birth that had no room to dropped."
     expect_exactly(dropped, 1000 * 10**9 - 2000, then="; show.dropped")
 
 
@@ -312,15 +312,15 @@ def test_the_same_seed_launches_the_same(rng: Random) -> None:
     seed = rng.randrange(10**6)
     rules = [FIRST]
     about.call = f"two shows with the seed {seed}: launch 1 three times"
-    about.cause = "draw from self.random, which the seed has made"
+    about.cause = "Draw from self.random, which was made from the seed."
     about.read = "the docstring of FireworksShow"
     runs = [probes.show_after(rules, [1, 1, 1], s, 0.01, 0) for s in (seed, seed, seed + 1)]
     expect_exactly(len(runs[0]), 3, then=", how many burn")
     differ = sum(a != b for a, b in zip(runs[0], runs[1], strict=True))
-    expect_exactly(differ, 0, then=": fireworks that differ")
-    about.cause = "another seed gives another show"
+    expect_exactly(differ, 0, then=": how many fireworks differ")
+    about.cause = "Another seed must give another show."
     same = sum(a == b for a, b in zip(runs[0], runs[2], strict=True))
-    about.call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
+    about.call = f"shows with the seeds {seed} and {seed + 1}: how many fireworks are equal"
     expect_exactly(same, 0)
 
 
@@ -328,14 +328,14 @@ def test_the_same_seed_launches_the_same(rng: Random) -> None:
 @pytest.mark.robust
 def test_births_that_mean_nothing_are_refused() -> None:
     about.call = "show.launch(7), rules for 1 to 4"
-    about.cause = "look for the type first, and name it in the ValueError"
+    about.cause = "There is no rule of this type. Raise a ValueError that names the type."
     about.read = "the docstring of launch"
     a_show = show(9, "keep_old")
     expect_error(
         lambda: a_show.launch(7), ValueError, allowed=lambda: show(9, "keep_old").launch(4)
     )
     expect_exactly(len(a_show.fireworks), 0, then="; how many burn")
-    about.cause = "look at all births before the first is lit"
+    about.cause = "Check all births before you light the first one."
     for bad, births in (
         ("a type without a rule", [(1, 2, None), (7, 1, None)]),
         ("a negative count", [(1, 2, None), (2, -3, None)]),

@@ -1,4 +1,4 @@
-"""Shots in flight, build task B4.3: how they move, and when they are dropped."""
+"""Shots in flight, build task B4.3: how they move and when they are dropped."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ Numbers = tuple[float, ...]
 def by_the_law(
     start: float, speed: float, acceleration: float, damping: float, duration: float, frames: int
 ) -> tuple[float, float]:
-    """Return position and velocity on one axis after frames of explicit Euler with damping.
+    """Return position and velocity on one axis after some frames of explicit Euler with damping.
 
-    In closed form: with D = d^h, v = D^n v0 + a h D (1 - D^n) / (1 - D), and the positions add up
-    h times the velocities before each step.
+    In closed form, with D = d^h, the velocity is v = D^n v0 + a h D (1 - D^n) / (1 - D), and the
+    position grows by h times the velocity before each step.
     """
     kept = damping**duration
-    rest = acceleration * duration * kept / (1.0 - kept)  # the speed at which a frame changes none
+    rest = acceleration * duration * kept / (1.0 - kept)  # the speed that a step does not change
     all_kept = kept**frames
     moved = (speed - rest) * (1.0 - all_kept) / (1.0 - kept) + rest * frames
     return start + duration * moved, (speed - rest) * all_kept + rest
@@ -43,15 +43,15 @@ def by_the_law(
 def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> None:
     about.read = "the docstring of is_spent; book 4.1.2, the listing"
     for position, age, spent, cause in (
-        ((0.0, 1.5, 100.0), 4.0, False, "nothing is wrong with it"),
-        ((0.0, 0.0, 100.0), 4.0, False, "on the ground it is not below it: y < 0"),
-        ((0.0, -0.001, 100.0), 4.0, True, "it is below the ground"),
-        ((0.0, 1.5, 100.0), 5.0, False, "at 5 s it is not older than 5 s"),
-        ((0.0, 1.5, 100.0), 5.001, True, "it is older than 5 s"),
-        ((0.0, 1.5, 150.0), 4.0, False, "the range ends at 200 m, not at 100 m (E-34)"),
-        ((0.0, 1.5, 200.0), 4.0, False, "at 200 m it is not past 200 m"),
-        ((0.0, 1.5, 200.001), 4.0, True, "it is past the end of the range"),
-        ((300.0, 300.0, -300.0), 0.0, False, "x, height and what lies behind have no limit"),
+        ((0.0, 1.5, 100.0), 4.0, False, "This shot is in flight."),
+        ((0.0, 0.0, 100.0), 4.0, False, "y = 0 is on the ground. Only y < 0 is below it."),
+        ((0.0, -0.001, 100.0), 4.0, True, "This shot is below the ground."),
+        ((0.0, 1.5, 100.0), 5.0, False, "An age of 5 s is allowed. Only an older shot is spent."),
+        ((0.0, 1.5, 100.0), 5.001, True, "This shot is older than 5 s."),
+        ((0.0, 1.5, 150.0), 4.0, False, "The range ends at 200 m, not at 100 m (E-34)."),
+        ((0.0, 1.5, 200.0), 4.0, False, "z = 200 m is allowed. Only z > 200 m is past the end."),
+        ((0.0, 1.5, 200.001), 4.0, True, "This shot is past the end of the range."),
+        ((300.0, 300.0, -300.0), 0.0, False, "There is no limit to x, to y upward or to z < 0."),
     ):
         about.cause = cause
         about.call = f'shot = Shot("pistol", Particle(Vector3{position})); shot.age = {age}; '
@@ -66,7 +66,7 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
 def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     h = round(rng.uniform(0.05, 0.2), 3)
     about.call = f'r.fire("pistol"); r.fire("artillery"); r.fire("pistol"); r.update({h}); r.shots'
-    about.cause = "integrate each shot's particle once, by the duration of the frame"
+    about.cause = "Integrate the particle of each shot once, with the duration of the frame."
     about.read = "the docstring of update"
     at = BallisticRange()
     at.fire("pistol")
@@ -79,10 +79,10 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
         wanted = (0.0, 1.5 + vy * h, vz * h)
         expect_close(got, wanted, then=f"[{i}].particle.position")
     mistakes = [
-        (1.0, "that is the number of frames: the age grows by the duration, in seconds"),
-        (0.0, "the shot gets no older: the age grows by the duration"),
+        (1.0, "This is the number of frames. Add the duration in seconds to the age."),
+        (0.0, "The age did not change. Add the duration to it."),
     ]
-    about.cause = cause_of(at.shots[1].age, mistakes, "the age grows by the duration, once a frame")
+    about.cause = cause_of(at.shots[1].age, mistakes, "Add the duration to the age in every frame.")
     expect_close(at.shots[1].age, h, then="[1].age")
 
 
@@ -97,11 +97,11 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
         ("fireball", (0.0, 0.0, 10.0), 0.6, 0.9),
     ):
         about.call = f'r.fire("{name}"); r.update(1/60) {frames} times; r.shots[0].particle'
-        about.cause = "each frame is one step of integrate, p + v h and then (v + a h) d^h: no more"
+        about.cause = "Each frame is one call of integrate and nothing else."
         position, velocity = probes.shot_after(name, h, frames)
         axes = zip((0.0, 1.5, 0.0), speeds, (0.0, a, 0.0), strict=True)
         law = [by_the_law(p, v, a, damping, h, frames) for p, v, a in axes]
-        # Up to 80 roundings of numbers up to 60, and the law's own: (1 - D) has lost four digits.
+        # The rounding errors of 80 steps up to 60 m, and of the law, where 1 - D loses four digits.
         wanted = tuple(p for p, _ in law)
         expect_close(position, wanted, then=".position", tolerance=1e-9)
         wanted = tuple(v for _, v in law)
@@ -121,11 +121,11 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
             "artillery",
             h,
             landed,
-            "it is dropped in the frame in which it falls below y = 0: ask is_spent after the step",
+            "Drop a shot in the frame in which it falls below y = 0: call is_spent after the step.",
         ),
-        ("laser", h, past, "it is dropped in the frame in which it passes z = 200"),
-        # 40 frames are 5 s exactly, which is not older than 5 s.
-        ("fireball", 1.0 / 8.0, 41, "it is dropped in the frame in which it gets older than 5 s"),
+        ("laser", h, past, "Drop a shot in the frame in which it passes z = 200."),
+        # 40 frames are exactly 5 s, and a shot of 5 s is not too old.
+        ("fireball", 1.0 / 8.0, 41, "Drop a shot in the frame in which its age exceeds 5 s."),
     ):
         about.cause = cause
         about.call = f'r.fire("{name}"); r.update({frame}) until r.shots is empty: how many updates'
@@ -137,8 +137,8 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
 def test_neighbours_that_are_spent_together_are_dropped_together() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
     about.call = f"fire {', '.join(names)}; r.update(0.5) 5 times; the types of r.shots after each"
-    about.cause = "removing from the list that a loop runs over skips the next one: make a new "
-    about.cause += "list of those that stay"
+    about.cause = "Removing an item from the list that the loop runs over skips the next one. "
+    about.cause += "Build a new list of the shots that stay."
     about.read = "the docstring of update"
     seen = probes.shots_over(names, 0.5, 5)
     flying = [", ".join(types) for types in seen]
@@ -148,20 +148,21 @@ def test_neighbours_that_are_spent_together_are_dropped_together() -> None:
 
 @pytest.mark.exercise("B4.3")
 def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short() -> None:
-    # With damping .99 as drag, exactly: 3.0347583 s and 119.557788 m.
+    # With damping .99 as drag, the exact values are 3.0347583 s and 119.557788 m.
     wanted = (3.0347583, 119.557788)
     about.read = "the docstring of update; chapter 3's integrate"
     errors = []
     for h in (1.0 / 500.0, 1.0 / 1000.0):
         about.call = f'r.fire("artillery"); r.update({h}) until it lands: time in s and z in m'
-        about.cause = "at 1/1000 s the step is 0.001 s and 0.04 m off: more is another motion"
+        about.cause = "With 1000 steps per second the error is only 0.001 s and 0.04 m. Is update "
+        about.cause += "more than one step of integrate?"
         got = probes.landing("artillery", h)
-        # The step is a t h / 2 too high: 0.06 m at 1/500 s, which it falls in 0.002 s.
+        # The step ends a t h / 2 too high, 0.06 m for 1/500 s, which it falls in 0.002 s.
         expect_close(got, wanted, tolerance=2.0 * 50.0 * h)
         errors.append(got[0] - wanted[0])
-    about.call = "the same: error of the time at 1/500 s over that at 1/1000 s"
-    about.cause = "half the frame, half the error: the step is of first order"
-    # The next order bends the ratio by h / t, and the time is known to 5e-8 s of 1e-3 s.
+    about.call = "the same: error of the time with steps of 1/500 s divided by that with 1/1000 s"
+    about.cause = "The step is of first order, so half the duration gives half the error."
+    # The next order changes the ratio by h / t. The time is known to 5e-8 s of 1e-3 s.
     expect_close(errors[0] / errors[1], 2.0, tolerance=0.01)
 
 
@@ -169,7 +170,7 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_is_positive_and_finite_and_a_refused_one_moves_nothing(bad: float) -> None:
-    about.cause = "look at the duration first, whether or not there are shots"
+    about.cause = "Check the duration first, even if there are no shots."
     about.read = "the docstring of update"
     empty, at = BallisticRange(), BallisticRange()
     at.fire("pistol")

@@ -25,12 +25,12 @@ from expect import (
 
 BURST_FRAME = 16  # of a quarter of a second each: 4 s
 
-ROUNDED = 1e-12  # some roundings of numbers up to 30
+ROUNDED = 1e-12  # some rounding errors of numbers up to 30
 
 
 @scoped
 def thrown(*, frames: int, others: tuple[str, ...] = ()) -> tuple[str, Any]:
-    """Throw a grenade, fire others, and let frames of a quarter of a second pass."""
+    """Throw a grenade, fire others, and update the range in frames of a quarter of a second."""
     fired = "; ".join(f'r.fire("{name}")' for name in ("grenade", *others))
     about.call = f"{fired}; r.update(0.25) {frames} times; r.shots"
     at = ballistics.BallisticRange()
@@ -51,19 +51,19 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
         about.call = f"p = Particle(Vector3({x}, {y}, 3), Vector3({vx}, {vy}, {vz})); bounce(p)"
         p = Particle(Vector3(x, y, 3.0), Vector3(vx, vy, vz))
         grenade.bounce(p)
-        mirrored = "it was put as high above the ground as it was below: y is 0 on the ground"
-        about.cause = "below the ground it is put back to y = 0; x and z stay"
+        mirrored = "The grenade was put as high above the ground as it was below. Set y to 0."
+        about.cause = "Below the ground, set y to 0 and leave x and z alone."
         blame(xyz(p.position), [((x, -y, 3.0), mirrored)])
         expect_close(xyz(p.position), (x, 0.0, 3.0), then="; p.position")
-        about.cause = "half of the speed downwards comes back upwards, and 0.8 of what is along "
-        about.cause += "the ground"
+        about.cause = "Reverse the velocity along Y and keep BOUNCE = 0.5 of it. Along X and Z "
+        about.cause += "keep SLIDE = 0.8."
         wanted = (0.8 * vx, -0.5 * vy, 0.8 * vz)
-        all_of_it = "all of the speed downwards came back: BOUNCE is half of it"
+        all_of_it = "The whole speed came back upward. Multiply it by BOUNCE, 0.5."
         mistakes = [
             ((0.8 * vx, -vy, 0.8 * vz), all_of_it),
-            ((vx, -0.5 * vy, vz), "what is along the ground was kept whole: SLIDE is 0.8 of it"),
-            ((0.8 * vx, 0.5 * vy, 0.8 * vz), "it still falls: the sign along Y is turned round"),
-            ((vx, vy, vz), "the velocity is as it was: it moves down, so it bounces"),
+            ((vx, -0.5 * vy, vz), "The speed along the ground did not change. Keep SLIDE, 0.8."),
+            ((0.8 * vx, 0.5 * vy, 0.8 * vz), "The grenade still falls. Reverse the sign along Y."),
+            ((vx, vy, vz), "The velocity did not change, but a falling grenade must bounce."),
         ]
         blame(xyz(p.velocity), mistakes)
         expect_close(xyz(p.velocity), wanted, then="; p.velocity")
@@ -72,7 +72,7 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
 @pytest.mark.exercise("4.1")
 def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
     v = (number(rng), -round(rng.uniform(2.0, 9.0), 3), number(rng))
-    about(cause="only y < 0 is below the ground", read="the docstring of bounce")
+    about(cause="Only a grenade with y < 0 is below the ground.", read="the docstring of bounce")
     for y in (0.0, round(rng.uniform(0.5, 9.0), 3)):
         about.call = f"p = Particle(Vector3(1, {y}, 3), Vector3{v}); bounce(p)"
         p = Particle(Vector3(1.0, y, 3.0), Vector3(*v))
@@ -81,7 +81,7 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
         expect_unchanged("p.position", now, (1.0, y, 3.0))
         expect_unchanged("p.velocity", xyz(p.velocity), v)
     about.call = f"p = Particle(Vector3(1, -1e-9, 3), Vector3{v}); bounce(p); p.position.y"
-    about.cause = "below the ground is below the ground, by however little"
+    about.cause = "Even a grenade 1e-9 m below the ground must be put back to y = 0."
     p = Particle(Vector3(1.0, -1e-9, 3.0), Vector3(*v))
     grenade.bounce(p)
     expect_close(p.position.y, 0.0, tolerance=0.0)
@@ -89,8 +89,8 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
 
 @pytest.mark.exercise("4.1")
 def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
-    about.cause = "turned round it would be sent into the ground: only a velocity downwards is "
-    about.cause += "changed"
+    about.cause = "This grenade rises already. Only change a velocity that points down, or the "
+    about.cause += "grenade is sent into the ground."
     about.read = "the docstring of bounce"
     for vy in (round(rng.uniform(2.0, 9.0), 3), 0.0):
         v = (number(rng), vy, number(rng))
@@ -110,21 +110,21 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     about.call += f"{damping=})"
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
-    about.cause = "FRAGMENTS is 12"
+    about.cause = "Return FRAGMENTS = 12 fragments."
     expect_exactly(len(pieces), 12, then=", how many")
     for piece in pieces:
-        about.cause = "equal masses, a twelfth of the grenade's each"
+        about.cause = "Each fragment has a twelfth of the grenade's mass."
         expect_close(piece[0], mass / 12.0, then=", a mass")
-        about.cause = "the acceleration and the damping are the grenade's, and so is the place"
+        about.cause = "Each fragment has the grenade's position, acceleration and damping."
         expect_close(piece[1], damping, then=", a damping")
         expect_close(piece[2:5], x, then=", a position")
         expect_close(piece[8:], a, then=", an acceleration")
-    about.cause = "the momenta must add up to m v: velocities relative to the grenade add up to 0"
+    about.cause = "The momenta must add up to m v, so the relative velocities must add up to 0."
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
     if max(abs(component) for component in total) < 1e-9:
-        about.cause = "the fragments have the velocity of the grenade besides their own"
-    # 12 roundings of numbers up to 25 x 9 / 12.
+        about.cause = "Add the velocity of the grenade to that of each fragment."
+    # The rounding errors of 12 numbers up to 25 x 9 / 12.
     expect_close(total, wanted, then=", momentum", tolerance=1e-11)
 
 
@@ -133,21 +133,23 @@ def test_the_fragments_fly_apart_each_with_15_metres_a_second(rng: Random) -> No
     x, v = components(rng), components(rng)
     about(f"fragments(p), p = Particle(Vector3{x}, Vector3{v})", read="the docstring of fragments")
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]
-    about.cause = "FRAGMENT_SPEED is the length of the velocity relative to the grenade"
+    about.cause = "FRAGMENT_SPEED is the length of the velocity relative to the grenade."
     for velocity in relative:
-        expect_close(math.hypot(*velocity), 15.0, then=", a speed relative to p", tolerance=1e-11)
-    expect_exactly(len(relative), 12, then=", how many", cause="12 pieces")
+        expect_close(
+            math.hypot(*velocity), 15.0, then=", speed of a fragment relative to p", tolerance=1e-11
+        )
+    expect_exactly(len(relative), 12, then=", how many", cause="Return 12 fragments.")
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
-    about.cause = "two fragments fly the same way: each has a direction of its own"
+    about.cause = "Two fragments fly in the same direction. Each needs its own direction."
     near = sum(pair < 0.1 for pair in pairs)
-    expect_exactly(near, 0, then=", pairs of velocities that are within 0.1 m/s")
+    expect_exactly(near, 0, then=", how many pairs of velocities differ by less than 0.1 m/s")
 
 
 @pytest.mark.exercise("4.1")
 def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about.call = f"p = Particle(Vector3{x}, Vector3{v}, mass=6); pieces = fragments(p)"
-    about.cause = "each fragment is a new particle, with vectors of its own"
+    about.cause = "Each fragment must be a new particle with its own vectors."
     about.read = "the docstring of fragments"
     p = Particle(Vector3(*x), Vector3(*v), mass=6.0)
     pieces = grenade.fragments(p)
@@ -164,28 +166,29 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
 def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     frames = BURST_FRAME - 1
     about.call = f'r.fire("grenade"); r.update(0.25) {frames} times; its height after each'
-    about.cause = "a grenade below the ground is not spent: bounce comes before is_spent"
+    about.cause = "A grenade below the ground is not spent. Call bounce before is_spent."
     about.read = "the docstrings of update and grenade_after"
     heights = probes.heights_of("grenade", 0.25, frames)
     expect_exactly(len(heights), frames, then=", how many heights")
-    about.cause = "it lands in frame 12, and bounce puts it back to y = 0; before 4 s it does not "
-    about.cause += "burst"
+    about.cause = "The grenade lands in frame 12, and bounce must put it back to y = 0. It must "
+    about.cause += "not burst before 4 s."
     lowest = min(heights)
-    # It lands in frame 12, and is put back to exactly 0.
+    # It lands in frame 12 and is put back to exactly 0.
     expect_close(lowest, 0.0, then=", the lowest", tolerance=ROUNDED)
     landed = heights.index(lowest)
-    about.cause = "after the bounce it rises again, with half of its speed"
+    about.cause = "After the bounce the grenade must rise again, with half of its speed."
     risen = max(heights[landed:]) > 0.5
     expect_exactly(risen, True, then=", over 0.5 m after that")
 
 
 @pytest.mark.exercise("4.1")
 def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
-    about(cause="FUSE is 4 s: before, there is one grenade", read="the docstring of grenade_after")
+    about(cause="FUSE is 4 s. Before that there is one grenade.")
+    about.read = "the docstring of grenade_after"
     about.call, at = thrown(frames=BURST_FRAME - 1)
     types = tuple(shot.type for shot in at.shots)
     expect_exactly(types, ("grenade",), then=", their types")
-    about.cause = "at 4 s its 12 fragments take its place, shots of the type fragment and of age 0"
+    about.cause = "At 4 s, replace the grenade by 12 shots of type fragment with age 0."
     about.call, at = thrown(frames=BURST_FRAME)
     types = tuple(shot.type for shot in at.shots)
     expect_exactly(types, ("fragment",) * 12, then=", their types")
@@ -196,13 +199,13 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
 @pytest.mark.exercise("4.1")
 def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
     about.read = "the docstrings of update and is_spent"
-    about.cause = "only the grenade bursts: the fireball flies on, and no shot of another type has "
-    about.cause += "a fuse"
+    about.cause = "Only the grenade bursts. The fireball has no fuse and flies on."
     about.call, at = thrown(frames=BURST_FRAME, others=("fireball",))
     types = [shot.type for shot in at.shots]
-    about.cause += ". The fragments stand where their grenade stood, before the younger fireball"
+    about.cause += " The fragments take the place of their grenade in the list, before the "
+    about.cause += "fireball."
     expect_exactly(types, ["fragment"] * 12 + ["fireball"], then=", their types in order")
-    about.cause = "fragments do not bounce: below the ground they are dropped, as any other shot is"
+    about.cause = "Fragments do not bounce. Drop them below the ground, like other shots."
     about.call, at = thrown(frames=BURST_FRAME + 40)
     expect_exactly(len(at.shots), 0, then=", how many")
 
@@ -210,7 +213,7 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
 @pytest.mark.exercise("4.1")
 def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); grenade_after(shot)'
-    about.cause = "it bounces, but is_spent holds for it as for any other shot"
+    about.cause = "This grenade is past the end of the range. Call is_spent for grenades, too."
     about.read = "the docstring of grenade_after"
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     left = ballistics.grenade_after(shot)
@@ -218,7 +221,7 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 9))); shot.age = 2; grenade_after(shot)'
     )
-    about.cause = "the grenade itself is left, alone in a list"
+    about.cause = "This grenade is still in flight. Return a list with only the grenade."
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 9.0)))
     shot.age = 2.0
     left = [(each.type, each.age) for each in ballistics.grenade_after(shot)]
@@ -235,10 +238,10 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     shot = ballistics.Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0.0, -8.0, 5.0)))
     shot.age = 4.0
     left = ballistics.grenade_after(shot)
-    about.cause = "first the bounce, so that the fragments start on the ground and not below it"
+    about.cause = "Bounce first, so that the fragments start on the ground, not below it."
     heights = [each.particle.position.y for each in left]
     expect_close(heights, [0.0] * 12, then=", heights", tolerance=0.0)
-    about.cause = "and with the velocity after the bounce, 4 m/s upwards and 4 m/s along Z"
+    about.cause = "Bounce first: the grenade then moves at 4 m/s upward and 4 m/s along Z."
     mean = [math.fsum(each.particle.velocity.y for each in left) / 12.0]
     mean.append(math.fsum(each.particle.velocity.z for each in left) / 12.0)
     expect_close(
@@ -247,7 +250,8 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; grenade_after(shot)'
     )
-    about.cause = "once its fuse has burnt it bursts, wherever it is and however old"
+    about.cause = "A grenade whose fuse has run out bursts, wherever it is. Test the fuse before "
+    about.cause += "is_spent."
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     shot.age = 6.0
     left = ballistics.grenade_after(shot)

@@ -1,4 +1,4 @@
-"""Rules without an end, B4.7, and two types of one's own, mini-project 4.2."""
+"""Rules without an end, B4.7, and two types of your own, mini-project 4.2."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from expect import about, expect_exactly
 
 
 def words(leaves: dict[int, list[int]]) -> str:
-    """Return the call for rules, each given by the types that it leaves behind."""
+    """Return the call in words, for rules that are given by the types of their payloads."""
     shown = [f"{type} leaves {after or 'none'}" for type, after in leaves.items()]
     more = f" and {len(shown) - 6} more" if len(shown) > 6 else ""
     return f"endless_types(rules), where {'; '.join(shown[:6])}{more}"
@@ -19,13 +19,13 @@ def words(leaves: dict[int, list[int]]) -> str:
 
 @pytest.mark.exercise("B4.7")
 def test_rules_that_end_have_no_endless_types() -> None:
-    about.cause = "every way down ends at a type without payloads. Is a type counted as reached "
-    about.cause += "before anything leads to it?"
+    about.cause = "Every chain of payloads here ends. Is a type marked as reached before any "
+    about.cause += "payload leads to it?"
     about.read = "the docstring of endless_types"
     for leaves in (
         {1: []},
         {1: [2], 2: [3], 3: []},
-        {1: [2, 3], 2: [4], 3: [4], 4: []},  # met twice, but never comes back
+        {1: [2, 3], 2: [4], 3: [4], 4: []},  # type 4 is reached twice but never leads back
         {4: [], 3: [4], 2: [4], 1: [3, 2]},
     ):
         about.call = words(leaves)
@@ -36,7 +36,7 @@ def test_rules_that_end_have_no_endless_types() -> None:
 def test_a_type_that_leaves_its_own_is_endless(rng: Random) -> None:
     type = rng.randrange(2, 9)
     leaves = {1: [], type: [1, type]}
-    about(words(leaves), cause="it leads back to itself at once")
+    about(words(leaves), cause="The payload of this type contains the type itself.")
     about.read = "the docstring of endless_types"
     expect_exactly(probes.endless(leaves), [type])
 
@@ -46,17 +46,17 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
     about.read = "the docstring of endless_types"
     ring = rng.sample(range(1, 90), 40)
     for leaves, wanted, cause in (
-        ({2: [1], 1: [2]}, [1, 2], "1 leads to 2 and 2 to 1: both, in ascending order"),
+        ({2: [1], 1: [2]}, [1, 2], "1 leads to 2 and 2 to 1. Return both in ascending order."),
         (
             {9: [1], 1: [2, 3], 2: [3], 3: [1], 4: [9], 5: []},
             [1, 2, 3],
-            "9 and 4 lead into the ring, but nothing comes back to them",
+            "9 and 4 lead into the ring, but nothing leads back to them. They are not endless.",
         ),
-        ({1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]}, [1, 2, 3, 4], "there are two rings"),
+        ({1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]}, [1, 2, 3, 4], "There are two rings."),
         (
             {type: [ring[(i + 1) % 40]] for i, type in enumerate(ring)},
             sorted(ring),
-            "each of the 40 leads back to itself by way of the others; in ascending order",
+            "Each of the 40 types leads back to itself through the others. Return them sorted.",
         ),
     ):
         about(words(leaves), cause=cause)
@@ -66,8 +66,8 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
 @pytest.mark.exercise("B4.7")
 def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
     about.call = "endless_types(rules), 62 types, of which each leaves two of the next pair"
-    about.cause = "there are 2^30 ways down: remember the types that have been reached, and do not "
-    about.cause += "look at one again"
+    about.cause = "There are 2^30 paths through these rules. Remember the types that you have "
+    about.cause += "reached, and do not visit a type again."
     about.read = "the docstring of endless_types"
     leaves = {i: [i + 2 - i % 2, i + 3 - i % 2] for i in range(60)}
     leaves |= {60: [], 61: []}
@@ -81,23 +81,22 @@ READ = "the docstring of own_types; book 4.2.1"
 
 @pytest.mark.exercise("4.2")
 def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
-    about("own_types(), their types", cause="two rules, with the types 10 and 11", read=READ)
+    about("own_types(), their types", cause="Return two rules, with types 10 and 11.", read=READ)
     rules = probes.own_rules()
     numbers = sorted(rule[0] for rule in rules)
     expect_exactly(numbers, [10, 11])
-    about("own_types(), types of their payloads", cause="give one of them a payload")
+    about("own_types(), types of their payloads", cause="Give one of your types a payload.")
     left = [type for rule in rules for type, _ in rule[-1]]
     expect_exactly(len(left) > 0, True, then=", any at all")
-    about.cause = "a payload is of a type that has a rule: 1 to 11"
+    about.cause = "A payload needs a type that has a rule, from 1 to 11."
     unknown = [type for type in left if not 1 <= type <= 11]
     expect_exactly(unknown, [], then=", others than 1 to 11")
 
 
 @pytest.mark.exercise("4.2")
 def test_your_types_are_like_no_other() -> None:
-    about.call = "own_types() and FIREWORK_TYPES, rules that differ in nothing but their type"
-    about.cause = "a copy with another number is no type of your own: change ages, flight or "
-    about.cause += "payload"
+    about.call = "own_types() and FIREWORK_TYPES: pairs of rules that differ only in their type"
+    about.cause = "This is a copy with another number. Change its ages, velocities or payloads."
     about.read = READ
     own, nine = probes.own_rules(), probes.nine_rules()
     expect_exactly(len(own), 2, call="own_types(), how many")
@@ -113,18 +112,18 @@ def test_your_types_are_like_no_other() -> None:
 
 @pytest.mark.exercise("4.2")
 def test_your_types_burn_and_come_to_an_end() -> None:
-    # Always the same show: that fuses of one's own are short enough must not be luck.
+    # The show is always the same, so that a type with short enough fuses never fails by chance.
     seed = 5
     about.read = READ
     for type in (10, 11):
         about.call = f"own_types(), a show of all eleven with the seed {seed}; type {type} is lit "
         about.call += "50 m up; show.update(0.05) 800 times; how many burn"
         counts = probes.own_show(type, seed, 0.05, 800)
-        about.cause = "each type burns for 0.1 s at least, whatever is drawn: a smallest age of "
-        about.cause += "0.1 s"
+        about.cause = "Each of your types must burn for at least 0.1 s. Set min_age to 0.1 or more."
         (least,) = (rule[1] for rule in probes.own_rules() if rule[0] == type)
-        name = f"own_types(), the smallest age of type {type}, less than 0.1 s"
+        name = f"own_types(), min_age of type {type} < 0.1"
         expect_exactly(least < 0.1, False, call=name)
         expect_exactly(counts[0] > 0, True, then=", any after 0.05 s")
-        about.cause = "after 40 s it is dark: fuses are too long, or a type leads back to itself"
+        about.cause = "After 40 s it must be dark. Are fuses too long, or does a type lead to "
+        about.cause += "itself?"
         expect_exactly(counts[-1], 0, then=", after 40 s")

@@ -243,7 +243,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     many = len(once) > 0
     expect_exactly(many, True, then="; something burns")
     differ = abs(len(once) - len(again)) + sum(a != b for a, b in zip(once, again, strict=False))
-    expect_exactly(differ, 0, then=": fireworks that differ")
+    expect_exactly(differ, 0, then=": how many fireworks differ")
     about.cause = "another seed gives another show"
     same = sum(firework in once for firework in other)
     about.call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"

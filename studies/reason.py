@@ -7,8 +7,8 @@ from pathlib import Path
 
 from autograder.checks.explain import slip_of
 from autograder.checks.faults import is_inside
-from autograder.manifest import ROOT
 from autograder.checks.students_code import LIBRARY
+from autograder.manifest import ROOT
 
 
 def reason(error: BaseException) -> str:

@@ -51,8 +51,9 @@ def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vect
 
     Raises:
         ValueError: in gimbal lock, that is, unless |cos y|, the determinant of the rate map, is
-            greater than SINGULAR of matrix3.py. No rates rotate about the lost axis. Matrix3.inverse
-            does not refuse all of these maps: at z = 0 a row is as small as the determinant.
+            greater than SINGULAR of matrix3.py. No rates rotate about the lost axis.
+            Matrix3.inverse does not refuse all of these maps: at z = 0 a row is as small as the
+            determinant.
     """
     velocity = finite_vector("angular_velocity", angular_velocity)
     rates = rate_map(x, y, z)

@@ -1,4 +1,4 @@
-"""Speed as ratios: what benchmarks/ describes, measured in one run, as a table."""
+"""Speed as ratios: take all measurements of benchmarks/ in one run, and print them."""
 
 from __future__ import annotations
 
@@ -9,50 +9,44 @@ import time
 from importlib import metadata
 from pathlib import Path
 
-from rich.box import SIMPLE_HEAD
 from rich.console import Console
-from rich.table import Table
 
 from autograder.manifest import ROOT
 from studies.benchmarks.kept import FILE, keep
 from studies.reason import shown
-from studies.timing import Measurement, measure
+from studies.timing import Line, Measurement, measure
 
 
 def main(arguments: list[str]) -> int:
-    """Measure every line, print the table and keep it; return 0, whatever misses its target."""
+    """Take and print all measurements and write them to a file. Return 0, even for misses."""
     parser = argparse.ArgumentParser(prog="python -m studies bench", description=__doc__)
-    parser.add_argument("--out", type=Path, default=FILE, help="where the figures are kept")
+    parser.add_argument("--out", type=Path, default=FILE, help="file for the figures")
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = Console(highlight=False)
     start = time.monotonic()
-    with console.status("making the scenes, and looking for the steps that they need"):
+    with console.status("preparing the scenes and finding the steps that they need"):
         measurements = every(console)
-    console.print(f"{len(measurements)} lines in one run: about seven minutes")
+    console.print(f"{len(measurements)} measurements, taken in turn: about seven minutes")
     lines = measure(measurements)
-    table = Table("what", box=SIMPLE_HEAD, pad_edge=False)
-    for heading in ("ratio", "spread", "target", ""):
-        table.add_column(heading, justify="right", no_wrap=True)
+    console.print("Each figure is the time of the first / the time of the second.\n")
     for line in lines:
-        spread = f"{number(line.low)}-{number(line.high)}"
-        target = str(line.target or "")
-        table.add_row(line.what, number(line.median), spread, target, line.verdict)
-    console.print(table)
+        console.print(line.what)
+        console.print(f"    {told(line)}", style="bold")
     keep(lines, _versions(), options.out)
     verdicts = [line.verdict for line in lines]
     met, missed = verdicts.count("met"), verdicts.count("missed")
     minutes = (time.monotonic() - start) / 60.0
-    console.print(f"{met} targets met, {missed} missed, in {minutes:.1f} minutes")
+    console.print(f"\n{met} targets met, {missed} missed, in {minutes:.1f} minutes")
     console.print(
-        f"kept in {shown(options.out)}; make table quotes them in the READMEs", soft_wrap=True
+        f"written to {shown(options.out)}; make table updates the READMEs", soft_wrap=True
     )
     console.print(f"Python {platform.python_version()}, {_versions()}; {platform.platform()}")
     return 0
 
 
 def every(console: Console) -> list[Measurement]:
-    """Return all lines, in the order of the table; say what is not installed."""
+    """Return all measurements, in order. Print which libraries are not installed."""
     # These import chapters.
     from studies.benchmarks import (
         accuracy,
@@ -75,8 +69,14 @@ def every(console: Console) -> list[Measurement]:
     return [*found, *rotations.lines(console), *accuracy.lines(), *grading.lines()]
 
 
+def told(line: Line) -> str:
+    """Return a line's median, its quartiles and whether it meets its target, as one phrase."""
+    spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
+    return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread
+
+
 def number(figure: float) -> str:
-    """Return a figure as the table shows it."""
+    """Return a figure in three digits or more."""
     return f"{figure:.2f}" if figure < 100.0 else f"{figure:,.0f}"
 
 

@@ -59,8 +59,8 @@ def lines_of_adaptive() -> list[Measurement]:
     steps, fixed_run = coarsest(scene, fixed, range(1, 513), 1e-6)
     finer, own_run = coarsest(scene, own, [round(10.0 ** (n / 4.0)) for n in range(4, 49)], 1e-6)
     what = (
-        f"{scene.name}, every frame, error 1e-6: %s of {RK4}, {steps} steps a frame / "
-        f"of adaptive, tolerance {1.0 / finer:.2g}"
+        f"{scene.name}, error at most 1e-6: %s of {RK4} with {steps} steps per frame / "
+        f"of adaptive with tolerance {1.0 / finer:.2g}"
     )
     ratio = fixed_run.work / own_run.work
     counts = f"evaluations ({fixed_run.work:,} / {own_run.work:,})"

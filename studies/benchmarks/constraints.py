@@ -33,7 +33,7 @@ def lines() -> list[Measurement]:
     return [
         *(
             Measurement(
-                f"{count} contacts of a rope by the plain scan / by a heap",
+                f"{count} contacts of a rope: scanning all / with a heap",
                 versus(resolving(ContactResolver, count), resolving(HeapResolver, count)),
                 11,
                 Target("at least", least),
@@ -41,20 +41,20 @@ def lines() -> list[Measurement]:
             for count, least in ((100, 4), (300, 11))
         ),
         Measurement(
-            "300 contacts of a rope / 30, both by a heap",
+            "300 contacts of a rope / 30 contacts, both with a heap",
             versus(resolving(HeapResolver, 300), resolving(HeapResolver, 30)),
             31,
             Target("at most", 14),
         ),
         Measurement(
-            "pairs among 1,000 spread spheres / among 100",
+            "finding the touching pairs among 1,000 spread spheres / among 100",
             versus(timer(many.contacts), timer(few.contacts)),
             41,
             Target("at most", 15),
         ),
         Measurement(
-            f"{LINKS} rods by pymunk's pin joints at {rate:,} Hz / by DirectChain at {RATE} Hz, "
-            "whose tip is as near the true place",
+            f"{LINKS} rods: pymunk's pin joints at {rate:,} Hz / DirectChain at {RATE} Hz, "
+            "with the same error at the tip",
             versus(timer(lambda: by_pymunk(rate)), timer(lambda: by_direct_solve(RATE))),
             7,
             Target("at least", 2.5),

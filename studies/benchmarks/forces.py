@@ -20,19 +20,19 @@ def lines() -> list[Measurement]:
     forced = timer(lambda: forced_steps(FRAMES))
     return [
         Measurement(
-            "Particle.integrate of chapter 5 without a force / chapter 3's",
+            "Particle.integrate of chapter 5 without forces / that of chapter 3",
             versus(free, chapter_3),
             ROUNDS,
             Target("at most", 1.1),
         ),
         Measurement(
-            "add_force and Particle.integrate / their arithmetic in local variables",
+            "add_force and Particle.integrate / the same arithmetic in local variables",
             versus(forced, timer(lambda: forced_arithmetic(FRAMES))),
             ROUNDS,
             Target("at most", 2.1),
         ),
         Measurement(
-            "gravity by a generator and the registry / as constant acceleration",
+            "gravity as a force generator in the registry / as constant acceleration",
             versus(timer(lambda: generator_steps(FRAMES)), free),
             ROUNDS,
         ),

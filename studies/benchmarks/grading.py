@@ -41,7 +41,9 @@ def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measu
         inside, beside = both(timer(partial(checked, behind)), timer(partial(checked, None)))
         return (inside - beside) / count * 1000
 
-    what = f"a check of chapter {chapter.number} in a worker - beside the checks, in milliseconds"
+    what = (
+        f"extra time of a check of chapter {chapter.number} in an isolated worker, in milliseconds"
+    )
     return Measurement(what, extra, 9, target)
 
 
@@ -55,7 +57,7 @@ def _twenty(behind: Behind) -> Measurement:
             for _ in pool.map(lambda seed: run(seed=str(seed)), range(20)):
                 pass  # a fault of one would be raised here
 
-    what = "20 submissions, a fresh interpreter a check / forked"
+    what = "20 submissions: a new interpreter per check / a fork per check"
     figure = versus(timer(partial(grade, True)), timer(partial(grade, False)))
     return Measurement(what, figure, 1, Target("at least", 2))
 
@@ -76,6 +78,6 @@ def _sample_class(behind: Behind) -> Measurement:
             for chapter in chapters:
                 run_checks(chapter, [Path(box)], seed="1", behind=where)
 
-    what = "the sample class in workers / beside the checks"
+    what = "the sample class: in isolated workers / in the process of the checks"
     figure = versus(timer(partial(grade, behind)), timer(partial(grade, None)))
     return Measurement(what, figure, 1)  # it takes a minute or two

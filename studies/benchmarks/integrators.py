@@ -29,24 +29,24 @@ def lines() -> list[Measurement]:
     once = timer(stepping(semi_implicit_euler))
     return [
         Measurement(
-            "a step of one particle on a spring: semi-implicit Euler / its own arithmetic",
+            "one particle on a spring: a semi-implicit Euler step / the same arithmetic",
             versus(once, timer(arithmetic)),
             ROUNDS,
             Target("at most", 6.6),  # nine tenths of what a step cost before kick and drift
         ),
         Measurement(
-            "the same: leapfrog / semi-implicit Euler",
+            "one particle on a spring: a leapfrog step / a semi-implicit Euler step",
             versus(timer(stepping(leapfrog)), once),
             ROUNDS,
             Target("at most", 1.1),
         ),
         Measurement(
-            "the same: velocity Verlet / semi-implicit Euler",
+            "one particle on a spring: a velocity Verlet step / a semi-implicit Euler step",
             versus(timer(stepping(velocity_verlet)), once),
             ROUNDS,
         ),
         Measurement(
-            "the same: Runge-Kutta 4 / semi-implicit Euler",
+            "one particle on a spring: a Runge-Kutta 4 step / a semi-implicit Euler step",
             versus(timer(stepping(runge_kutta_4)), once),
             ROUNDS,
             Target("at most", 4.5),

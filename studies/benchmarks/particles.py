@@ -24,24 +24,24 @@ def lines() -> list[Measurement]:
     in_place = timer(lambda: in_place_steps(make_particle(PROJECTILE), even))
     found = [
         Measurement(
-            "Particle.integrate / its own arithmetic in local variables",
+            "Particle.integrate / the same arithmetic in local variables",
             versus(step, timer(lambda: arithmetic(even))),
             ROUNDS,
             Target("at most", 2.0 if sys.version_info >= (3, 13) else 1.6),
         ),
         Measurement(
-            "the same, in frames of random length",
+            "Particle.integrate / the same arithmetic, with steps of random length",
             versus(uneven_step, timer(lambda: arithmetic(uneven))),
             ROUNDS,
         ),
         Measurement(
-            "the step with operators, which make new vectors / Particle.integrate",
+            "a step written with + and *, which make new vectors / Particle.integrate",
             versus(operators, step),
             ROUNDS,
             Target("at least", 5),
         ),
         Measurement(
-            "the step with add_scaled and *=, in place / Particle.integrate",
+            "a step written with add_scaled and *= / Particle.integrate",
             versus(in_place, step),
             ROUNDS,
         ),

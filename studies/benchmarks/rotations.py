@@ -30,7 +30,7 @@ RIVALS = (  # two statements, what their ratio is, and its target
     (
         "t.inverse().transform(v)",
         "t.transform_inverse(v)",
-        "a point taken back by Matrix4.inverse and transform / by transform_inverse",
+        "from world to local: Matrix4.inverse and transform / transform_inverse",
         Target("at least", 15),
     ),
     (
@@ -39,15 +39,20 @@ RIVALS = (  # two statements, what their ratio is, and its target
         "Matrix4.inverse / easy_inverse of exercise 9.6",
         Target("at least", 4.5),
     ),
-    ("read_off(t)", "t.inverse()", "whether easy_inverse will do, by read_off / the inverse", None),
+    (
+        "read_off(t)",
+        "t.inverse()",
+        "read_off, which tests whether easy_inverse works / Matrix4.inverse",
+        None,
+    ),
     ("m.is_rotation()", "m.inverse()", "Matrix3.is_rotation / Matrix3.inverse", None),
     (
         "m @ n",
         "q * p",
-        "one turn after another, as matrices / as quaternions",
+        "combining two rotations: matrix product / quaternion product",
         Target("at least", 1.8),
     ),
-    ("q.rotate(v)", "m @ v", "a vector turned by a quaternion / by its matrix", None),
+    ("q.rotate(v)", "m @ v", "rotating a vector: by a quaternion / by its matrix", None),
     (
         "c.rotate_by(spin)",
         "c.add_scaled(spin, 1.0); c.normalize()",
@@ -64,7 +69,7 @@ def lines(console: Console) -> list[Measurement]:
         for first, second, what, target in RIVALS
     ]
     form, rotate, transform = map(_timer, ("M3.from_quaternion(q)", "q.rotate(v)", "m @ v"))
-    what = "vectors to turn from which on it pays to form the matrix first"
+    what = "number of vectors from which converting the quaternion to a matrix is faster"
     found.append(Measurement(what, versus(form, lambda: rotate() - transform()), ROUNDS))
     peers = (
         ("pyglet", "pyglet Quaternion, Mat3 and Mat4", None),

@@ -31,7 +31,7 @@ def lines() -> list[Measurement]:
     closed = timer(lambda: positions(speeds, SECONDS, "xyz"))
     return [
         Measurement(
-            f"a frame of {SPARKS} sparks, x and y: step and read / closed form",
+            f"one frame of {SPARKS:,} sparks in x and y: stepping and reading / closed form",
             versus(
                 timer(lambda: step(show, 1, "xy")), timer(lambda: positions(speeds, SECONDS, "xy"))
             ),
@@ -39,18 +39,18 @@ def lines() -> list[Measurement]:
             Target("at least", 4),
         ),
         Measurement(
-            "the same, x, y and z",
+            f"one frame of {SPARKS:,} sparks in x, y and z: stepping and reading / closed form",
             versus(timer(lambda: step(show, 1, "xyz")), closed),
             ROUNDS,
         ),
         Measurement(
-            f"{SPARKS} sparks at {SECONDS:g} s, x, y and z: {frames} steps / closed form",
+            f"{SPARKS:,} sparks after {SECONDS:g} s, in x, y and z: {frames} steps / closed form",
             versus(timer(lambda: step(show, frames, "xyz")), closed),
             ROUNDS,
             Target("at least", 250),
         ),
         Measurement(
-            f"one particle at {SECONDS:g} s: {frames} steps / state_after",
+            f"one particle after {SECONDS:g} s: {frames} steps / state_after",
             versus(
                 timer(lambda: steps(one, [FRAME] * frames), 20),
                 timer(lambda: state_after(one, SECONDS), 20),

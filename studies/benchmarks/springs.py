@@ -30,13 +30,13 @@ def lines() -> list[Measurement]:
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
     return [
         Measurement(
-            "a cloth of 180 springs by connect / its arithmetic in one loop",
+            "a cloth of 180 springs with connect / the same arithmetic in one loop",
             versus(connected, timer(cloth_arithmetic)),
             ROUNDS,
             Target("at most", 1.75),
         ),
         Measurement(
-            "a cloth with a Spring an end, in vectors / by connect, in local floats",
+            "a cloth with two Spring objects per spring, in vectors / with connect, in floats",
             versus(apart, connected),
             ROUNDS,
             Target("at least", 4),

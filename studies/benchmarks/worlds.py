@@ -29,7 +29,7 @@ def lines() -> list[Measurement]:
     bare = flying()
     return [
         Measurement(
-            f"{COUNT:,} particles in a world / in a bare loop of integrate, by explicit Euler",
+            f"{COUNT:,} particles, explicit Euler: ParticleWorld.step / a plain loop",
             versus(
                 timer(stepping(ParticleWorld(flying(), integrator=explicit_euler)), 5),
                 timer(lambda: integrate(bare), 5),
@@ -38,7 +38,7 @@ def lines() -> list[Measurement]:
             Target("at most", 1.15),
         ),
         Measurement(
-            "the same / that step alone, both with the velocity first",
+            f"{COUNT:,} particles, semi-implicit Euler: ParticleWorld.step / the integrator",
             versus(
                 timer(stepping(ParticleWorld(flying())), 5),
                 timer(stepping_bare(semi_implicit_euler, flying()), 5),
@@ -47,7 +47,7 @@ def lines() -> list[Measurement]:
             Target("at most", 1.15),
         ),
         asleep("on the ground", on_the_ground, Target("at least", 7)),
-        asleep("on springs, without a contact", on_springs, Target("at least", 2)),
+        asleep("on springs, without contacts", on_springs, Target("at least", 2)),
         rope(10, 11),
         rope(100, 3),
     ]
@@ -59,7 +59,7 @@ def asleep(
     """Return the line of balls that are awake, over the same of which nine tenths sleep."""
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
-        f"{BALLS} balls {what}, in a ParticleWorld / nine tenths of them asleep",
+        f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
         # It looks what pushes what sleeps in every LOOK_EVERY-th frame, which costs several others.
         versus(*(timer(stepping(world), LOOK_EVERY) for world in worlds)),
         21,
@@ -74,8 +74,8 @@ def rope(links: int, rounds: int) -> Measurement:
     wanted = polygon_sag(links)
     low, off = rods().sag - wanted, chain().sag - wanted
     return Measurement(
-        f"a second of a rope of {links} links by rods in {SUBSTEPS} substeps, too low by "
-        f"{low:.2g} m / by DirectChain at {RATE} Hz, by {off:.1g} m",
+        f"one second of a rope of {links} links: rods in {SUBSTEPS} substeps (error {low:.2g} m) / "
+        f"DirectChain at {RATE} Hz (error {off:.1g} m)",
         versus(timer(rods), timer(chain)),
         rounds,
         Target("at least", 10),

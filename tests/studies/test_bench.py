@@ -8,7 +8,7 @@ import math
 import platform
 import timeit
 from collections.abc import Callable
-from itertools import chain
+from itertools import chain, pairwise
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -134,10 +134,11 @@ def test_the_table_is_printed_and_written_and_a_miss_is_no_failure(
     out = tmp_path / "figures.json"
     assert bench.main(["--out", str(out)]) == 0
     told = capsys.readouterr().out
-    cells = {words[0]: words[1:] for line in told.splitlines() if (words := line.split())}
-    assert cells["quick"] == ["2,500", "2,500-2,500", "at", "least", "2,000", "met"]
-    assert cells["slow"] == ["1.50", "1.50-1.50", "at", "most", "1.15", "missed"]
-    assert cells["told"] == ["0.25", "0.25-0.25"]
+    lines = [line.strip() for line in told.splitlines()]
+    below = dict(pairwise(lines))
+    assert below["quick"] == "2,500 (2,500 to 2,500), target at least 2,000: met"
+    assert below["slow"] == "1.50 (1.50 to 1.50), target at most 1.15: missed"
+    assert below["told"] == "0.25 (0.25 to 0.25)"
     assert "1 targets met, 1 missed" in told
     assert "figures.json" in told
     found = json.loads(out.read_text(encoding="utf-8"))

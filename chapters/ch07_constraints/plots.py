@@ -1,8 +1,7 @@
 """Pictures of chapter 7: what the resolver leaves of a pile, and how far stacks sink.
 
-Titles give what is measured on the picture: a wrong engine cannot hide. What is not written yet is
-left out where there is something else to see. Bounces are in plots_of_bounces, rods in
-plots_of_rods.
+Each title gives a figure that is measured on the picture, so that mistakes in an engine show.
+Curves of bodies that are not written yet are left out.
 """
 
 from __future__ import annotations
@@ -23,20 +22,20 @@ from studies.piles import pile, residuals, stack
 
 
 def resolver_convergence() -> Picture:
-    """What is left of velocities and depths in a pile after so many resolutions."""
+    """The largest closing velocity and depth left in a pile, by the number of resolutions."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     counts = [*range(31), *range(32, 100, 4), *range(100, 401, 20)]
     found = written(
         {
-            "the worst first": lambda: [residuals(count, False) for count in counts],
-            "in the order of the list": lambda: [residuals(count, True) for count in counts],
+            "worst first": lambda: [residuals(count, False) for count in counts],
+            "in list order": lambda: [residuals(count, True) for count in counts],
         }
     )
     rows: list[Sequence[object]] = []
     for name, seen in found.items():
-        color, style = (BLUE, "o-") if name == "the worst first" else (ORANGE, "s-")
+        color, style = (BLUE, "o-") if name == "worst first" else (ORANGE, "s-")
         for i, axes in enumerate(panels):
-            # What is 0, or rounding, has its place at the lower edge of the picture.
+            # Zero and rounding errors are drawn at the lower edge of the picture.
             left = [max(number(pair[i]), (1e-8, 1e-10)[i]) for pair in seen]
             axes.semilogy(counts, left, style, color=color, ms=3, lw=1, label=name)
         rows += [(name, count, *pair) for count, pair in zip(counts, seen, strict=True)]
@@ -58,7 +57,7 @@ def resolver_convergence() -> Picture:
 
 
 def stack_height() -> Picture:
-    """Stacks of 3 and of 10 spheres, by how often each contact may be resolved."""
+    """Stacks of 3 and of 10 spheres, by the number of iterations per contact."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)
     found = written(
@@ -76,7 +75,7 @@ def stack_height() -> Picture:
         seen = zip(height.times, height.values, overlap.values, strict=True)
         rows += [(count, name, *row) for row in seen]
         if iterations in (None, 50):
-            how, style = ("default", "-") if iterations is None else (f"{name} a contact", "--")
+            how, style = ("default", "-") if iterations is None else (f"{name} per contact", "--")
             color, label = BLUE if count == 3 else RED, f"{count} spheres, {how}"
             left.plot(height.times, height.values, style, color=color, label=label)
             down = height.values[0] - height.values[-1]
@@ -95,8 +94,8 @@ def stack_height() -> Picture:
     for axes, what, told in ((left, "sink by", sunk), (right, "overlap by up to", overlaps)):
         lines = [f"{count} spheres {what} {', '.join(words)}" for count, words in told.items()]
         axes.set_title("\n".join(lines), fontsize=10)
-    left.set(xlabel="time, s", ylabel="height of the middle of the highest sphere, m")
-    right.set(xlabel="iterations a contact", ylabel="largest overlap in 2 s, % of a diameter")
+    left.set(xlabel="time, s", ylabel="height of the center of the top sphere, m")
+    right.set(xlabel="iterations per contact", ylabel="largest overlap in 2 s, % of a diameter")
     right.set_xticks(numbers_of, [str(i) for i in numbers_of])
     right.set_xticks([], minor=True)
     left.set_ylim(0.0, 14.0)
@@ -104,7 +103,7 @@ def stack_height() -> Picture:
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
     tell(figure, [f"{key}: {run.message}" for key, (run, _) in found.items() if run.message])
-    columns = ("spheres", "iterations a contact", "time, s", "height, m", "overlap / diameter")
+    columns = ("spheres", "iterations per contact", "time, s", "height, m", "overlap / diameter")
     return Picture(figure, columns, rows)
 
 

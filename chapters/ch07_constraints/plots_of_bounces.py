@@ -1,7 +1,7 @@
-"""Pictures of chapter 7: bounces, rest, and the restitution of what was dropped.
+"""Pictures of chapter 7: bounces, resting contacts, and the restitution of dropped balls.
 
-Titles give what is measured on the picture: a wrong engine cannot hide. What is not written yet is
-left out where there is something else to see.
+Each title gives a figure that is measured on the picture, so that mistakes in an engine show.
+Curves of bodies that are not written yet are left out.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ COLORS = {"explicit Euler": RED, "semi-implicit Euler": BLUE, "time division": G
 
 
 def bounce_heights() -> Picture:
-    """A ball that falls from 2 m and bounces: with all of its speed, and with half of it."""
+    """A ball that falls from 2 m and bounces, with restitution 1 and with restitution 0.5."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     found = written(
@@ -68,8 +68,8 @@ def bounce_heights() -> Picture:
             words.append(f"{name}: up to {max(late):.3f} m")
         elif c < 1.0 and name == "time division":
             ended = run.message.startswith("TooManyImpacts")
-            words_of = f"the impacts end after {run.times[-1]:.7f} s" if ended else "no end is told"
-            ends.append(f"{name}: {words_of}")
+            end = f"the impacts end after {run.times[-1]:.7f} s" if ended else "no end is reported"
+            ends.append(f"{name}: {end}")
         elif c < 1.0:
             late = [height for time, height in run.points if time > 2.0]
             ends.append(f"{name}: up to {1e3 * max(late, default=math.nan):.3g} mm after 2 s")
@@ -84,16 +84,16 @@ def bounce_heights() -> Picture:
     left.set_ylim(top=max([1.25 * HEIGHT, *_finite(found.values())]) * 1.15)
     left.legend(fontsize=8, ncols=3, loc="upper center")
     right.legend(fontsize=8)
-    # An end at restitution 0.5 is what time division is expected to say.
+    # At restitution 0.5 time division is expected to report an end.
     _notes(figure, {key: run for key, run in found.items() if key != ("time division", 0.5)})
     return Picture(figure, ("method", "restitution", "time, s", "height, m"), rows)
 
 
 def resting_jitter() -> Picture:
-    """A ball that rests, with and without the rule for it, and a rule that is taken too far."""
+    """A ball at rest, with and without the resting rule, and with a rule that goes too far."""
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
-    rules = {"the rule": None, "no rule": without_rule}
+    rules = {"resting rule": None, "no rule": without_rule}
     found = written(
         {
             (c, name, rule, made): _resting(name, c, rules[rule], made == "generated")
@@ -103,8 +103,9 @@ def resting_jitter() -> Picture:
             for made in ("built-in", "generated")
         }
     )
-    looks = {("explicit Euler", "the rule"): RED, ("explicit Euler", "no rule"): ORANGE}
-    looks |= {("semi-implicit Euler", "the rule"): BLUE, ("semi-implicit Euler", "no rule"): SKY}
+    looks = {("explicit Euler", "resting rule"): RED, ("explicit Euler", "no rule"): ORANGE}
+    looks |= {("semi-implicit Euler", "resting rule"): BLUE}
+    looks |= {("semi-implicit Euler", "no rule"): SKY}
     for (c, name, rule, made), run in found.items():
         axes = panels[0] if c == 0.5 else panels[1]
         mm = [1e3 * height for height in run.values]
@@ -123,7 +124,7 @@ def resting_jitter() -> Picture:
             high = [value for key, value in most.items() if key[1] == rule]
             words.append(f"with {rule} {max(high, default=math.nan):.3g} mm")
         axes.set_title(
-            f"A ball at rest 1 $\\mu$m up, restitution {c:g}: highest\n{', '.join(words)}",
+            f"A ball at rest 1 $\\mu$m up, restitution {c:g}: largest height\n{', '.join(words)}",
             fontsize=10,
         )
         axes.legend(fontsize=7.5, loc="upper left")
@@ -131,8 +132,8 @@ def resting_jitter() -> Picture:
     falls = written(
         {
             "time division": lambda: ball_by_time_division(fall, c, 60),
-            "explicit Euler, the rule": lambda: ball(STEPS["explicit Euler"], fall, c, 60),
-            "semi-implicit Euler, the rule": _falling(fall, c, None),
+            "explicit Euler, resting rule": lambda: ball(STEPS["explicit Euler"], fall, c, 60),
+            "semi-implicit Euler, resting rule": _falling(fall, c, None),
             "semi-implicit Euler, no bounce below 1 m/s": _falling(fall, c, no_bounce_below(1.0)),
         }
     )
@@ -144,7 +145,7 @@ def resting_jitter() -> Picture:
         words.append(f"{1e3 * _rise(run):.3g}")
     axes.set_title(
         f"A fall of {1e3 * fall:g} mm, to {math.sqrt(2.0 * GRAVITY * fall):.2f} m/s, restitution "
-        f"{c:g}: highest\nbounces of {', '.join(words)} mm (theory {1e3 * fall * c**2:.3g})",
+        f"{c:g}: highest\nbounce {', '.join(words)} mm (theory {1e3 * fall * c**2:.3g})",
         fontsize=10,
     )
     axes.set_ylim(-3.0, 75.0)
@@ -157,7 +158,7 @@ def resting_jitter() -> Picture:
 
 
 def restitution_of_materials() -> Picture:
-    """Exercise 7.1: the restitution of what was dropped, and what the form without a root says."""
+    """Exercise 7.1: the restitution of the measured drops, with and without the square root."""
     path, drops = _drops()
     table = table_of_drops(drops)
     singles = [(material, number(restitution_of_drop(a, b))) for material, a, b in drops]
@@ -168,11 +169,11 @@ def restitution_of_materials() -> Picture:
     cells, off, printed_off = [], [], []
     for i, (material, count, mean, error) in enumerate(table):
         mean = number(mean)
-        error = number(error)  # NaN where one drop tells none
+        error = number(error)  # NaN for a single drop
         dots = [value for name, value in singles if name == material]
         ratios = [b / a for name, a, b in drops if name == material and a]
         printed = statistics.fmean(ratios) if ratios else math.nan
-        # A bounce from 1 m is as high as the square of the restitution: was it?
+        # Dropped from 1 m, a ball bounces to the square of its restitution. Did it?
         off.append(abs(mean * mean - printed))
         printed_off.append(abs(printed * printed - printed))
         spread = [i + 0.05 * (j - 0.5 * (len(dots) - 1)) for j in range(len(dots))]
@@ -181,7 +182,7 @@ def restitution_of_materials() -> Picture:
         bars = None if math.isnan(error) else error
         label = "mean, with its standard error" if first else None
         axes.errorbar(i - 0.2, mean, bars, fmt="D", color=BLUE, ms=5, capsize=4, label=label)
-        label = "without the root (E-10)" if first else None
+        label = "without the square root" if first else None
         axes.plot(i + 0.25, printed, "x", color=RED, ms=8, mew=2, label=label)
         cells.append([material, str(count), f"{mean:.3f}", f"{error:.3f}", f"{printed:.3f}"])
         rows.append(("mean", material, count, mean, error, printed))
@@ -203,8 +204,8 @@ def restitution_of_materials() -> Picture:
         beside.text(0.5, 0.5, "the table has no rows", ha="center")
     most, printed_most = (100.0 * max(values, default=math.nan) for values in (off, printed_off))
     figure.suptitle(
-        f"{len(drops)} drops in {path}. By the means bounces are off by at most {most:.2g} % of "
-        f"the fall,\nby the form without the root by {printed_most:.2g} %",
+        f"{len(drops)} drops in {path}. The mean restitutions predict the bounces to within "
+        f"{most:.2g} % of the fall,\nwithout the square root to within {printed_most:.2g} %",
         fontsize=11,
     )
     columns = ("row", "material", "drops", "restitution", "standard error", "without the root")
@@ -220,7 +221,7 @@ def _bouncing(name: str, restitution: float, frames: int) -> Callable[[], Track]
 def _resting(
     name: str, restitution: float, rule: Resolve | None, generated: bool
 ) -> Callable[[], Track]:
-    """A hair above the ground, so that the book's step finds it there first after a frame."""
+    """Start just above the ground, so that the first step of the book's method has no contact."""
     return lambda: ball(STEPS[name], 1e-6, restitution, 120, rule, generated)
 
 
@@ -229,17 +230,17 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that a picture has room for: an engine may have lost its ball."""
+    """Return the heights that fit into a picture, since a wrong engine may lose its ball."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 
 def _highest(run: Track) -> float:
-    """Return the height that it gets to, of those that a picture can show."""
+    """Return the largest height that fits into a picture."""
     return max((height for height in run.values[1:] if abs(height) < 1e3), default=math.nan)
 
 
 def _rise(run: Track) -> float:
-    """Return how high it gets after it was lowest for the first time."""
+    """Return the largest height after the first minimum."""
     for i, (a, b) in enumerate(pairwise(run.values)):
         if b > a:
             return max(run.values[i:])
@@ -247,7 +248,7 @@ def _rise(run: Track) -> float:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Return the name of the file, and the drops in it: the student's, where there are any."""
+    """Return the name of the file and its drops: the student's file, or the sample if empty."""
     for name in ("drops.csv", "drops_sample.csv"):
         try:
             drops = read_drops(find_drops(name))

@@ -105,5 +105,5 @@ def test_an_immovable_end_is_at_rest_whatever_its_velocity_is() -> None:
 
 
 def test_a_chain_needs_a_particle() -> None:
-    with pytest.raises(ValueError, match="particles must be one or more"):
+    with pytest.raises(ValueError, match="particles must have at least one particle"):
         DirectChain([], Vector3())

@@ -2,7 +2,7 @@
 SUBMISSIONS ?= sample_class
 # It grades a class on all cores, and would do so once a process of the others.
 HOSTILE := tests/autograder/test_hostile.py
-OURS := $(wildcard chapters/*/plots*.py chapters/*/demos*.py)
+OURS := $(wildcard chapters/*/demos*.py)
 
 TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED
 TAKES_handout := CHAPTERS GIVEN OUT

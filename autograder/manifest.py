@@ -37,7 +37,7 @@ class Exercise:
 class Chapter:
     """A chapter: its folder name (which is its package), number, title and exercises.
 
-    ``complete`` are the modules that students use as they are, such as plots.py. ``builds_on`` are
+    ``complete`` are the modules that students use as they are, such as cloth.py. ``builds_on`` are
     the numbers of the chapters whose modules its own import; None stands for all below it.
     ``summary`` says in a sentence what the chapter is about, ``you_can`` what somebody can do who
     has finished it, and ``picture`` which of its plots shows that best.

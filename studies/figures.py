@@ -56,7 +56,7 @@ def main(arguments: list[str]) -> int:
     for name in PLOTS:
         folder = work / Path(name).parent
         folder.mkdir(parents=True, exist_ok=True)
-        plots = importlib.import_module(f"{Path(name).parent}.plots")
+        plots = importlib.import_module(f"lab.plots.{Path(name).parent}")
         done.append(plot.draw(getattr(plots, Path(name).name), folder, TIME_LIMIT))
         if done[-1]:
             with Image.open(work / f"{name}.png") as drawn:

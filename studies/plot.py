@@ -1,7 +1,7 @@
 """Draw a chapter's plots with an engine: PNG and CSV files under build/plots/.
 
-Each chapter's plots.py has a tuple PLOTS of functions without arguments that return a Picture. A
-plot that takes longer than TIME_LIMIT ends the run, with the stack of what it was doing.
+The module of a chapter in lab/plots/ has a tuple PLOTS of functions that return a Picture. A plot
+that takes longer than TIME_LIMIT ends the run, with the stack at that moment.
 """
 
 from __future__ import annotations
@@ -52,12 +52,12 @@ def note_engine(folder: Path, engine: Path) -> None:
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:
     """Draw every plot of a chapter; say what was written, and what could not be drawn and why."""
-    if not (ROOT / "chapters" / chapter.name / "plots.py").exists():
+    if not (ROOT / "lab" / "plots" / f"{chapter.name}.py").exists():
         print(f"chapter {chapter.number} has no plots")
         return True
     faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
     try:
-        plots = importlib.import_module(f"{chapter.name}.plots").PLOTS
+        plots = importlib.import_module(f"lab.plots.{chapter.name}").PLOTS
     except (Exception, SystemExit) as error:
         print(f"chapter {chapter.number} cannot be drawn: {reason(error)}")
         return False

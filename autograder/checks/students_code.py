@@ -23,7 +23,7 @@ class StudentsCode:
     """The code in the folders of an engine.
 
     ``graded`` lists, for each chapter's folder, the files that a grader has. A folder that is not
-    in it is taken whole. The files ``ours``, such as ch02_vectors/plots.py, were not written by
+    in it is taken whole. The files ``ours``, such as ch06_springs/cloth.py, were not written by
     the student.
     """
 

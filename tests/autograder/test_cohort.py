@@ -100,7 +100,7 @@ def test_what_no_longer_holds_is_graded_again(
             checks = root / "tests/ch90_small/test_small.py"
             checks.write_text(checks.read_text(encoding="utf-8") + "\n# new\n", encoding="utf-8")
         case "complete module":
-            (root / "chapters/ch90_small/plots.py").write_text("x = 1\n", encoding="utf-8")
+            (root / "chapters/ch90_small/given.py").write_text("x = 1\n", encoding="utf-8")
         case "error":
             report["status"] = "error, retry"
     text = json.dumps(report)

@@ -64,7 +64,7 @@ def test_edited_files_are_taken_byte_for_byte_and_nothing_else(hand_in: HandIn) 
         "ch03_laws_of_motion/exercises.py": run,
     }
     others = {
-        "ch02_vectors/plots.py": run,  # complete: ours is taken
+        "ch02_vectors/arguments.py": run,  # complete: ours is taken
         "ch02_vectors/__init__.py": run,
         "ch02_vectors/more.py": run,
         "ch02_vectors/vector.pyc": CODE,
@@ -209,7 +209,7 @@ def test_equal_digests_mean_that_the_same_was_taken(tmp_path: Path) -> None:
     digests = [digest(tmp_path / str(i), files) for i, files in enumerate(bases)]
     assert len(set(digests)) == len(bases)
     assert all(len(text) == 64 and int(text, 16) >= 0 for text in digests)
-    again = bases[5] | {"notes.txt": b"more", "ch02_vectors/plots.py": b"mine"}
+    again = bases[5] | {"notes.txt": b"more", "ch02_vectors/arguments.py": b"mine"}
     assert digest(tmp_path / "again", again) == digests[5]
     moved = {f"deeper/{name}": content for name, content in bases[5].items()}
     assert digest(tmp_path / "moved", moved) == digests[5]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-import importlib
+import importlib.util
 import re
 import sys
 from pathlib import Path
@@ -54,7 +54,7 @@ def chapter_numbers(names: set[str]) -> set[int]:
 @pytest.mark.parametrize("path", python_files("chapters", "solutions"), ids=str)
 def test_a_chapter_imports_only_chapters_below_it(path: Path) -> None:
     number = int(path.parent.name[2:4])
-    drawing = path.name.startswith(("plots", "demos"))
+    drawing = path.name.startswith("demos")
     below = set(range(2, number)) if drawing else BELOW[number]
     assert chapter_numbers(imported(path)) <= below | {number}
     if not drawing:
@@ -121,16 +121,16 @@ def test_every_chapter_has_what_its_end_shows(chapter: Chapter) -> None:
     assert re.fullmatch(r"[A-Z][^.]+\.", chapter.summary), "one sentence"
     assert len(chapter.you_can) in (2, 3)
     assert all(re.fullmatch(r"[A-Z][^.]+\.", sentence) for sentence in chapter.you_can)
-    assert chapter.picture in names_in(chapter, "plots", "PLOTS")
+    assert chapter.picture in names_in(f"lab.plots.{chapter.name}", "PLOTS")
     played = [name for exercise in chapter.exercises for name in exercise.play]
-    assert sorted(played) == sorted(names_in(chapter, "demos", "DEMOS"))
+    assert sorted(played) == sorted(names_in(f"{chapter.name}.demos", "DEMOS"))
 
 
-def names_in(chapter: Chapter, module: str, listed: str) -> list[str]:
-    """Return the names of what a module of a chapter lists, such as PLOTS; none without it."""
-    if not (ROOT / "chapters" / chapter.name / f"{module}.py").exists():
+def names_in(module: str, listed: str) -> list[str]:
+    """Return the names of what a module lists, such as PLOTS; none without the module."""
+    if importlib.util.find_spec(module) is None:
         return []
-    found = getattr(importlib.import_module(f"{chapter.name}.{module}"), listed)
+    found = getattr(importlib.import_module(module), listed)
     return [item.__name__.lower() for item in found]
 
 

@@ -10,7 +10,7 @@ from matplotlib import pyplot
 from PIL import Image, ImageColor
 
 from autograder.manifest import ROOT, Chapter, load_chapters
-from ch02_vectors import plots
+from lab.plots import ch02_vectors as plots
 from studies import figures
 from studies.drawing import BLUE, GREEN, ORANGE, RED
 

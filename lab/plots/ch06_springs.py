@@ -1,7 +1,7 @@
 """Pictures of chapter 6: forces of springs, how steps swing them, and with what error.
 
 Titles give what is measured on the picture: a wrong engine cannot hide. What is not written yet is
-left out where there is something else to see. Where steps explode is in plots_of_stability.
+left out where there is something else to see. Stability limits are in ch06_stability.
 """
 
 from __future__ import annotations
@@ -18,12 +18,6 @@ from ch05_forces.forces import ForceGenerator
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch06_springs.own_step import my_step
-from ch06_springs.plots_of_stability import (
-    cloth_frame_rates,
-    fake_spring,
-    penalty_bounces,
-    stability_map,
-)
 from ch06_springs.springs import (
     AnchoredSpring,
     Bungee,
@@ -31,6 +25,12 @@ from ch06_springs.springs import (
     ElasticLimitSpring,
     LighterThanAir,
     Spring,
+)
+from lab.plots.ch06_stability import (
+    cloth_frame_rates,
+    fake_spring,
+    penalty_bounces,
+    stability_map,
 )
 from studies.drawing import (
     BLACK,

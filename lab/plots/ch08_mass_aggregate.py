@@ -1,8 +1,8 @@
 """Pictures of chapter 8: rest and uneven frames, measured on the engine.
 
 Titles give what is measured: a wrong engine cannot hide. What is not written yet is left out where
-there is something else to see. Cables and ropes are in plots_of_ropes, the scenes of the projects
-in plots_of_scenes.
+there is something else to see. Cables and ropes are in ch08_ropes, the scenes of the projects
+in ch08_scenes.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from matplotlib import pyplot
 
 from ch08_mass_aggregate.blob import Blob
 from ch08_mass_aggregate.bridge import Bridge
-from ch08_mass_aggregate.plots_of_ropes import hanging_rope, mass_ratios
-from ch08_mass_aggregate.plots_of_scenes import (
+from lab.plots.ch08_ropes import hanging_rope, mass_ratios
+from lab.plots.ch08_scenes import (
     blob_bonds,
     sleeping_balls,
     trebuchet_range,

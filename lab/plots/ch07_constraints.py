@@ -10,12 +10,12 @@ from collections.abc import Callable, Sequence
 
 from matplotlib import pyplot
 
-from ch07_constraints.plots_of_bounces import (
+from lab.plots.ch07_bounces import (
     bounce_heights,
     resting_jitter,
     restitution_of_materials,
 )
-from ch07_constraints.plots_of_rods import pendulum_energy, rods_hold, rope_by_method
+from lab.plots.ch07_rods import pendulum_energy, rods_hold, rope_by_method
 from studies.constraints import Track
 from studies.drawing import BLUE, GREY, ORANGE, RED, Picture, number, tell, written
 from studies.piles import pile, residuals, stack

@@ -1,7 +1,7 @@
 """Pictures of chapter 5: terminal speeds, a fall with drag, an orbit that drifts.
 
 Titles give what is measured on the picture: a wrong engine cannot hide. What each generator costs
-is in plots_of_cost.
+is in ch05_cost.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from ch05_forces.forces import Drag, InverseSquareGravity
 from ch05_forces.particle import Particle
-from ch05_forces.plots_of_cost import cost_of_a_generator
+from lab.plots.ch05_cost import cost_of_a_generator
 from studies.drawing import (
     BLACK,
     BLUE,

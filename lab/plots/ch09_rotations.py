@@ -1,8 +1,8 @@
 """Pictures of chapter 9: a rotating disc, and the order of rotations.
 
 Each title gives errors that are computed apart from the engine, so that its mistakes show. Parts
-that are not written yet are left out. Pictures of Eq. 9.5 and gimbal lock are in plots_of_rates,
-the box of stones in plots_of_stones.
+that are not written yet are left out. Pictures of Eq. 9.5 and gimbal lock are in ch09_rates,
+the box of stones in ch09_stones.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.matrix import Matrix3
-from ch09_rotations.plots_of_rates import drift_of_first_order, gimbal_lock
-from ch09_rotations.plots_of_stones import balance_lines
 from ch09_rotations.quaternion import Quaternion
+from lab.plots.ch09_rates import drift_of_first_order, gimbal_lock
+from lab.plots.ch09_stones import balance_lines
 from studies.drawing import (
     BLACK,
     BLUE,

@@ -95,7 +95,7 @@ def column(rows: list[list[str]], heading: str) -> list[float]:
 
 def test_the_damping_comparison_brackets_the_exact_loss(reference: Path) -> None:
     rows = table(reference, "damping_comparison", "ch03_laws_of_motion")
-    rates, exact = column(rows, "frame rate, Hz"), column(rows, "exact share")
+    rates, exact = column(rows, "frame rate, Hz"), column(rows, "exact loss")
     by_frame, by_second, engine = (column(rows, heading) for heading in rows[0][1:4])
     # Exactly 1 - (1 - d) / -ln d of the velocity is lost, for d = 0.5.
     assert exact == pytest.approx([1.0 - 0.5 / math.log(2.0)] * len(rates), rel=1e-12)
@@ -315,8 +315,8 @@ def test_an_engine_with_the_equation_s_damping_draws_another_picture(
     tables = [
         table(out, "damping_comparison", "ch03_laws_of_motion") for out in (tmp_path, reference)
     ]
-    mine, right = (column(rows, "share lost: the engine, (v + a h) d^h") for rows in tables)
-    by_equation = column(tables[0], "share lost: Eq. 3.6, v d^h + a h")
+    mine, right = (column(rows, "loss: the engine, (v + a h) d^h") for rows in tables)
+    by_equation = column(tables[0], "loss: Eq. 3.6, v d^h + a h")
     assert mine == pytest.approx(by_equation, rel=1e-12)
     assert mine != pytest.approx(right, rel=1e-3)
 

@@ -55,12 +55,11 @@ class _Flight:
         self.acceleration = Vector3()
 
     def use_forces(self, duration: float) -> None:
-        """Let the particle's own step use the forces up, and take back where it led."""
-        vectors = (self.particle.position, self.particle.velocity)
-        before = [(*vector,) for vector in vectors]
-        self.particle.integrate(duration)
-        for vector, numbers in zip(vectors, before, strict=True):
-            vector.x, vector.y, vector.z = numbers
+        """Let the particle's kick use up the forces, and put its velocity back."""
+        before = (*self.particle.velocity,)
+        self.particle.kick(duration)
+        velocity = self.particle.velocity
+        velocity.x, velocity.y, velocity.z = before
         self.acceleration = self.particle.last_acceleration
 
     def on(self, time: float) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ch09_rotations.exercises import Stone, balance_offset, masses_beside
-from studies.drawing import number, stopped
+from studies.readings import number, stopped
 
 GRAVITY = 9.81
 

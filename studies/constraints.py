@@ -21,7 +21,7 @@ from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
-from studies.drawing import Numbers, numbers, stopped
+from studies.readings import Numbers, numbers, stopped
 
 FRAME = 1.0 / 60.0
 GRAVITY = 10.0

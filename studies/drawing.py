@@ -1,20 +1,22 @@
-"""What the chapters' plots share: colours, arrows, and numbers read from a student's vectors."""
+"""What the plots share: colors, labels and arrows."""
 
 from __future__ import annotations
 
 import math
 import statistics
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any
 
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.figure import Figure
 
-# Okabe and Ito's colours: told apart by colour-blind readers, and of different greys in print.
+from studies.readings import Numbers, is_drawable
+
+# Okabe and Ito's colors, which color-blind readers can tell apart, and which have different grays in print.
 BLUE, ORANGE, GREEN, GREY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
 RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
 VIOLET, BROWN = "#9600F0", "#663300"  # not theirs, and told apart from theirs in the same way
@@ -28,10 +30,6 @@ COLORS = {
     "backward Euler": ORANGE,
     "trapezoidal rule": PINK,
 }
-
-Numbers = tuple[float, float, float]
-Key = TypeVar("Key")
-Found = TypeVar("Found")
 
 LABEL: dict[str, Any] = {
     "fontsize": 12,
@@ -53,38 +51,6 @@ class Picture:
     rows: Sequence[Sequence[object]]
 
 
-def is_written(call: Callable[[], object]) -> bool:
-    """Say whether a call ends in something else than a stub: a picture shows what there is."""
-    try:
-        call()
-    except NotImplementedError:
-        return False
-    return True
-
-
-def stopped(act: Callable[[], object]) -> str:
-    """Act, and return what the engine says where it refuses to go on; else nothing."""
-    try:
-        act()
-    except (ArithmeticError, ValueError) as error:
-        return f"{type(error).__name__}: {error}"
-    return ""
-
-
-def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run scenes by their keys and leave out what ends in a stub; say so where all of them do."""
-    found: dict[Key, Found] = {}
-    stub: NotImplementedError | None = None
-    for key, scene in scenes.items():
-        try:
-            found[key] = scene()
-        except NotImplementedError as error:
-            stub = stub or error
-    if stub is not None and not found:
-        raise stub
-    return found
-
-
 def tell(figure: Figure, notes: Sequence[str]) -> None:
     """Write below a picture what ended its scenes early: the first notes, where there are many."""
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
@@ -92,52 +58,6 @@ def tell(figure: Figure, notes: Sequence[str]) -> None:
         lines.append(f"and {len(notes) - 3} more like these")
     if lines:
         figure.supxlabel("\n".join(lines), fontsize=8)
-
-
-def numbers(v: Any) -> Numbers:
-    """Return the components of what an engine gave back as a vector, NaN where it is none.
-
-    A plot of a wrong engine shows what the engine does: a vector that is missing, not a crash.
-    """
-    return (
-        number(getattr(v, "x", None)),
-        number(getattr(v, "y", None)),
-        number(getattr(v, "z", None)),
-    )
-
-
-def number(value: Any) -> float:
-    """Return a number as a float, NaN where it is none."""
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        return math.nan
-
-
-def dot(a: Numbers, b: Numbers) -> float:
-    """Return the scalar product of plain numbers, to measure a picture without the engine."""
-    return math.fsum(p * q for p, q in zip(a, b, strict=True))
-
-
-def cross(a: Numbers, b: Numbers) -> Numbers:
-    """Return the vector product of plain numbers, to measure a picture without the engine."""
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
-
-
-def angle_between(a: Numbers, b: Numbers) -> float:
-    """Return the angle between plain vectors in degrees, NaN where one has no direction."""
-    if not math.hypot(*a) * math.hypot(*b) > 0.0:
-        return math.nan
-    return math.degrees(math.atan2(math.hypot(*cross(a, b)), dot(a, b)))
-
-
-def is_drawable(*vectors: Numbers) -> bool:
-    """Say whether all components are finite numbers."""
-    return all(math.isfinite(value) for vector in vectors for value in vector)
 
 
 def arrow(

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from ch02_vectors.vector import Vector3
 from ch07_constraints.links import AnchoredCable, Cable, Rod
-from studies.drawing import numbers
+from studies.readings import numbers
 
 
 def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:

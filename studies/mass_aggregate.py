@@ -22,8 +22,8 @@ from ch08_mass_aggregate.tilting_platform import TiltingPlatform
 from ch08_mass_aggregate.wheel import Wheel, deformation, spin
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 from studies.constraints import Move, Track
-from studies.drawing import Numbers, number, numbers, stopped
 from studies.links import over_length
+from studies.readings import Numbers, number, numbers, stopped
 
 FRAME = 1.0 / 60.0
 SPIKE = 0.5  # s: a frame in which the machine was busy with something else

@@ -15,7 +15,7 @@ from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from studies.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver, resolving, track
-from studies.drawing import numbers
+from studies.readings import numbers
 
 
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:

@@ -17,7 +17,7 @@ from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import TwoSidedRod
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.drawing import numbers
+from studies.readings import numbers
 
 SPAN, LENGTH = 2.0, 3.0  # m
 DAMPING = 0.1  # so that it hangs still soon

@@ -16,7 +16,7 @@ import numpy
 from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import integrate_rotation
 from ch09_rotations.quaternion import Quaternion
-from studies.drawing import (
+from studies.readings import (
     Numbers,
     angle_between,
     cross,

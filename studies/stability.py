@@ -31,7 +31,7 @@ from ch06_springs.integrators import (
 )
 from ch06_springs.penalty import PenaltyGround
 from ch06_springs.springs import FakeStiffSpring
-from studies.drawing import number, numbers, stopped
+from studies.readings import number, numbers, stopped
 
 Solver = Callable[[float, float, float, float, float, float], tuple[float, float]]
 

@@ -13,7 +13,8 @@ from matplotlib.patches import Circle
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from studies.drag_flight import GRAVITY, DragFlight, State
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, RED, Numbers, is_drawable, numbers
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, RED
+from studies.readings import Numbers, is_drawable, numbers
 
 Point = tuple[float, float]
 

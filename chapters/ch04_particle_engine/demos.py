@@ -23,18 +23,8 @@ from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, endless_types
 from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
 from ch04_particle_engine.targets import TargetBlock, strike_first
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    PINK,
-    RED,
-    SKY,
-    YELLOW,
-    is_written,
-)
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, YELLOW
+from studies.readings import is_written
 
 SHOT_COLORS = dict.fromkeys(SHOT_TYPES, PINK) | {  # a shot of your own is pink
     "pistol": BLACK,

@@ -15,7 +15,8 @@ from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import Rod
 from studies.constraints import LINK, Move, by_resolver, chain_particles, resolving
-from studies.drawing import BLUE, GREEN, RED, numbers, stopped
+from studies.drawing import BLUE, GREEN, RED
+from studies.readings import numbers, stopped
 
 SUBSTEPS = 8
 

@@ -13,8 +13,9 @@ from ch02_vectors.vector import Vector3
 from ch07_constraints.links import AnchoredCable, Cable
 from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.drawing import BLACK, GREY, RED, is_written
+from studies.drawing import BLACK, GREY, RED
 from studies.links import ends_of
+from studies.readings import is_written
 from studies.stability import stopped, watching
 
 SPEED_LIMIT = 200.0  # m/s, far more than anything here has while it is well

@@ -11,8 +11,9 @@ from matplotlib.patches import Rectangle
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate import blob, tilting_platform
 from ch08_mass_aggregate.demos_common import WOOD, WorldDemo, draw_ground, lines, seen
-from studies.drawing import BLACK, BLUE, GREEN, ORANGE, RED, is_written
+from studies.drawing import BLACK, BLUE, GREEN, ORANGE, RED
 from studies.links import ends_of
+from studies.readings import is_written
 
 DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up": (0.0, 1.0)}
 

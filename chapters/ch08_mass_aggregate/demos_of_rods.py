@@ -11,8 +11,9 @@ from matplotlib.figure import Figure
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate import cube, wheel
 from ch08_mass_aggregate.demos_common import EARTH, Point, WorldDemo, lines
-from studies.drawing import BLACK, BLUE, GREY, ORANGE, is_written
+from studies.drawing import BLACK, BLUE, GREY, ORANGE
 from studies.links import ends_of
+from studies.readings import is_written
 
 
 class Wheel(WorldDemo):

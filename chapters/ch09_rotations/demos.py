@@ -11,7 +11,8 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.free_box import FreeBox
-from studies.drawing import BLACK, BLUE, GREEN, GREY, PINK, RED, Numbers, axes_3d, numbers
+from studies.drawing import BLACK, BLUE, GREEN, GREY, PINK, RED, axes_3d
+from studies.readings import Numbers, numbers
 
 COLORS = (BLUE, RED, GREEN)  # of X, Y and Z
 MOMENTS = ("smallest", "middle", "largest")

@@ -13,22 +13,8 @@ from matplotlib.axes import Axes
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    Picture,
-    angle_between,
-    arrow,
-    arrow_3d,
-    axes_3d,
-    cross,
-    dot,
-    is_drawable,
-    numbers,
-)
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, Picture, arrow, arrow_3d, axes_3d
+from studies.readings import angle_between, cross, dot, is_drawable, numbers
 
 COLUMNS = ("vector", "x", "y", "z")
 

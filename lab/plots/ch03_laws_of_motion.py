@@ -15,7 +15,8 @@ from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.exercises import random_frames
 from ch03_laws_of_motion.particle import Particle
 from studies.drag_flight import AT_REST, FREE_FALL, GRAVITY, PROJECTILE, DragFlight, with_particle
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, Picture, numbers, slope
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, Picture, slope
+from studies.readings import numbers
 
 KEPT = 0.5  # the damping per second of the comparison
 TUNED_AT = 60.0  # frames per second, at which damping per frame is set to the same loss

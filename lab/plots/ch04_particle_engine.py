@@ -23,16 +23,8 @@ from ch04_particle_engine.demos import (
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworksShow
 from studies.drag_flight import flight_of, make_particle
-from studies.drawing import (
-    GREEN,
-    GREY,
-    ORANGE,
-    Numbers,
-    Picture,
-    is_written,
-    numbers,
-    slope,
-)
+from studies.drawing import GREEN, GREY, ORANGE, Picture, slope
+from studies.readings import Numbers, is_written, numbers
 
 FRAME = 1.0 / 60.0
 LONGEST = 600  # frames, in which every shot lands and every firework burns out

@@ -19,7 +19,8 @@ from ch05_forces.forces import (
     Uplift,
 )
 from ch05_forces.particle import Particle
-from studies.drawing import BLACK, BLUE, GREEN, GREY, Picture, is_written
+from studies.drawing import BLACK, BLUE, GREEN, GREY, Picture
+from studies.readings import is_written
 from studies.timing import Measurement, measure, timer, versus
 
 FRAME = 1.0 / 60.0

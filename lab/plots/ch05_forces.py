@@ -16,19 +16,8 @@ from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from ch05_forces.forces import Drag, InverseSquareGravity
 from ch05_forces.particle import Particle
 from lab.plots.ch05_cost import cost_of_a_generator
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    GREY,
-    ORANGE,
-    RED,
-    SKY,
-    Numbers,
-    Picture,
-    cross,
-    numbers,
-    slope,
-)
+from studies.drawing import BLACK, BLUE, GREY, ORANGE, RED, SKY, Picture, slope
+from studies.readings import Numbers, cross, numbers
 
 FRAME = 1.0 / 60.0
 MASS = 2.0

@@ -32,19 +32,8 @@ from lab.plots.ch06_stability import (
     penalty_bounces,
     stability_map,
 )
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    COLORS,
-    GREEN,
-    GREY,
-    ORANGE,
-    RED,
-    Picture,
-    is_written,
-    numbers,
-    slope,
-)
+from studies.drawing import BLACK, BLUE, COLORS, GREEN, GREY, ORANGE, RED, Picture, slope
+from studies.readings import is_written, numbers
 from studies.stability import INTEGRATORS, Pull, largest_error, methods, swing, true_place
 
 FRAME = 1.0 / 60.0

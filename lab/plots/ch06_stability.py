@@ -13,17 +13,8 @@ from matplotlib import pyplot
 
 from ch02_vectors.vector import Vector3
 from ch06_springs.springs import FakeStiffSpring
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    COLORS,
-    GREY,
-    RED,
-    Picture,
-    growth_bar,
-    growth_map,
-    is_written,
-)
+from studies.drawing import BLACK, BLUE, COLORS, GREY, RED, Picture, growth_bar, growth_map
+from studies.readings import is_written
 from studies.stability import (
     INTEGRATORS,
     SOLVERS,

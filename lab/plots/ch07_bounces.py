@@ -29,19 +29,8 @@ from studies.constraints import (
     no_bounce_below,
     without_rule,
 )
-from studies.drawing import (
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    PINK,
-    RED,
-    SKY,
-    Picture,
-    number,
-    tell,
-    written,
-)
+from studies.drawing import BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, tell
+from studies.readings import number, written
 
 HEIGHT = 2.0
 COLORS = {"explicit Euler": RED, "semi-implicit Euler": BLUE, "time division": GREEN}

@@ -17,8 +17,9 @@ from lab.plots.ch07_bounces import (
 )
 from lab.plots.ch07_rods import pendulum_energy, rods_hold, rope_by_method
 from studies.constraints import Track
-from studies.drawing import BLUE, GREY, ORANGE, RED, Picture, number, tell, written
+from studies.drawing import BLUE, GREY, ORANGE, RED, Picture, tell
 from studies.piles import pile, residuals, stack
+from studies.readings import number, written
 
 
 def resolver_convergence() -> Picture:

@@ -20,19 +20,8 @@ from studies.constraints import (
     chain_by_direct_solve,
     pendulum,
 )
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    PINK,
-    RED,
-    SKY,
-    Picture,
-    tell,
-    written,
-)
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, tell
+from studies.readings import written
 
 LINKS = 30
 KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}

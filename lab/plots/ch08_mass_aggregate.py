@@ -23,20 +23,7 @@ from lab.plots.ch08_scenes import (
     wheel_deformation,
 )
 from studies.constraints import Track
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    RED,
-    SKY,
-    Numbers,
-    Picture,
-    numbers,
-    tell,
-    written,
-)
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, RED, SKY, Picture, tell
 from studies.mass_aggregate import (
     FRAME,
     SPIKE,
@@ -49,6 +36,7 @@ from studies.mass_aggregate import (
     uneven_frames,
     variation,
 )
+from studies.readings import Numbers, numbers, written
 
 SETTLED = 10.0  # s: from when on scenes are to rest
 STEADY = 0.1  # %: by how much the energy of what rests may vary

@@ -13,20 +13,9 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 
 from studies.constraints import Track
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    GREY,
-    ORANGE,
-    PINK,
-    RED,
-    SKY,
-    Picture,
-    stopped,
-    tell,
-    written,
-)
+from studies.drawing import BLACK, BLUE, GREY, ORANGE, PINK, RED, SKY, Picture, tell
 from studies.mass_aggregate import load_on_bridge
+from studies.readings import stopped, written
 from studies.ropes import (
     LENGTH,
     SPAN,

@@ -14,7 +14,7 @@ from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.trebuchet import Design, my_design
 from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, tell, written
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, tell
 from studies.mass_aggregate import (
     bonds_of_blob,
     deformation_of_wheel,
@@ -22,6 +22,7 @@ from studies.mass_aggregate import (
     spin_of_wheel,
     spread_of_blob,
 )
+from studies.readings import written
 from studies.releases import Release, jumps, releases
 
 PLAIN = Design(400.0, 1.0, 4.0, 3.0, 45.0)  # what is drawn until my_design is written

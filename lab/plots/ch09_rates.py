@@ -12,24 +12,8 @@ from matplotlib import pyplot
 from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import first_order_drift
 from ch09_rotations.euler import euler_rates, rate_map
-from studies.drawing import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    PINK,
-    RED,
-    SKY,
-    Picture,
-    is_written,
-    number,
-    numbers,
-    slope,
-    stopped,
-    tell,
-    written,
-)
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, slope, tell
+from studies.readings import is_written, number, numbers, stopped, written
 from studies.rotations import (
     END,
     TAU,

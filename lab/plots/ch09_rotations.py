@@ -28,16 +28,13 @@ from studies.drawing import (
     LABEL,
     RED,
     SKY,
-    Numbers,
     Picture,
     arrow_3d,
     axes_3d,
-    is_drawable,
-    is_written,
     slope,
-    stopped,
     tell,
 )
+from studies.readings import Numbers, is_drawable, is_written, stopped
 from studies.rotations import (
     FLIGHT,
     NOWHERE,

@@ -247,7 +247,7 @@ def test_rod_tensions_refuse_what_they_cannot_solve() -> None:
     with pytest.raises(ArithmeticError, match="tension of rod 1 has no unique solution"):
         straight.update_forces()
     for chain in ([at(0.0)], [at(1.0, INF)], [at(1.0), at(2.0, INF), at(3.0)]):
-        with pytest.raises(ValueError, match="must be"):
+        with pytest.raises(ValueError, match="must"):
             RodTensions(chain, Vector3())
     for correction in (-1.0, NAN, INF):
         with pytest.raises(ValueError, match="correction must be"):

@@ -13,7 +13,7 @@ import drawn_plots
 from autograder.manifest import ROOT
 from copies import copy_tree
 from made import made_stubs
-from studies.drawing import dot
+from studies.readings import dot
 
 CHAPTER = "ch09_rotations"
 PLOTS = 5
@@ -186,7 +186,10 @@ def test_what_is_not_written_is_left_out(tmp_path: Path) -> None:
     ("text", "message"),
     [
         ("what,mass,x,y\n", "there are no stones in stones.csv: weigh some"),
-        ("what,mass,x,y\nslate,0.2,0.1\n", "stones.csv, line 2 must be a name, a positive mass in kg"),
+        (
+            "what,mass,x,y\nslate,0.2,0.1\n",
+            "stones.csv, line 2 must be a name, a positive mass",
+        ),
         ("", "stones.csv: line 1 must be what,mass,x,y"),
     ],
 )

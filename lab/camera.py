@@ -1,0 +1,18 @@
+"""Flat pictures of things in space: x to the right, y up, z toward the viewer and to the left."""
+
+from __future__ import annotations
+
+from ch02_vectors.vector import Vector3
+
+TOWARD = (0.4, 0.3)  # how far a unit along z moves to the left and down
+
+
+def flat(v: Vector3) -> tuple[float, float]:
+    """Return where a point of space is drawn."""
+    return v.x - TOWARD[0] * v.z, v.y - TOWARD[1] * v.z
+
+
+def on_the_ground(x: float, y: float) -> tuple[float, float]:
+    """Return the x and z of the point at height 0 that is drawn at (x, y)."""
+    z = -y / TOWARD[1]
+    return x + TOWARD[0] * z, z

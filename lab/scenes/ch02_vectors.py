@@ -1,0 +1,151 @@
+"""The scenes of chapter 2: two products of vectors, to be dragged."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from lab.camera import flat, on_the_ground
+from lab.pen import Pen
+from lab.scene import Scene
+
+STEP = math.radians(5.0)  # by which a key rotates a vector
+TIP = 0.14  # m, the radius of what can be dragged
+
+
+def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
+    """Return a pair rotated counter-clockwise by an angle in radians."""
+    c, s = math.cos(angle), math.sin(angle)
+    return c * x - s * y, s * x + c * y
+
+
+class Projection(Scene):
+    """The part of a vector along another one: a dot product with a unit vector."""
+
+    chapter = 2
+    title = "Projection: how much of a points along b?"
+    question = "When is the dot product positive, zero or negative?"
+    view = (-4.5, 4.5, -2.5, 3.5)
+    seconds = 4.0
+    exact_from = "the same formula in plain numbers"
+    keys = {"left": "rotate a to the left", "right": "rotate a to the right"}
+
+    def build(self) -> None:
+        self.a, self.b = Vector3(1.5, 2.5), Vector3(3.5, 0.5)
+
+    def step(self, duration: float) -> None:
+        """Leave everything where it is: only the reader moves the vectors."""
+
+    def shadow(self) -> Vector3:
+        """Return the projection of a onto b, by the student's vector."""
+        direction = self.b.normalized()
+        return direction * self.a.dot(direction)
+
+    def draw(self, pen: Pen) -> None:
+        zero, shadow = (0.0, 0.0), self.shadow()
+        pen.segments([((-4.5, 0.0), (4.5, 0.0)), ((0.0, -2.5), (0.0, 3.5))], "gray")
+        pen.line([self.a, shadow], "gray", 1.5, dashed=True)
+        pen.line([zero, shadow], "orange", 8.0)
+        for name, v, color in (("a", self.a, "blue"), ("b", self.b, "green")):
+            pen.arrow(zero, v, color)
+            pen.circle(v, TIP, color, grab=name)
+            pen.text((1.12 * v.x, 1.12 * v.y + 0.15), name, color, 18.0)
+
+    def chart(self) -> dict[str, float]:
+        return {
+            "a · b, m²": self.a.dot(self.b),
+            "projection, m": self.shadow().dot(self.b.normalized()),
+        }
+
+    def state(self) -> list[float]:
+        return [self.shadow().x, self.shadow().y]
+
+    def exact(self, time: float) -> list[float]:
+        a, b = self.a, self.b
+        scale = (a.x * b.x + a.y * b.y) / (b.x * b.x + b.y * b.y)
+        return [scale * b.x, scale * b.y]
+
+    def facts(self) -> str:
+        angle = abs(math.degrees(math.atan2(self.a.y, self.a.x) - math.atan2(self.b.y, self.b.x)))
+        return f"|a| = {self.a.magnitude():.2f} m, angle {min(angle, 360.0 - angle):.0f}°"
+
+    def say(self) -> str:
+        return f"a · b is {self.a.dot(self.b):.2f}."
+
+    def press(self, key: str) -> None:
+        if key in ("left", "right"):
+            self.a.x, self.a.y = rotated(self.a.x, self.a.y, STEP if key == "left" else -STEP)
+
+    def drag(self, name: str, x: float, y: float) -> None:
+        if math.hypot(x, y) > TIP:  # a vector without a length has no direction
+            moved = self.a if name == "a" else self.b
+            moved.x, moved.y = x, y
+
+    def play(self, time: float) -> None:
+        self.press("left")
+
+
+class CrossProduct(Scene):
+    """Two vectors on the ground, and their vector product, which points up or down."""
+
+    chapter = 2
+    title = "Cross product: a direction and an area"
+    question = "Where does a × b point, and what is its length?"
+    view = (-4.5, 4.5, -4.0, 4.5)
+    seconds = 4.0
+    exact_from = "the same formula in plain numbers"
+    keys = {"left": "rotate a to the left", "right": "rotate a to the right"}
+
+    def build(self) -> None:
+        self.a, self.b = Vector3(0.5, 0.0, 1.8), Vector3(2.0, 0.0, 0.3)
+
+    def step(self, duration: float) -> None:
+        """Leave everything where it is: only the reader moves the vectors."""
+
+    def draw(self, pen: Pen) -> None:
+        zero, product = Vector3(), self.a.cross(self.b)
+        grid = [(Vector3(i, 0, -3), Vector3(i, 0, 3)) for i in range(-3, 4)]
+        grid += [(Vector3(-3, 0, i), Vector3(3, 0, i)) for i in range(-3, 4)]
+        pen.area([flat(v) for v in (zero, self.a, self.a + self.b, self.b)], "sky")
+        pen.segments([(flat(v), flat(w)) for v, w in grid], "gray", 0.5)
+        for name, v, color in (("a", self.a, "blue"), ("b", self.b, "green")):
+            pen.arrow(flat(zero), flat(v), color)
+            pen.circle(flat(v), TIP, color, grab=name)
+            x, y = flat(v * 1.15)
+            pen.text((x, y - 0.25), name, color, 18.0)
+        pen.arrow(flat(zero), flat(product), "red")
+        x, y = flat(product)
+        pen.text((x + 0.5, y), "a × b", "red", 18.0)
+
+    def chart(self) -> dict[str, float]:
+        return {"up part of a × b, m²": self.a.cross(self.b).y}
+
+    def state(self) -> list[float]:
+        product = self.a.cross(self.b)
+        return [product.x, product.y, product.z]
+
+    def exact(self, time: float) -> list[float]:
+        a, b = self.a, self.b
+        return [0.0, a.z * b.x - a.x * b.z, 0.0]
+
+    def facts(self) -> str:
+        return f"area of the parallelogram {self.a.cross(self.b).magnitude():.2f} m²"
+
+    def say(self) -> str:
+        up = self.a.cross(self.b).y
+        return f"a × b points {'up' if up > 0.0 else 'down'} and is {abs(up):.2f} m² long."
+
+    def press(self, key: str) -> None:
+        if key in ("left", "right"):
+            turn = -STEP if key == "left" else STEP  # seen from above, z points toward the viewer
+            self.a.x, self.a.z = rotated(self.a.x, self.a.z, turn)
+
+    def drag(self, name: str, x: float, y: float) -> None:
+        moved = self.a if name == "a" else self.b
+        moved.x, moved.z = on_the_ground(x, y)
+
+    def play(self, time: float) -> None:
+        self.press("left")
+
+
+SCENES = (Projection, CrossProduct)

@@ -1,0 +1,179 @@
+"""Scenes of chapter 3: what the length of a time step does to a throw and to damping."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
+from ch03_laws_of_motion.particle import Particle
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import Question, Scene
+from studies.drag_flight import GRAVITY, DragFlight, State
+
+COLORS = ("red", "orange", "blue")
+
+
+class FrameRates(Scene):
+    """One throw by the book's step at three step rates, beside the exact path."""
+
+    chapter = 3
+    title = "One throw at three step rates"
+    question = "How does the length of a time step change the path of a ball?"
+    view = (-1.0, 25.0, -1.0, 12.0)
+    seconds = 3.5
+    exact_from = "closed form of dv/dt = a - k v"
+    predict = Question(
+        "Three computers throw the same ball with 5, 10 and 60 steps per second. Which ball flies "
+        "farthest?",
+        ["The one with 5 steps per second.", "The one with 60 steps per second.", "None of them."],
+        lambda _: 0,
+        "Each step first moves the ball with its old velocity, and only then lets gravity slow it. "
+        "So every step rises g h² / 2 too far, and long steps rise the most.",
+        3.0,
+    )
+    rate = Choice(5, "steps per second of the red ball", [5, 10, 15, 30], "Hz")
+    damping = Slider(1.0, "damping d", "", 0.2, 1.0, step=0.01)
+    speed = Slider(14.0, "speed", "m/s", 4.0, 16.0, step=0.5)
+    angle = Slider(50.0, "angle", "degrees", 10.0, 80.0, step=1.0)
+
+    def build(self) -> None:
+        a = math.radians(self.angle)
+        start = State((0.0, 1.0, 0.0), (self.speed * math.cos(a), self.speed * math.sin(a), 0.0))
+        self.flight = DragFlight("throw", start, GRAVITY, self.damping, 6.0)
+        self.rates = (self.rate, 2 * self.rate, 60)
+        self.balls = [
+            Particle(
+                Vector3(*start.position),
+                Vector3(*start.velocity),
+                Vector3(*GRAVITY),
+                damping=self.damping,
+            )
+            for _ in self.rates
+        ]
+        self.steps = [0 for _ in self.rates]
+        self.paths = [[(ball.position.x, ball.position.y)] for ball in self.balls]
+
+    def step(self, duration: float) -> None:
+        now = self.time + duration
+        for i, (rate, ball) in enumerate(zip(self.rates, self.balls, strict=True)):
+            while (self.steps[i] + 1) / rate <= now + 1e-9 and ball.position.y > 0.0:
+                ball.integrate(1.0 / rate)
+                self.steps[i] += 1
+                self.paths[i].append((ball.position.x, ball.position.y))
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        path = [self.flight.exact(i / 30.0).position[:2] for i in range(100)]
+        pen.line([place for place in path if place[1] >= 0.0], "gray", 2.0, dashed=True)
+        for rate, ball, trail, color in zip(
+            self.rates, self.balls, self.paths, COLORS, strict=True
+        ):
+            pen.line(trail, color, 1.5)
+            pen.dots(trail, color)
+            pen.circle(ball.position, 0.3, color)
+            pen.text((trail[-1][0] + 0.2, trail[-1][1] + 0.8), f"{rate} Hz", color)
+
+    def off(self, i: int) -> float:
+        """Return how far a ball is from its exact position, after the steps that it has made."""
+        x, y, _ = self.flight.exact(self.steps[i] / self.rates[i]).position
+        return math.hypot(self.balls[i].position.x - x, self.balls[i].position.y - y)
+
+    def chart(self) -> dict[str, float]:
+        return {f"error at {rate} Hz, m": self.off(i) for i, rate in enumerate(self.rates)}
+
+    def state(self) -> list[float]:
+        ball = self.balls[-1].position
+        return [ball.x, ball.y]
+
+    def exact(self, time: float) -> list[float]:
+        return [*self.flight.exact(self.steps[-1] / self.rates[-1]).position[:2]]
+
+    def facts(self) -> str:
+        rise = 0.5 * -GRAVITY[1] / self.rate**2
+        return f"each step at {self.rate} Hz rises g h²/2 = {rise:.3g} m too far"
+
+    def say(self) -> str:
+        places = [
+            f"{path[-1][0]:.1f} m at {rate} Hz"
+            for rate, path in zip(self.rates, self.paths, strict=True)
+        ]
+        return f"The balls have come {', '.join(places)}."
+
+
+class DampingForms(Scene):
+    """Three pucks that should slow down alike: by Eq. 3.5, by Eq. 3.6, and exactly."""
+
+    chapter = 3
+    title = "Damping per step, or per second?"
+    question = "Which form of damping does not depend on the step rate?"
+    view = (-0.5, 10.5, -0.5, 3.5)
+    seconds = 4.0
+    exact_from = "the integral of v d^t"
+    predict = Question(
+        "Damping per step is set for 60 steps per second. How far does the red puck slide with "
+        "these settings, compared with the blue one?",
+        ["about as far", "less far", "farther"],
+        lambda scene: 0 if scene.rate == 60 else 1 if scene.rate > 60 else 2,
+        "Damping per step takes the same fraction in each step, so more steps per second brake "
+        "harder. Damping per second raises d to the power of the step's duration.",
+        3.0,
+    )
+    rate = Choice(120, "steps per second", [15, 30, 60, 120, 240], "Hz")
+    kept = Slider(0.4, "fraction of v kept per second, d", "", 0.1, 0.9, step=0.05)
+    SPEED = 8.0  # m/s
+    LANES = (("per step (Eq. 3.5)", "red"), ("per second (Eq. 3.6)", "blue"), ("exact", "gray"))
+
+    def build(self) -> None:
+        self.places = [0.0, 0.0]
+        self.speeds = [Vector3(self.SPEED), Vector3(self.SPEED)]
+        self.steps = 0
+
+    def step(self, duration: float) -> None:
+        h = 1.0 / self.rate
+        while (self.steps + 1) * h <= self.time + duration + 1e-9:
+            self.steps += 1
+            for i, v in enumerate(self.speeds):
+                self.places[i] += v.x * h
+            each_step = self.kept ** (1.0 / 60.0)
+            self.speeds[0] = damp_per_frame(self.speeds[0], Vector3(), each_step, h)
+            self.speeds[1] = damp_per_second(self.speeds[1], Vector3(), self.kept, h)
+
+    def slid(self) -> float:
+        """Return how far the exact puck has slid after the steps made so far."""
+        k = -math.log(self.kept)
+        return self.SPEED * -math.expm1(-k * self.steps / self.rate) / k
+
+    def draw(self, pen: Pen) -> None:
+        for i, (x, (label, color)) in enumerate(
+            zip((*self.places, self.slid()), self.LANES, strict=True)
+        ):
+            y = 2.5 - i
+            pen.segments([((0.0, y - 0.3), (10.0, y - 0.3))], "gray")
+            pen.circle((x, y), 0.25, color)
+            pen.text((1.2, y + 0.45), label, color)
+
+    def chart(self) -> dict[str, float]:
+        return {
+            "speed, per step, m/s": self.speeds[0].x,
+            "speed, per second, m/s": self.speeds[1].x,
+        }
+
+    def state(self) -> list[float]:
+        return [self.places[1]]
+
+    def exact(self, time: float) -> list[float]:
+        return [self.slid()]
+
+    def facts(self) -> str:
+        per_step = self.kept ** (self.rate / 60.0)
+        return (
+            f"damping per step keeps {per_step:.3g} per second at {self.rate} Hz, not {self.kept:g}"
+        )
+
+    def say(self) -> str:
+        return f"The red puck is at {self.places[0]:.2f} m, the blue one at {self.places[1]:.2f} m."
+
+
+SCENES = (FrameRates, DampingForms)

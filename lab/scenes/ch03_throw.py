@@ -1,0 +1,223 @@
+"""A game of chapter 3: throw a ball at a hoop with your own Particle.integrate."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import Scene
+from studies.drag_flight import GRAVITY, DragFlight, State
+
+Point = tuple[float, float]
+
+
+class Throw(Scene):
+    """A ball that the engine moves step by step, next to the exact path."""
+
+    chapter = 3
+    title = "Throw a ball at the hoop"
+    question = "Does a ball that is aimed exactly go in at 10 steps per second?"
+    view = (-0.5, 20.0, -1.0, 11.0)
+    seconds = 16.5
+    exact_from = "closed form of dv/dt = a - k v"
+    keys = {
+        "up": "aim higher",
+        "down": "aim lower",
+        "right": "throw harder",
+        "left": "throw more gently",
+        "t": "throw",
+    }
+    rate = Choice(60, "steps per second", [60, 30, 15, 10, 5], "Hz", live=True)
+    damping = Choice(1.0, "damping d", [1.0, 0.7], live=True)
+    angle = Slider(55.0, "angle", "degrees", 0.0, 88.0, step=2.0, live=True)
+    speed = Slider(9.0, "speed", "m/s", 4.0, 20.0, step=0.25, live=True)
+
+    HAND = (1.0, 2.0)  # m
+    HOOPS = ((9.0, 3.0), (14.0, 4.0), (11.0, 5.0), (16.0, 2.5))  # m, the center of each rim
+    RIM, BALL = 0.5, 0.25  # m, half the width of the rim and the radius of the ball
+    PULL = 2.0  # 1/s, the speed of a throw per meter of distance to the click
+    REST = 1.0  # s, how long the hoop stays in place after a throw
+    LONGEST = 6.0  # s, after which a ball that has not come down is given up
+    # The throws of the scripted player: time in s, steps per second, damping, angle in degrees and
+    # speed in m/s. At 10 steps per second it first uses the exact aim, and then a lower speed.
+    ORDERS = (
+        (0.5, 60, 1.0, 55.0, 9.57),
+        (3.2, 10, 1.0, 55.0, 12.33),
+        (6.6, 10, 1.0, 55.0, 12.0),
+        (10.2, 60, 0.7, 55.0, 11.5),
+        (13.2, 60, 0.7, 55.0, 13.88),
+    )
+
+    def build(self) -> None:
+        self.throws = self.score = self.steps = self.passed = 0
+        self.flies, self.rest, self.message = False, 0.0, "Aim and throw."
+        self.old: list[Point] = []
+        self.path: list[Point] = []
+        self.truth: list[Point] = []
+        self.orders = [*self.ORDERS]
+        self.thrown = self.flight()
+        self.ball = self.new_ball()
+
+    @property
+    def hoop(self) -> Point:
+        """The center of the rim, in m. It moves on after each ball that goes in."""
+        return self.HOOPS[self.passed % len(self.HOOPS)]
+
+    def flight(self) -> DragFlight:
+        """Return the throw as plain numbers that have an exact solution."""
+        angle = math.radians(self.angle)
+        velocity = (self.speed * math.cos(angle), self.speed * math.sin(angle), 0.0)
+        return DragFlight("throw", State((*self.HAND, 0.0), velocity), GRAVITY, self.damping, 6.0)
+
+    def new_ball(self) -> Particle:
+        """Return a particle that leaves the hand with the current aim."""
+        start = self.thrown.start
+        return Particle(
+            Vector3(*start.position),
+            Vector3(*start.velocity),
+            Vector3(*GRAVITY),
+            damping=self.damping,
+        )
+
+    def throw(self) -> None:
+        """Throw the ball, unless it is still in the air."""
+        if self.flies:
+            return
+        self.thrown = self.flight()
+        self.ball = self.new_ball()
+        self.passed = self.score
+        self.duration, self.due, self.steps = 1.0 / self.rate, 0.0, 0
+        self.old = [*self.old, *self.path][-400:]
+        self.path, self.truth = [self.HAND], self.exact_path()
+        self.throws += 1
+        self.message, self.flies = "", True
+
+    def exact_path(self) -> list[Point]:
+        """Return the exact path of the throw, down to the ground."""
+        path: list[Point] = []
+        while not path or (path[-1][1] >= 0.0 and len(path) < 60.0 * self.LONGEST):
+            x, y, _ = self.thrown.exact(len(path) / 60.0).position
+            path.append((x, y))
+        return path
+
+    def step(self, duration: float) -> None:
+        if not self.flies:
+            self.rest -= duration
+            if self.rest < 0.0:
+                self.passed = self.score
+            return
+        self.due += duration / self.duration
+        while self.due > 0.5 and self.flies:
+            self.ball.integrate(self.duration)
+            self.due -= 1.0
+            self.steps += 1
+            self.path.append((self.ball.position.x, self.ball.position.y))
+            if self.path[-1][1] <= self.BALL or self.steps * self.duration > self.LONGEST:
+                self.land()
+
+    def land(self) -> None:
+        """End the throw, and compare both paths with the hoop."""
+        yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
+        self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
+        self.score += self.is_in(yours)
+        self.flies, self.rest = False, self.REST
+
+    def past_hoop(self, path: list[Point]) -> float | None:
+        """Return how far beyond the rim's center, in m, a path passes the rim's height, if ever."""
+        x, y = self.hoop
+        for (x1, y1), (x2, y2) in pairwise(path):
+            if y1 > y >= y2:
+                return x1 + (x2 - x1) * (y1 - y) / (y1 - y2) - x
+        return None
+
+    def is_in(self, beyond: float | None) -> bool:
+        """Return whether a ball that comes down there goes through the hoop."""
+        return beyond is not None and abs(beyond) < self.RIM
+
+    def told(self, beyond: float | None) -> str:
+        """Describe in words how well a path hits the hoop."""
+        if beyond is None:
+            return "too low"
+        if self.is_in(beyond):
+            return "in"
+        return f"{abs(beyond):.2f} m too {'far' if beyond > 0.0 else 'short'}"
+
+    def draw(self, pen: Pen) -> None:
+        x, y = self.hoop
+        left, right = x - self.RIM, x + self.RIM
+        hand_x, hand_y = self.HAND
+        neck, hip = (hand_x - 0.6, hand_y - 0.45), (hand_x - 0.6, hand_y - 1.2)
+        pen.ground()
+        pen.segments([(neck, hip), (neck, self.HAND)], "black", 2.5)
+        pen.segments([(hip, (hip[0] + side, 0.0)) for side in (-0.25, 0.25)], "black", 2.5)
+        pen.circle((hand_x - 0.6, hand_y - 0.2), 0.25, "black")
+        pen.segments([((right + 0.45, 0.0), (right + 0.45, y + 0.9))], "gray", 3.0)
+        pen.segments([((right + 0.3, y - 0.3), (right + 0.3, y + 1.2))], "black", 4.0)
+        pen.line(
+            [(left, y), (left + 0.2, y - 0.7), (right - 0.2, y - 0.7), (right, y)], "gray", 1.0
+        )
+        pen.segments([((left, y), (right, y))], "red", 4.0)
+        pen.dots(self.old, "gray", 2.0)
+        pen.line(self.truth, "gray", 1.5, dashed=True)
+        pen.dots(self.path, "blue")
+        if self.flies:
+            true = self.exact(self.time)
+            pen.circle((true[0], true[1]), self.BALL, "gray", fill=False)
+            pen.segments([(self.path[-1], (true[0], true[1]))], "red", 1.5)
+        else:
+            a, reach = math.radians(self.angle), 0.2 * self.speed
+            pen.arrow(self.HAND, (reach * math.cos(a), reach * math.sin(a)), "red")
+        place = self.path[-1] if self.path else self.HAND
+        pen.circle((place[0], max(self.BALL, place[1])), self.BALL, "orange")
+        pen.text((9.0, 10.2), self.message or f"error {self.error() or 0.0:.2f} m", "black", 15.0)
+        if self.score > self.passed:
+            pen.text((x, y + 1.5), "In!", "green", 18.0)
+
+    def chart(self) -> dict[str, float]:
+        return {"height, m": self.path[-1][1] if self.path else self.HAND[1]}
+
+    def state(self) -> list[float]:
+        return [*(self.path[-1] if self.path else self.HAND)]
+
+    def exact(self, time: float) -> list[float]:
+        passed = self.steps / self.rate if not self.throws else self.steps * self.duration
+        return [*self.thrown.exact(passed).position[:2]]
+
+    def facts(self) -> str:
+        return f"{self.score} of {self.throws} went in; {self.rate} steps per second"
+
+    def say(self) -> str:
+        return self.message or f"The ball is {self.path[-1][1]:.1f} m high."
+
+    def press(self, key: str) -> None:
+        if key in ("up", "down"):
+            self.aim(self.angle + (2.0 if key == "up" else -2.0), self.speed)
+        elif key in ("left", "right"):
+            self.aim(self.angle, self.speed + (0.25 if key == "right" else -0.25))
+        elif key == "t":
+            self.throw()
+
+    def aim(self, angle: float, speed: float) -> None:
+        """Aim forward, with an angle in degrees and a speed in m/s that an arm can reach."""
+        self.values["angle"] = max(0.0, min(88.0, angle))
+        self.values["speed"] = max(4.0, min(20.0, speed))
+
+    def click(self, x: float, y: float) -> None:
+        if not self.flies:
+            dx, dy = x - self.HAND[0], y - self.HAND[1]
+            self.aim(math.degrees(math.atan2(dy, dx)), self.PULL * math.hypot(dx, dy))
+            self.throw()
+
+    def play(self, time: float) -> None:
+        """Throw at 60 steps per second, then at 10 with two aims, and with damping."""
+        if self.orders and self.orders[0][0] <= time:
+            _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
+            self.aim(angle, speed)
+            self.throw()
+
+
+SCENES = (Throw,)

@@ -1,0 +1,256 @@
+"""The ballistic range of chapter 4: shots of five types at blocks of several masses."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot, grenade_after
+from ch04_particle_engine.closed_form import state_after
+from ch04_particle_engine.targets import TargetBlock, strike_first
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import Question, Scene
+from studies.readings import is_written
+
+COLORS = {
+    "pistol": "black",
+    "artillery": "green",
+    "fireball": "orange",
+    "laser": "red",
+    "grenade": "blue",
+    "fragment": "blue",
+}
+MIDDLE = -20.0  # where the view from above is drawn, below the view from the side
+
+
+class Ballistics(Scene):
+    """Shots at blocks, seen from the side and, below, from above."""
+
+    chapter = 4
+    title = "The ballistic range"
+    question = "Why can the same code fire a bullet, a fireball and a laser beam?"
+    view = (-4.0, 132.0, -36.0, 36.0)
+    seconds = 14.0
+    keys = {
+        **{str(i): f"choose shot type {i}" for i in range(1, 6)},
+        "up": "raise the muzzle",
+        "down": "lower the muzzle",
+        "left": "turn the muzzle to the left",
+        "right": "turn the muzzle to the right",
+        "f": "fire",
+    }
+    TURN = math.radians(2.0)
+    # Time in s, shot, azimuth and elevation in degrees, for the scripted player.
+    ORDERS = (
+        (0.2, "pistol", 0.0, None),
+        (1.0, "fireball", 6.0, None),
+        (1.5, "laser", 0.0, None),
+        (2.5, "artillery", 0.0, 40.0),
+        (3.5, "grenade", -12.0, None),
+        (4.0, "pistol", -5.0, 1.0),
+        (5.0, "pistol", 3.6, 2.0),
+        (6.5, "laser", 2.0, 2.0),
+        (7.0, "artillery", 2.0, 12.0),
+        (8.0, "grenade", 0.0, 60.0),
+        (8.5, "artillery", -5.0, 2.0),
+    )
+
+    def build(self) -> None:
+        self.range = BallisticRange()
+        if is_written(lambda: strike_first(Vector3(), Particle(), [])):
+            self.range.targets += [
+                TargetBlock(Vector3(0, 1, 25), (2, 2, 0.3), mass=5),
+                TargetBlock(Vector3(-4, 1.5, 45), (3, 3, 1), mass=60),
+                TargetBlock(Vector3(4, 1.5, 65), (3, 3, 1), mass=1000),
+                TargetBlock(Vector3(0, 4, 120), (16, 8, 0.5), mass=math.inf),
+            ]
+        throws = is_written(lambda: grenade_after(Shot("grenade", Particle())))
+        self.names = [name for name in SHOT_TYPES if throws or name != "grenade"]
+        self.name = "pistol"
+        self.azimuth = 0.0
+        self.elevation: float | None = None
+        self.trails: dict[int, tuple[Shot, list[tuple[float, float, float]]]] = {}
+        self.orders = [order for order in self.ORDERS if order[1] in self.names]
+
+    def step(self, duration: float) -> None:
+        self.range.update(duration)
+        for shot in self.range.shots:
+            p = shot.particle.position
+            _, trail = self.trails.setdefault(id(shot), (shot, []))
+            trail.append((p.x, p.y, p.z))
+        for key in [*self.trails][:-24]:  # the last 24 remain visible
+            del self.trails[key]
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        pen.text((10.0, 33.0), "from the side", "gray")
+        pen.text((10.0, MIDDLE + 14.0), "from above", "gray")
+        pen.segments([((-4.0, MIDDLE), (132.0, MIDDLE))], "gray", 0.5)
+        for block in self.range.targets:
+            color = "wood" if block.particle.has_finite_mass else "gray"
+            p, (width, height, depth) = block.particle.position, block.size
+            for middle, tall in ((p.y, height), (MIDDLE + p.x, width)):
+                left, low = p.z - 0.5 * depth, middle - 0.5 * tall
+                right, high = left + depth, low + tall
+                pen.area([(left, low), (right, low), (right, high), (left, high)], color)
+        for shot, trail in self.trails.values():
+            color = COLORS.get(shot.type, "pink")
+            pen.dots([(z, y) for _, y, z in trail], color, 2.0)
+            pen.dots([(z, MIDDLE + x) for x, _, z in trail], color, 2.0)
+        elevation = self.muzzle()
+        side = (10.0 * math.cos(elevation), 10.0 * math.sin(elevation))
+        above = (10.0 * math.cos(self.azimuth), 10.0 * math.sin(self.azimuth))
+        pen.arrow((0.0, MUZZLE[1]), side, COLORS.get(self.name, "pink"))
+        pen.arrow((0.0, MIDDLE), above, COLORS.get(self.name, "pink"))
+
+    def muzzle(self) -> float:
+        """Return the elevation in radians: the chosen one, or that of the type of shot."""
+        vx, vy, vz = SHOT_TYPES[self.name].velocity
+        own = math.atan2(vy, math.hypot(vx, vz))
+        return own if self.elevation is None else self.elevation
+
+    def chart(self) -> dict[str, float]:
+        return {"shots in flight": float(len(self.range.shots))}
+
+    def facts(self) -> str:
+        kind = SHOT_TYPES[self.name]
+        return f"{self.name}: {kind.mass:g} kg, damping {kind.damping:g}"
+
+    def say(self) -> str:
+        hits = [
+            f"{_mass(block)}: {block.hits} hits, {block.particle.velocity.z:.1f} m/s"
+            for block in self.range.targets
+        ]
+        return "; ".join(hits) or f"{len(self.range.shots)} shots are in flight."
+
+    def press(self, key: str) -> None:
+        if key in "12345"[: len(self.names)]:
+            self.name = self.names[int(key) - 1]
+        elif key in ("left", "right"):
+            self.azimuth += self.TURN if key == "left" else -self.TURN
+        elif key in ("up", "down"):
+            self.elevation = self.muzzle() + (self.TURN if key == "up" else -self.TURN)
+        elif key == "f":
+            self.range.fire(self.name, self.azimuth, self.elevation)
+
+    def click(self, x: float, y: float) -> None:
+        """Aim at the point, from the side or from above, and fire."""
+        if x <= MUZZLE[2]:
+            return
+        if y > 0.5 * MIDDLE:
+            self.elevation = math.atan2(y - MUZZLE[1], x)
+        else:
+            self.azimuth = math.atan2(y - MIDDLE, x)
+        self.range.fire(self.name, self.azimuth, self.elevation)
+
+    def play(self, time: float) -> None:
+        while self.orders and self.orders[0][0] <= time:
+            _, self.name, azimuth, elevation = self.orders.pop(0)
+            self.azimuth = math.radians(azimuth)
+            self.elevation = None if elevation is None else math.radians(elevation)
+            self.range.fire(self.name, self.azimuth, self.elevation)
+
+
+def best_of_three(scene: Artillery) -> int:
+    """Return which of 30, 45 and 60 degrees carries a shell the farthest."""
+    lengths = [scene.landing(angle)[0] for angle in (30.0, 45.0, 60.0)]
+    return lengths.index(max(lengths))
+
+
+class Artillery(Scene):
+    """A shell whose landing point the closed form knows before it is fired."""
+
+    chapter = 4
+    title = "Where will the shell land?"
+    question = "Can you know where a shell lands without simulating its flight?"
+    view = (-5.0, 175.0, -4.0, 90.0)
+    seconds = 8.0
+    exact_from = "the closed form, state_after"
+    predict = Question(
+        "With these settings, which elevation carries the shell the farthest?",
+        ["30°", "45°", "60°"],
+        best_of_three,
+        "Without drag it is 45°. With drag the shell spends its speed on the way, and a flatter "
+        "shot gets farther before it is slow.",
+        8.0,
+    )
+    keys = {"f": "fire again"}
+    elevation = Slider(45.0, "elevation", "degrees", 5.0, 85.0, step=1.0)
+    speed = Slider(40.0, "speed", "m/s", 10.0, 40.0, step=1.0)
+    damping = Slider(0.8, "damping d", "", 0.3, 1.0, step=0.05)
+    rate = Choice(60, "steps per second", [10, 30, 60, 240], "Hz")
+
+    def build(self) -> None:
+        self.shell, self.flies = self.shot(self.elevation), True
+        self.path = [(0.0, 0.0)]
+        self.steps, self.fired = 0, self.time
+        self.length, self.flight = self.landing(self.elevation)
+        self.predicted = [
+            self.place_after(self.flight * i / 60.0, self.elevation) for i in range(61)
+        ]
+
+    def shot(self, elevation: float) -> Particle:
+        """Return a shell that leaves the ground at an elevation in degrees."""
+        a = math.radians(elevation)
+        velocity = Vector3(self.speed * math.cos(a), self.speed * math.sin(a))
+        return Particle(Vector3(), velocity, Vector3(0.0, -9.81), damping=self.damping)
+
+    def place_after(self, time: float, elevation: float) -> tuple[float, float]:
+        """Return the exact position of a shell after a time in s."""
+        position, _ = state_after(self.shot(elevation), time)
+        return position.x, position.y
+
+    def landing(self, elevation: float) -> tuple[float, float]:
+        """Return how far a shell flies in m, and for how long in s, by bisection."""
+        low, high = 0.01, 20.0  # s; it is above the ground after the first and below after the last
+        while high - low > 1e-9:
+            middle = 0.5 * (low + high)
+            above = self.place_after(middle, elevation)[1] > 0.0
+            low, high = (middle, high) if above else (low, middle)
+        return self.place_after(low, elevation)[0], low
+
+    def step(self, duration: float) -> None:
+        now = self.time + duration - self.fired
+        while (self.steps + 1) / self.rate <= now + 1e-9 and self.flies:
+            self.shell.integrate(1.0 / self.rate)
+            self.steps += 1
+            self.path.append((self.shell.position.x, self.shell.position.y))
+            self.flies = self.steps / self.rate < self.flight
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        pen.line(self.predicted, "gray", 1.5, dashed=True)
+        pen.segments([((self.length, -2.0), (self.length, 2.0))], "red", 4.0)
+        pen.text((self.length, 5.0), f"{self.length:.1f} m", "red")
+        pen.line(self.path, "blue")
+        pen.circle(self.shell.position, 1.5, "green")
+        pen.arrow(self.shell.position, self.shell.velocity * 0.3, "green", "velocity")
+
+    def chart(self) -> dict[str, float]:
+        return {"height, m": self.shell.position.y, "speed, m/s": self.shell.velocity.magnitude()}
+
+    def state(self) -> list[float]:
+        return [self.shell.position.x, self.shell.position.y]
+
+    def exact(self, time: float) -> list[float]:
+        return [*self.place_after(self.steps / self.rate, self.elevation)]
+
+    def facts(self) -> str:
+        return f"lands {self.length:.2f} m away, after {self.flight:.2f} s and one calculation"
+
+    def say(self) -> str:
+        p = self.shell.position
+        return f"The shell is {p.x:.1f} m away and {p.y:.1f} m high."
+
+    def press(self, key: str) -> None:
+        if key == "f":
+            self.build()
+
+
+SCENES = (Artillery, Ballistics)
+
+
+def _mass(block: TargetBlock) -> str:
+    return f"{block.particle.mass:g} kg" if block.particle.has_finite_mass else "the wall"

@@ -1,0 +1,117 @@
+"""A display of fireworks to keep alive by clicking on its rockets (project 4.1)."""
+
+from __future__ import annotations
+
+from ch02_vectors.vector import Vector3
+from ch04_particle_engine.catherine_wheel import CatherineWheel
+from ch04_particle_engine.display import Display, click, find_rocket, is_over, tick
+from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
+from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, endless_types
+from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
+from lab.pen import Pen
+from lab.scene import Scene
+from studies.readings import is_written
+
+COLORS = ("orange", "red", "sky", "pink", "brown", "red", "sky", "green", "violet", "pink", "green")
+# The sparks of the Catherine wheel, as a type of their own.
+WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), damping=0.4)
+
+
+class Fireworks(Scene):
+    """A display that lives as long as somebody clicks on its rockets, and a Catherine wheel."""
+
+    chapter = 4
+    title = "Keep the fireworks alive"
+    question = "How can a few rules light hundreds of sparks?"
+    view = (-30.0, 30.0, -1.0, 34.0)
+    seconds = 12.0
+    keys = {**{str(i): f"launch a firework of type {i}" for i in range(1, 10)}}
+    SPIN = 5.0  # rad/s, with which sparks rotate on the screen
+
+    def build(self) -> None:
+        own = own_types() if is_written(own_types) else []
+        rules = [*FIREWORK_TYPES, *own, WHEEL_SPARK]
+        self.display = Display(FireworksShow(rules, capacity=400, seed=2))
+        self.wheel = make_wheel(self.display.show, Vector3(-22, 10, 0))
+        trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
+        self.turns = is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
+        self.plays = is_written(lambda: is_over(self.display)) and is_written(
+            lambda: find_rocket(self.display, 0.0, 0.0)
+        )
+        self.endless = endless_types(rules) if is_written(lambda: endless_types([])) else []
+        self.spins = is_written(
+            lambda: screen_corners((0.0, 0.0), 1.0, screen_angle(0.0, 1.0, 0.0))
+        )
+        for kind in (1, 6, 10 if own else 2):
+            self.display.show.launch(kind)
+
+    def step(self, duration: float) -> None:
+        if self.turns and not self.ended():
+            self.wheel.update(duration)
+        if self.plays:
+            tick(self.display, duration)
+        else:
+            self.display.show.update(duration)
+
+    def ended(self) -> bool:
+        """Return whether the game is over, if its rules are written."""
+        return self.plays and is_over(self.display)
+
+    def draw(self, pen: Pen) -> None:
+        show = self.display.show
+        pen.ground()
+        if self.turns:
+            pen.circle(self.wheel.center, self.wheel.radius, "gray", fill=False)
+        for firework in show.fireworks:
+            p = firework.particle.position
+            size = 0.9 if show.rules[firework.type].payloads else 0.45
+            corners = [(p.x - size, p.y), (p.x, p.y - size), (p.x + size, p.y)]
+            if self.spins:
+                angle = screen_angle(0.0, self.SPIN, firework.age)
+                corners = [*screen_corners((p.x, p.y), size, angle)]
+            pen.area(corners, COLORS[(firework.type - 1) % len(COLORS)])
+        if self.ended():
+            pen.text((0.0, 16.0), "The display has ended. Press r.", "red", 20.0)
+
+    def chart(self) -> dict[str, float]:
+        return {"fireworks burning": float(len(self.display.show.fireworks))}
+
+    def facts(self) -> str:
+        show = self.display.show
+        endless = f"; types {self.endless} light each other for ever" if self.endless else ""
+        return f"at most {show.capacity} sparks, {show.dropped} had no room{endless}"
+
+    def say(self) -> str:
+        shown = self.display
+        return f"Score {shown.score}, misses {shown.misses}, {shown.time:.1f} s alive."
+
+    def press(self, key: str) -> None:
+        if key in "123456789" and not self.ended():
+            self.display.show.launch(int(key))
+
+    def click(self, x: float, y: float) -> None:
+        if self.plays:
+            click(self.display, x, y)
+
+    def play(self, time: float) -> None:
+        """Click on each rocket late, except in the last seconds, in which the display goes dark."""
+        if time > self.seconds - 3.0:
+            return
+        if not self.plays:
+            if round(time * 60.0) % 60 == 59:
+                self.display.show.launch(1 + round(time) % 2 * 5)
+            return
+        for firework in [*self.display.show.fireworks]:  # click adds to the show's own list
+            if 0.0 < firework.age < 0.3 and firework.type in (1, 2, 6, 10):
+                p = firework.particle.position
+                click(self.display, p.x, p.y)
+
+
+SCENES = (Fireworks,)
+
+
+def make_wheel(show: FireworksShow, center: Vector3) -> CatherineWheel:
+    """Return a wheel whose sparks are of the type of WHEEL_SPARK."""
+    return CatherineWheel(
+        show, WHEEL_SPARK.type, center, radius=2.0, rate=9.0, sparks_per_second=90.0, jet=26.0
+    )

@@ -1,0 +1,205 @@
+"""Scenes of chapter 5: falls in air, and an orbit by two forms of the step."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.closed_form import quadratic_fall, terminal_speed
+from ch05_forces.forces import Drag, ForceRegistry, InverseSquareGravity
+from ch05_forces.particle import Particle
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import Question, Scene
+
+G = 9.81  # m/s^2
+
+
+def lands_first(scene: FallInAir) -> int:
+    """Return which ball has the higher terminal speed: the one that reaches the ground first."""
+    heavy, light = (terminal_speed(mass * G, 0.0, k2) for mass, k2, _ in scene.balls())
+    return 0 if heavy > 1.001 * light else 1 if light > 1.001 * heavy else 2
+
+
+class FallInAir(Scene):
+    """Two balls that fall from a tower, with quadratic drag."""
+
+    chapter = 5
+    title = "Which ball lands first?"
+    question = "Why does a heavy ball fall faster in air, but not on the moon?"
+    view = (-6.0, 10.0, -4.0, 104.0)
+    seconds = 7.0
+    exact_from = "closed form of a fall with quadratic drag"
+    predict = Question(
+        "Both balls are released together. Which one lands first?",
+        ["The left one.", "The right one.", "Both together."],
+        lands_first,
+        "Without air both would land together. With drag, a ball falls faster the more weight it "
+        "has for its drag: the terminal speed is the root of m g / k2.",
+        6.0,
+    )
+    left_mass = Slider(4.0, "mass of the left ball", "kg", 0.1, 10.0, log=True)
+    right_mass = Slider(0.5, "mass of the right ball", "kg", 0.1, 10.0, log=True)
+    left_drag = Slider(0.02, "drag k2 of the left ball", "N s²/m²", 0.0, 0.1, step=0.005)
+    right_drag = Slider(0.02, "drag k2 of the right ball", "N s²/m²", 0.0, 0.1, step=0.005)
+    rate = Choice(60, "steps per second", [15, 30, 60, 120, 240], "Hz")
+    TOP = 100.0  # m
+
+    def balls(self) -> list[tuple[float, float, str]]:
+        """Return mass, drag and color of both balls."""
+        return [
+            (self.left_mass, self.left_drag, "blue"),
+            (self.right_mass, self.right_drag, "orange"),
+        ]
+
+    def build(self) -> None:
+        self.registry = ForceRegistry()
+        self.fallers = []
+        for i, (mass, k2, _) in enumerate(self.balls()):
+            ball = Particle(Vector3(4.0 * i, self.TOP), acceleration=Vector3(0.0, -G), mass=mass)
+            if k2 > 0.0:
+                self.registry.add(ball, Drag(0.0, k2))
+            self.fallers.append(ball)
+        self.steps = 0
+        self.landed = [math.inf, math.inf]
+
+    def step(self, duration: float) -> None:
+        h = 1.0 / self.rate
+        while (self.steps + 1) * h <= self.time + duration + 1e-9:
+            self.registry.update_forces(h)
+            self.steps += 1
+            for i, ball in enumerate(self.fallers):
+                if ball.position.y > 0.0:
+                    ball.integrate(h)
+                    if ball.position.y <= 0.0:
+                        self.landed[i] = self.steps * h
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        pen.area([(-4.0, 0.0), (-2.0, 0.0), (-2.0, self.TOP), (-4.0, self.TOP)], "gray")
+        for i, (ball, (mass, k2, color)) in enumerate(zip(self.fallers, self.balls(), strict=True)):
+            height = max(0.0, ball.position.y)
+            pen.circle((4.0 * i, height + 1.5), 1.2 * mass ** (1.0 / 3.0), color)
+            pen.arrow((4.0 * i, height + 1.5), (0.0, 0.5 * ball.velocity.y), "green", "velocity")
+            drag = k2 * ball.velocity.y**2 / mass
+            pen.arrow((4.0 * i, height + 1.5), (0.0, drag), "red", "force")
+            if self.landed[i] < math.inf:
+                pen.text((4.0 * i, 12.0), f"{self.landed[i]:.2f} s", color)
+
+    def chart(self) -> dict[str, float]:
+        left, right = self.fallers
+        return {"speed, left, m/s": -left.velocity.y, "speed, right, m/s": -right.velocity.y}
+
+    def state(self) -> list[float]:
+        return [ball.position.y for ball in self.fallers]
+
+    def exact(self, time: float) -> list[float]:
+        """Return the exact heights; a ball that has landed is compared no more."""
+        heights = []
+        for ball, landed, (mass, k2, _) in zip(
+            self.fallers, self.landed, self.balls(), strict=True
+        ):
+            passed = self.steps / self.rate
+            fallen = quadratic_fall(mass, G, k2, passed)[1] if k2 else 0.5 * G * passed * passed
+            heights.append(self.TOP - fallen if landed == math.inf else ball.position.y)
+        return heights
+
+    def facts(self) -> str:
+        speeds = [
+            f"{terminal_speed(mass * G, 0.0, k2):.1f} m/s" if k2 else "none (no air)"
+            for mass, k2, _ in self.balls()
+        ]
+        return f"terminal speeds: {speeds[0]} and {speeds[1]}"
+
+    def say(self) -> str:
+        left, right = self.fallers
+        heights = (left.position.y, right.position.y)
+        return f"The balls are {heights[0]:.0f} m and {heights[1]:.0f} m high."
+
+
+class Orbit(Scene):
+    """A planet around a star, by the book's step or with the velocity first."""
+
+    chapter = 5
+    title = "An orbit that should close"
+    question = "Which order of the two moves keeps a planet on its orbit?"
+    view = (-3.4, 2.4, -2.2, 2.2)
+    seconds = 8.0
+    exact_from = "Kepler's equation"
+    predict = Question(
+        "The planet takes the book's step, position first. What happens to its orbit?",
+        ["It stays as it is.", "It grows.", "It shrinks."],
+        lambda scene: 1 if scene.order == "position first" else 0,
+        "With the position first, each step goes out along the tangent with its old speed and "
+        "gains energy. With the velocity first, the energy oscillates and does not drift.",
+        8.0,
+    )
+    order = Choice("position first", "step", ["position first", "velocity first"])
+    rate = Choice(60, "steps per second", [15, 30, 60, 120, 240], "Hz")
+    eccentricity = Slider(0.4, "eccentricity", "", 0.0, 0.7, step=0.05)
+    MU = 4.0  # m^3/s^2
+    AXIS = 1.5  # m, half of the long axis
+
+    def build(self) -> None:
+        e = self.eccentricity
+        near, speed = self.AXIS * (1.0 - e), math.sqrt(self.MU / self.AXIS * (1.0 + e) / (1.0 - e))
+        self.planet = Particle(Vector3(near), Vector3(0.0, speed))
+        self.registry = ForceRegistry()
+        self.registry.add(self.planet, InverseSquareGravity(Vector3(), self.MU))
+        self.steps = 0
+        self.path = [(near, 0.0)]
+
+    def step(self, duration: float) -> None:
+        h = 1.0 / self.rate
+        while (self.steps + 1) * h <= self.time + duration + 1e-9:
+            self.registry.update_forces(h)
+            if self.order == "position first":
+                self.planet.integrate(h)
+            else:
+                self.planet.kick(h)
+                self.planet.drift(h)
+            self.steps += 1
+        self.path = [*self.path[-600:], (self.planet.position.x, self.planet.position.y)]
+
+    def draw(self, pen: Pen) -> None:
+        pen.line([self.kepler(i / 90.0 * self.period()) for i in range(91)], "gray", dashed=True)
+        pen.line(self.path, "blue")
+        pen.circle((0.0, 0.0), 0.14, "orange")
+        pen.circle(self.kepler(self.steps / self.rate), 0.08, "gray", fill=False)
+        pen.circle(self.planet.position, 0.08, "blue")
+        p = self.planet.position
+        pen.arrow(p, self.planet.velocity * 0.2, "green", "velocity")
+        pen.arrow(p, p * (-0.3 / max(p.magnitude(), 0.3)), "red", "force")
+
+    def period(self) -> float:
+        """Return the time of one orbit in s."""
+        return math.tau * math.sqrt(self.AXIS**3 / self.MU)
+
+    def kepler(self, time: float) -> tuple[float, float]:
+        """Return the exact position after a time in s: M = E - e sin E, by Newton's method."""
+        e, mean = self.eccentricity, math.tau * time / self.period()
+        anomaly = mean
+        for _ in range(12):
+            anomaly -= (anomaly - e * math.sin(anomaly) - mean) / (1.0 - e * math.cos(anomaly))
+        wide = self.AXIS * math.sqrt(1.0 - e * e)
+        return self.AXIS * (math.cos(anomaly) - e), wide * math.sin(anomaly)
+
+    def chart(self) -> dict[str, float]:
+        p, v = self.planet.position, self.planet.velocity
+        energy = 0.5 * v.squared_magnitude() - self.MU / p.magnitude()
+        return {"energy, J": energy, "angular momentum, kg m²/s": p.x * v.y - p.y * v.x}
+
+    def state(self) -> list[float]:
+        return [self.planet.position.x, self.planet.position.y]
+
+    def exact(self, time: float) -> list[float]:
+        return [*self.kepler(self.steps / self.rate)]
+
+    def facts(self) -> str:
+        return f"one orbit takes {self.period():.2f} s, or {self.period() * self.rate:.0f} steps"
+
+    def say(self) -> str:
+        return f"The planet is {self.planet.position.magnitude():.2f} m from the star."
+
+
+SCENES = (FallInAir, Orbit)

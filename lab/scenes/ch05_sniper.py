@@ -1,0 +1,146 @@
+"""The sniper range of chapter 5 (project 4.2): ten shots in a wind that changes after each."""
+
+from __future__ import annotations
+
+import math
+
+from ch05_forces.sniper import (
+    BULLET_MASS,
+    GRAVITY,
+    K1,
+    K2,
+    MUZZLE,
+    MUZZLE_SPEED,
+    RINGS,
+    SHOTS,
+    STRONGEST_WIND,
+    SWING,
+    TARGETS,
+    SniperRange,
+)
+from lab.pen import Pen
+from lab.scene import Scene
+
+COLORS = ("sky", "water", "blue")  # of the rings, from the outermost
+
+
+class Sniper(Scene):
+    """Targets at four distances through a scope. One unit of the view is a milliradian."""
+
+    chapter = 5
+    title = "The sniper range"
+    question = "How far beside the target must you aim in this wind?"
+    view = (-42.0, 42.0, -17.0, 30.0)
+    seconds = 22.0
+    keys = {
+        "left": "aim to the left",
+        "right": "aim to the right",
+        "up": "aim higher",
+        "down": "aim lower",
+        "f": "fire",
+        "n": "begin a new round",
+    }
+    STEP = 0.0005  # rad
+
+    def build(self) -> None:
+        self.seed = 2
+        self.begin()
+
+    def begin(self) -> None:
+        """Begin a round, with other winds than the last."""
+        self.seed += 1
+        self.range = SniperRange(self.seed)
+        self.aim = (0.0, 0.0)
+        self.waited = 0.0
+        self.result = "Wait for the wind, aim and fire."
+
+    def step(self, duration: float) -> None:
+        flying, holes = self.range.bullet is not None, len(self.range.holes)
+        self.range.update(duration)
+        self.waited += duration
+        if self.range.bullet is not None:
+            self.waited = 0.0
+        elif flying:
+            hits = self.range.holes[holes:]
+            self.result = f"A hit for {hits[0].points} points." if hits else "The shot missed."
+
+    def draw(self, pen: Pen) -> None:
+        for target in TARGETS:
+            middle = seen(target.x, target.y, target.distance)
+            for (radius, _), color in zip(reversed(RINGS), COLORS, strict=True):
+                pen.circle(middle, 1000.0 * radius / target.distance, color)
+            below = (middle[0], middle[1] - 14.0)
+            pen.text(below, f"{target.distance:g} m, x {target.factor}", "gray", 12.0)
+        for hole in self.range.holes:
+            x, y = hole.target.x + hole.x, hole.target.y + hole.y
+            pen.dots([seen(x, y, hole.target.distance)], "red", 5.0)
+        if self.range.bullet is not None:
+            p = self.range.bullet.position
+            pen.dots([seen(p.x, p.y, p.z)], "black", 4.0)
+        x, y = -1000.0 * self.aim[0], 1000.0 * self.aim[1]
+        pen.segments([((x - 2.0, y), (x + 2.0, y)), ((x, y - 2.0), (x, y + 2.0))], "red", 1.5)
+        wind = self.range.wind.velocity
+        scale = 10.0 / STRONGEST_WIND
+        pen.arrow((0.0, 25.0), (-scale * wind.x, 0.0), "orange")
+        pen.text((0.0, 27.5), f"{abs(wind.x):.1f} m/s of wind across", "orange")
+
+    def chart(self) -> dict[str, float]:
+        return {"score": float(self.range.score)}
+
+    def facts(self) -> str:
+        wind = self.range.wind.velocity
+        return f"{abs(wind.z):.1f} m/s {'tail' if wind.z > 0.0 else 'head'}wind; {self.result}"
+
+    def say(self) -> str:
+        if self.range.is_over():
+            return f"The round is over with a score of {self.range.score}. Press n."
+        side = "left" if self.range.wind.velocity.x > 0.0 else "right"
+        return f"The wind blows to the {side}. {self.range.shots_left} of {SHOTS} shots are left."
+
+    def press(self, key: str) -> None:
+        azimuth, elevation = self.aim
+        if key == "n":
+            self.begin()
+        elif key == "f":
+            self.shoot(azimuth, elevation)
+        elif key in ("left", "right"):
+            self.aim = (azimuth + (self.STEP if key == "left" else -self.STEP), elevation)
+        elif key in ("up", "down"):
+            self.aim = (azimuth, elevation + (self.STEP if key == "up" else -self.STEP))
+
+    def click(self, x: float, y: float) -> None:
+        self.shoot(-x / 1000.0, y / 1000.0)
+
+    def shoot(self, azimuth: float, elevation: float) -> None:
+        """Aim there, as far as the rifle turns, and fire if nothing is in flight."""
+        self.aim = (limited(azimuth), limited(elevation))
+        self.range.shoot(*self.aim)
+
+    def play(self, time: float) -> None:
+        """Shoot at one target after the other, corrected for the drop and the wind."""
+        if self.waited < 1.0 or self.range.is_over():
+            return
+        target = TARGETS[(SHOTS - self.range.shots_left) % len(TARGETS)]
+        slows = (K1 + K2 * MUZZLE_SPEED) / BULLET_MASS
+        flight = -math.log(1.0 - slows * target.distance / MUZZLE_SPEED) / slows
+        drop = -GRAVITY[1] * flight * flight / 2.0
+        # The wind carries the bullet as far as it goes in the time that the drag costs.
+        drift = self.range.wind.velocity.x * (flight - target.distance / MUZZLE_SPEED)
+        self.shoot(
+            math.atan2(target.x - drift, target.distance),
+            math.atan2(target.y + drop - MUZZLE[1], target.distance),
+        )
+
+
+SCENES = (Sniper,)
+
+
+def seen(x: float, y: float, z: float) -> tuple[float, float]:
+    """Return where a point is seen from the muzzle, in milliradians; +x is to the left."""
+    along = max(z, 1.0)
+    return -1000.0 * x / along, 1000.0 * (y - MUZZLE[1]) / along
+
+
+def limited(angle: float) -> float:
+    """Return the nearest angle to which the rifle turns."""
+    return max(-SWING, min(SWING, angle))

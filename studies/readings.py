@@ -1,0 +1,92 @@
+"""Numbers read from an engine that may be wrong or unfinished, and vectors as plain numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+Numbers = tuple[float, float, float]
+Key = TypeVar("Key")
+Found = TypeVar("Found")
+
+
+def is_written(call: Callable[[], object]) -> bool:
+    """Return False if a call ends in a body that is not written yet."""
+    try:
+        call()
+    except NotImplementedError:
+        return False
+    return True
+
+
+def stopped(act: Callable[[], object]) -> str:
+    """Act, and return the error with which the engine refuses to continue, or an empty text."""
+    try:
+        act()
+    except (ArithmeticError, ValueError) as error:
+        return f"{type(error).__name__}: {error}"
+    return ""
+
+
+def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
+    """Run scenes by their keys, and leave out those that need a body that is not written yet.
+
+    Raises NotImplementedError if that is true of all of them.
+    """
+    found: dict[Key, Found] = {}
+    stub: NotImplementedError | None = None
+    for key, scene in scenes.items():
+        try:
+            found[key] = scene()
+        except NotImplementedError as error:
+            stub = stub or error
+    if stub is not None and not found:
+        raise stub
+    return found
+
+
+def numbers(v: Any) -> Numbers:
+    """Return the components of a vector of an engine, and NaN for anything that is not a number.
+
+    So a plot of a wrong engine misses a curve, and does not crash.
+    """
+    return (
+        number(getattr(v, "x", None)),
+        number(getattr(v, "y", None)),
+        number(getattr(v, "z", None)),
+    )
+
+
+def number(value: Any) -> float:
+    """Return a number as a float, and NaN for anything that is not a number."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return math.nan
+
+
+def dot(a: Numbers, b: Numbers) -> float:
+    """Return the scalar product of plain numbers, computed without the engine."""
+    return math.fsum(p * q for p, q in zip(a, b, strict=True))
+
+
+def cross(a: Numbers, b: Numbers) -> Numbers:
+    """Return the vector product of plain numbers, computed without the engine."""
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
+
+
+def angle_between(a: Numbers, b: Numbers) -> float:
+    """Return the angle between plain vectors in degrees, NaN if one has no direction."""
+    if not math.hypot(*a) * math.hypot(*b) > 0.0:
+        return math.nan
+    return math.degrees(math.atan2(math.hypot(*cross(a, b)), dot(a, b)))
+
+
+def is_drawable(*vectors: Numbers) -> bool:
+    """Return whether all components are finite numbers."""
+    return all(math.isfinite(value) for vector in vectors for value in vector)

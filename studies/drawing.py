@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 
 from studies.readings import Numbers, is_drawable
 
-# Okabe and Ito's colors, which color-blind readers can tell apart, and which have different grays in print.
+# Okabe and Ito's colors: color-blind readers can tell them apart, and so can readers in print.
 BLUE, ORANGE, GREEN, GREY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
 RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
 VIOLET, BROWN = "#9600F0", "#663300"  # not theirs, and told apart from theirs in the same way

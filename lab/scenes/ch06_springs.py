@@ -100,4 +100,44 @@ class OneSpring(Stepped):
         self.since, self.x0, self.v0 = self.time, x, v
 
 
+class ExactSpring(OneSpring):
+    """The same ball, placed by the closed form."""
+
+    def step(self, duration: float) -> None:
+        passed = self.time + duration - self.since
+        self.ball.position.x, self.ball.velocity.x = damped_spring_state(
+            self.x0, self.v0, self.stiffness, self.damping, self.mass, passed
+        )
+
+
+class PymunkSpring(OneSpring):
+    """The same ball on a damped spring of pymunk."""
+
+    def build(self) -> None:
+        import pymunk  # only this peer needs it
+
+        super().build()
+        self.space, self.owed = pymunk.Space(), 0.0
+        self.body = pymunk.Body(self.mass, 1.0)
+        groove = pymunk.GrooveJoint(self.space.static_body, self.body, (-5, 0), (5, 0), (0, 0))
+        # Its far end is so far away that the spring pulls along one line.
+        far, k, c = 10.0, self.stiffness, self.damping
+        ends = ((-far, 0.0), (0.0, 0.0))
+        spring = pymunk.DampedSpring(self.space.static_body, self.body, *ends, far, k, c)
+        self.space.add(self.body, groove, spring)
+        self.body.position, self.body.velocity = (self.x0, 0.0), (0.0, 0.0)
+
+    def step(self, duration: float) -> None:
+        self.owed += duration
+        while self.owed > 0.5 / self.rate:
+            self.owed -= 1.0 / self.rate
+            self.space.step(1.0 / self.rate)
+        self.ball.position.x, self.ball.velocity.x = self.body.position.x, self.body.velocity.x
+
+    def let_go(self, x: float, v: float) -> None:
+        super().let_go(x, v)
+        self.body.position, self.body.velocity = (x, 0.0), (v, 0.0)
+
+
+OneSpring.peers = {"exact": ExactSpring, "pymunk": PymunkSpring}
 SCENES = (OneSpring,)

@@ -1,0 +1,48 @@
+"""Show what a contact resolver sees: contacts, the impulses that it gives, and its iterations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ch02_vectors.vector import Vector3
+from ch07_constraints.contacts import Contact, ContactResolver
+from lab.pen import Pen
+
+
+class ContactView(ContactResolver):
+    """A resolver that lets another one do the work, and remembers the last step."""
+
+    def __init__(self, resolver: ContactResolver) -> None:
+        self.resolver = resolver
+        self.iterations, self.iterations_used = resolver.iterations, 0
+        self.impulses: list[tuple[Vector3, Vector3]] = []  # position, and impulse in N s
+        self.pairs: list[tuple[Vector3, Vector3]] = []
+
+    def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
+        """Resolve the contacts, and measure how each particle's momentum has changed."""
+        listed = [*contacts]
+        touched = {id(one): one for c in listed for one in (c.particle, c.other) if one is not None}
+        before = {key: one.velocity.copy() for key, one in touched.items()}
+        self.pairs = [
+            (c.particle.position.copy(), c.other.position.copy())
+            for c in listed
+            if c.other is not None
+        ]
+        self.resolver.iterations = self.iterations
+        self.resolver.resolve_contacts(listed, duration)
+        self.iterations_used = self.resolver.iterations_used
+        self.impulses = [
+            (one.position.copy(), (one.velocity - before[key]) * one.mass)
+            for key, one in touched.items()
+            if one.has_finite_mass
+        ]
+
+    def forget(self) -> None:
+        """Forget the last step, before one that may have no contacts."""
+        self.impulses, self.pairs, self.iterations_used = [], [], 0
+
+    def draw(self, pen: Pen, scale: float) -> None:
+        """Draw the impulses as arrows, in m per N s, and a dot for each contact."""
+        for position, impulse in self.impulses:
+            pen.arrow(position, impulse * scale, "pink", "contact")
+        pen.dots([(0.5 * (a.x + b.x), 0.5 * (a.y + b.y)) for a, b in self.pairs], "pink", 5.0)

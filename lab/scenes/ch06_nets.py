@@ -1,0 +1,160 @@
+"""Nets of springs: a bridge that hangs on them, and a cloth. Both can explode."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+from ch06_springs.cloth import KNOTS, G, make_cloth, neighbours
+from ch06_springs.spring_bridge import hang_bridge, load_bridge
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.stepped import STEPS, Stepped
+
+
+class SpringBridge(Stepped):
+    """A walker on planks that hang on springs (G6.2), which can be too stiff for the step."""
+
+    chapter = 6
+    title = "A bridge on springs"
+    question = "How stiff may the springs be before the bridge explodes?"
+    view = (-1.0, 9.0, -2.0, 4.2)
+    seconds = 8.0
+    keys = {"left": "walk to the left", "right": "walk to the right"}
+    rate = Choice(240.0, "steps per second", [60.0, 120.0, 240.0, 480.0], "Hz", live=True)
+    stiffness = Slider(2000.0, "stiffness k", "N/m", 500.0, 200_000.0, log=True)
+    PLANKS = 9
+    PLANK_MASS = 5.0  # kg
+    HEIGHT = 3.0  # m, of the anchors above the planks
+    DAMPING = 40.0  # N s/m
+    WEIGHT = 600.0  # N, of the walker
+    PACE = 0.2  # m
+
+    def build(self) -> None:
+        down = Vector3(0.0, -G, 0.0)
+        self.particles = [
+            Particle(Vector3(float(i)), acceleration=down, mass=self.PLANK_MASS)
+            for i in range(self.PLANKS)
+        ]
+        self.registry = ForceRegistry()
+        hang_bridge(self.registry, self.particles, self.HEIGHT, self.stiffness, self.DAMPING)
+        self.x, self.owed = 0.5, 0.0
+
+    def step(self, duration: float) -> None:
+        """Make the steps that are due, and add the weight of the walker before each of them."""
+        length = 1.0 / self.rate
+        self.owed += duration
+        while self.owed > 0.5 * length:
+            self.owed -= length
+            load_bridge(self.particles, self.x, self.WEIGHT)
+            STEPS[self.integrator](self.particles, self.registry.update_forces, length)
+
+    def draw(self, pen: Pen) -> None:
+        places = [plank.position for plank in self.particles]
+        tops = [(float(i), self.HEIGHT) for i in range(self.PLANKS)]
+        for top, place in zip(tops, places, strict=True):
+            pen.spring(top, place)
+        pen.dots(tops, "black", 5.0)
+        pen.line(places, "wood", 5.0)
+        ground = self.ground()
+        pen.segments([((self.x, ground), (self.x, ground + 0.8))], "orange", 5.0)
+        pen.circle((self.x, ground + 0.95), 0.18, "orange")
+        pen.arrow((self.x, ground), (0.0, -0.002 * self.WEIGHT), "red", "force")
+
+    def ground(self) -> float:
+        """Return how high the bridge is where the walker stands."""
+        places = [plank.position for plank in self.particles]
+        for a, b in pairwise(places):
+            if a.x <= self.x <= b.x and b.x > a.x:
+                return a.y + (b.y - a.y) * (self.x - a.x) / (b.x - a.x)
+        return places[-1].y if self.x > places[0].x else places[0].y
+
+    def chart(self) -> dict[str, float]:
+        return {"height of the walker, m": self.ground()}
+
+    def facts(self) -> str:
+        return f"semi-implicit Euler: stable below about {self.limit():,.0f} N/m"
+
+    def limit(self) -> float:
+        """Return the largest stable stiffness in N/m of semi-implicit Euler.
+
+        A long row of planks swings fastest if each moves against its neighbors, which is as stiff
+        as a spring of 4 k with the damping 4 c. It is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
+        """
+        limit: float = self.PLANK_MASS * self.rate**2 - 2.0 * self.DAMPING * self.rate
+        return limit
+
+    def say(self) -> str:
+        return f"The walker stands at x = {self.x:.1f} m, {self.ground():.2f} m high."
+
+    def press(self, key: str) -> None:
+        if key in ("left", "right"):
+            pace = self.PACE if key == "right" else -self.PACE
+            self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
+
+    def play(self, time: float) -> None:
+        """Walk to the right end, and back."""
+        frame = round(60.0 * time)
+        if frame % 6 == 0:
+            self.press("right" if frame < 240 else "left")
+
+
+class Cloth(Stepped):
+    """A cloth that hangs from two corners. Drag a corner to pull at it."""
+
+    chapter = 6
+    title = "A cloth of 180 springs"
+    question = "How many steps per second does each integrator need for a cloth?"
+    view = (-1.7, 2.6, -2.1, 0.9)
+    seconds = 8.0
+    rate = Choice(
+        240.0, "steps per second", [30.0, 60.0, 90.0, 120.0, 240.0, 480.0], "Hz", live=True
+    )
+    damping = Slider(0.2, "damping c", "N s/m", 0.0, 1.0, step=0.05)
+    HELD = (("left", 0), ("right", KNOTS - 1))
+
+    def build(self) -> None:
+        self.particles, self.registry = make_cloth(self.damping)
+        self.owed = 0.0
+
+    def draw(self, pen: Pen) -> None:
+        places = [oblique(knot.position) for knot in self.particles]
+        pen.segments([(places[a], places[b]) for a, b in neighbours()], "blue")
+        for name, i in self.HELD:
+            pen.circle(places[i], 0.05, "red", grab=name)
+
+    def chart(self) -> dict[str, float]:
+        energy = sum(
+            knot.kinetic_energy() + knot.mass * G * knot.position.y
+            for knot in self.particles
+            if knot.has_finite_mass
+        )
+        return {"kinetic + height energy, J": energy}
+
+    def facts(self) -> str:
+        return f"{len(neighbours())} springs, evaluated {self.rate:g} times per second and more"
+
+    def say(self) -> str:
+        lowest = min(knot.position.y for knot in self.particles)
+        return f"The lowest knot is {-lowest:.2f} m below the corners."
+
+    def drag(self, name: str, x: float, y: float) -> None:
+        knot = self.particles[dict(self.HELD)[name]]
+        knot.position.x, knot.position.y = x, min(y, 0.8)
+
+    def play(self, time: float) -> None:
+        """Pull one corner aside and up, and let it come back."""
+        if 3.0 < time < 5.0:
+            self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
+        elif 5.0 < time < 7.0:
+            self.drag("right", 1.7 - 0.4 * (time - 5.0), 0.4 - 0.2 * (time - 5.0))
+
+
+SCENES = (SpringBridge, Cloth)
+
+
+def oblique(place: Vector3) -> tuple[float, float]:
+    """Return where a position is seen, from the side and from above."""
+    return place.x + place.z / 3.0, place.y + place.z / 3.0

@@ -1,0 +1,119 @@
+"""Seven integrators on the same spring, each in the plane of position and velocity."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.integrators import backward_euler, trapezoidal
+from ch06_springs.springs import AnchoredSpring
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import Question, Scene
+from lab.stepped import RATES, STEPS
+
+COLORS = {
+    "explicit Euler": "red",
+    "semi-implicit Euler": "blue",
+    "leapfrog": "violet",
+    "velocity Verlet": "sky",
+    "Runge-Kutta 4": "green",
+    "backward Euler": "orange",
+    "trapezoidal rule": "pink",
+}
+SOLVED = {"backward Euler": backward_euler, "trapezoidal rule": trapezoidal}
+FAR = 3.0  # m, beyond which a ball is no longer drawn
+
+
+class IntegratorRace(Scene):
+    """Balls on equal springs. The exact motion goes around a circle, again and again."""
+
+    chapter = 6
+    title = "Energy of seven integrators"
+    question = "Which paths stay on the circle, which spiral out, and which spiral in?"
+    view = (-2.6, 4.4, -2.3, 2.3)
+    seconds = 6.0
+    exact_from = "closed form"
+    predict = Question(
+        "The circle is the exact motion. Which way does backward Euler go?",
+        ["It spirals out.", "It stays on the circle.", "It spirals in."],
+        lambda _: 2,
+        "Backward Euler uses the forces at the end of the step and loses energy in every swing. "
+        "Explicit Euler uses those at its start and gains as much.",
+        5.0,
+    )
+    stiffness = Slider(40.0, "stiffness k", "N/m", 1.0, 2_000.0, log=True)
+    rate = Choice(30.0, "steps per second", RATES, "Hz")
+    MASS = 1.0  # kg
+
+    def build(self) -> None:
+        self.steps = 0
+        self.balls = {name: Particle(Vector3(1.0), mass=self.MASS) for name in COLORS}
+        self.registries = {name: ForceRegistry() for name in STEPS}
+        for name, registry in self.registries.items():
+            registry.add(self.balls[name], AnchoredSpring(Vector3(), self.stiffness, 0.0))
+        self.trails: dict[str, list[tuple[float, float]]] = {name: [] for name in COLORS}
+
+    def step(self, duration: float) -> None:
+        h = 1.0 / self.rate
+        while (self.steps + 1) * h <= self.time + duration + 1e-9:
+            self.steps += 1
+            for name, ball in self.balls.items():
+                if abs(ball.position.x) > 100.0:
+                    continue  # it has exploded; the others go on
+                if name in STEPS:
+                    STEPS[name]([ball], self.registries[name].update_forces, h)
+                else:
+                    solve = SOLVED[name]
+                    ball.position.x, ball.velocity.x = solve(
+                        ball.position.x, ball.velocity.x, self.stiffness, 0.0, self.MASS, h
+                    )
+                self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
+
+    def phase(self, ball: Particle) -> tuple[float, float]:
+        """Return the position, and the velocity in units in which the exact path is a circle."""
+        return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
+
+    def draw(self, pen: Pen) -> None:
+        pen.circle((0.0, 0.0), 1.0, "gray", fill=False)
+        pen.text((-1.9, 2.1), "velocity / ω, over position", "gray", 13.0)
+        exact = self.exact(self.time)
+        pen.circle((exact[0], exact[1]), 0.1, "gray", fill=False)
+        for i, (name, ball) in enumerate(self.balls.items()):
+            place = self.phase(ball)
+            if math.hypot(*place) < FAR:
+                pen.line(self.trails[name], COLORS[name], 1.0)
+                pen.circle(place, 0.06, COLORS[name])
+            percent = 100.0 * (place[0] ** 2 + place[1] ** 2)
+            words = f"{name}: {percent:.0f} %" if percent < 1e4 else f"{name}: exploded"
+            pen.text((3.4, 1.8 - 0.35 * i), words, COLORS[name], 13.0)
+        pen.text((3.4, 2.15), "energy", "black", 13.0)
+
+    def chart(self) -> dict[str, float]:
+        found = {}
+        for name in ("explicit Euler", "semi-implicit Euler", "Runge-Kutta 4", "backward Euler"):
+            x, y = self.phase(self.balls[name])
+            found[f"energy, {name}, J"] = min(0.5 * self.stiffness * (x * x + y * y), 1e9)
+        return found
+
+    def state(self) -> list[float]:
+        return [*self.phase(self.balls["Runge-Kutta 4"])]
+
+    def exact(self, time: float) -> list[float]:
+        passed = self.steps / self.rate
+        x, v = damped_spring_state(1.0, 0.0, self.stiffness, 0.0, self.MASS, passed)
+        return [x, v / math.sqrt(self.stiffness / self.MASS)]
+
+    def facts(self) -> str:
+        number = self.stiffness / self.rate**2 / self.MASS
+        return f"k h²/m = {number:.4g}; the error charted is that of Runge-Kutta 4"
+
+    def say(self) -> str:
+        x, y = self.phase(self.balls["explicit Euler"])
+        return f"Explicit Euler has {100.0 * min(x * x + y * y, 1e6):.0f} % of its energy."
+
+
+SCENES = (IntegratorRace,)

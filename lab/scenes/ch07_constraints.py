@@ -1,0 +1,256 @@
+"""Scenes of chapter 7: a ball that bounces, and a stack that should stand still."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import explicit_euler, semi_implicit_euler
+from ch07_constraints.bouncing_ball import heights_in_frames
+from ch07_constraints.contacts import ContactResolver
+from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+from ch07_constraints.time_division import TooManyImpacts, time_division_step
+from lab.contact_view import ContactView
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import FRAME, Question, Scene
+
+G = 9.81  # m/s^2
+STEPS = {"semi-implicit Euler": semi_implicit_euler, "explicit Euler": explicit_euler}
+RATES = [30, 60, 120, 240, 480]
+
+
+def no_forces(duration: float) -> None:
+    """Add no forces: gravity is the particles' own acceleration."""
+
+
+def rises(scene: Bounce) -> int:
+    """Return whether the ball comes back to its height: explicit Euler adds energy."""
+    if scene.restitution < 1.0:
+        return 2
+    return 1 if scene.method == "explicit Euler" else 0
+
+
+class Bounce(Scene):
+    """A ball that falls on the ground, with all of its speed returned, or a part of it."""
+
+    chapter = 7
+    title = "A ball that bounces"
+    question = "Does the ball come back to the height from which it fell?"
+    view = (-2.6, 2.6, -0.4, 4.4)
+    seconds = 8.0
+    exact_from = "the flight between impacts"
+    predict = Question(
+        "The ball falls from 2 m. How high are its bounces after ten seconds?",
+        ["As high as at first.", "Higher than at first.", "Lower than at first."],
+        rises,
+        "With restitution 1 an exact bounce loses nothing. Explicit Euler gains energy in every "
+        "flight, so the ball rises higher and higher.",
+        10.0,
+    )
+    method = Choice("semi-implicit Euler", "method", [*STEPS, "time division"])
+    rate = Choice(60, "steps per second", RATES, "Hz")
+    restitution = Slider(1.0, "restitution", "", 0.0, 1.0, step=0.05)
+    HEIGHT, RADIUS = 2.0, 0.15  # m
+    LONGEST = 1800  # frames for which the exact heights are known
+
+    def build(self) -> None:
+        self.ball = Particle(Vector3(0.0, self.HEIGHT), acceleration=Vector3(0.0, -G))
+        self.ground = GroundPlane([self.ball], restitution=self.restitution)
+        self.view_of_contacts = ContactView(ContactResolver())
+        rest = heights_in_frames(self.HEIGHT, 0.0, self.restitution, FRAME, self.LONGEST, G)
+        self.heights = [self.HEIGHT, *rest]
+        self.owed, self.ended = 0.0, ""
+        self.path: list[tuple[float, float]] = []
+
+    def step(self, duration: float) -> None:
+        h = 1.0 / self.rate
+        self.owed += duration
+        while self.owed > 0.5 * h and not self.ended:
+            self.owed -= h
+            self.one_step(h)
+        self.path = [*self.path[-240:], (0.0, self.ball.position.y)]
+
+    def one_step(self, h: float) -> None:
+        """Make one step by the method that the reader chose."""
+        if self.method == "time division":
+            try:
+                time_division_step([self.ball], self.ground, h)
+            except TooManyImpacts:
+                self.ended = "The impacts come faster and faster and never end: the ball rests."
+            return
+        STEPS[self.method]([self.ball], no_forces, h)
+        self.view_of_contacts.forget()
+        if contacts := self.ground.contacts():
+            self.view_of_contacts.resolve_contacts(contacts, h)
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        last = len(self.path) - 1
+        trail = [
+            (0.25 + 2.3 * (i - last) / 240.0 + 2.2, self.RADIUS + y)
+            for i, (_, y) in enumerate(self.path)
+        ]
+        pen.line(trail, "blue", 1.0)
+        pen.segments(
+            [((-2.6, self.HEIGHT + self.RADIUS), (2.6, self.HEIGHT + self.RADIUS))], "gray"
+        )
+        exact = self.exact(self.time)
+        if exact is not None:
+            pen.circle((0.0, exact[0] + self.RADIUS), self.RADIUS, "gray", fill=False)
+        center = (0.0, self.ball.position.y + self.RADIUS)
+        pen.circle(center, self.RADIUS, "orange")
+        pen.arrow(center, (0.0, 0.1 * self.ball.velocity.y), "green", "velocity")
+        self.view_of_contacts.draw(pen, 0.1)
+        pen.text((0.0, 4.1), self.ended, "red")
+
+    def chart(self) -> dict[str, float]:
+        energy = self.ball.kinetic_energy() + G * self.ball.position.y
+        return {"energy, J": energy, "height, m": self.ball.position.y}
+
+    def state(self) -> list[float]:
+        return [self.ball.position.y]
+
+    def exact(self, time: float) -> list[float] | None:
+        frame = round(time / FRAME)
+        return [self.heights[frame]] if frame < len(self.heights) else None
+
+    def facts(self) -> str:
+        if self.restitution == 1.0:
+            return f"a flight takes {2.0 * math.sqrt(2.0 * self.HEIGHT / G):.3f} s"
+        c = self.restitution
+        end = math.sqrt(2.0 * self.HEIGHT / G) * (1.0 + c) / (1.0 - c)
+        return f"in theory the bounces end after {end:.3f} s"
+
+    def say(self) -> str:
+        return self.ended or f"The ball is {self.ball.position.y:.2f} m high."
+
+
+class PymunkBounce(Bounce):
+    """The same ball in pymunk, on a segment with the restitution of the scene."""
+
+    def build(self) -> None:
+        import pymunk  # only this peer needs it
+
+        super().build()
+        self.space = pymunk.Space()
+        self.space.gravity = (0.0, -G)
+        self.body = pymunk.Body(1.0, math.inf)
+        self.body.position = (0.0, self.HEIGHT + self.RADIUS)
+        circle = pymunk.Circle(self.body, self.RADIUS)
+        floor = pymunk.Segment(self.space.static_body, (-9.0, -1.0), (9.0, -1.0), 1.0)
+        circle.elasticity, floor.elasticity = self.restitution, 1.0
+        self.space.add(self.body, circle, floor)
+
+    def one_step(self, h: float) -> None:
+        self.space.step(h)
+        self.ball.position.y = self.body.position.y - self.RADIUS
+        self.ball.velocity.y = self.body.velocity.y
+
+
+Bounce.peers = {"pymunk": PymunkBounce}
+
+
+class Stack(Scene):
+    """Spheres on top of each other. Drag the top one, and watch what the resolver sees."""
+
+    chapter = 7
+    title = "A stack of spheres"
+    question = "How many iterations does a tall stack need, so that it does not sink?"
+    view = (-4.0, 4.0, -0.5, 10.5)
+    seconds = 5.0
+    predict = Question(
+        "Each contact may be resolved twice per step. Does a stack of ten spheres stand?",
+        ["Yes, it stands.", "No, it sinks into the ground."],
+        lambda scene: 1 if scene.count >= 8 and scene.per_contact * scene.substeps <= 3 else 0,
+        "Each resolution lifts one sphere out of the one below and pushes it into the one above. "
+        "The weight of a tall stack needs more iterations, or shorter steps.",
+        4.0,
+    )
+    count = Choice(10, "spheres", [2, 3, 5, 8, 10])
+    per_contact = Choice(2, "iterations per contact", [1, 2, 4, 8, 16], live=True)
+    substeps = Choice(1, "substeps per frame", [1, 2, 4, 8], live=True)
+    RADIUS = 0.5  # m
+
+    def build(self) -> None:
+        size = 2.0 * self.RADIUS
+        self.spheres = [
+            Particle(Vector3(0.0, (i + 0.5) * size), acceleration=Vector3(0.0, -G))
+            for i in range(self.count)
+        ]
+        ground = GroundPlane(self.spheres, radius=self.RADIUS)
+        self.detector = Detectors(ground, ParticlePairs(self.spheres, self.RADIUS))
+        self.view_of_contacts = ContactView(ContactResolver())
+
+    def step(self, duration: float) -> None:
+        part = duration / self.substeps
+        for _ in range(self.substeps):
+            semi_implicit_euler(self.spheres, no_forces, part)
+            self.view_of_contacts.forget()
+            if contacts := self.detector.contacts():
+                self.view_of_contacts.iterations = self.per_contact * len(contacts)
+                self.view_of_contacts.resolve_contacts(contacts, part)
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        for i, sphere in enumerate(self.spheres):
+            top = i == self.count - 1
+            pen.circle(sphere.position, self.RADIUS, "sky" if i % 2 else "blue", grab="top" * top)
+            pen.arrow(sphere.position, sphere.velocity * 0.3, "green", "velocity")
+        self.view_of_contacts.draw(pen, 1.0)
+
+    def overlap(self) -> float:
+        """Return the largest overlap as a percentage of a diameter."""
+        heights = [-self.RADIUS, *(sphere.position.y for sphere in self.spheres)]
+        gaps = [(high - low) / (2.0 * self.RADIUS) for low, high in pairwise(heights)]
+        return 100.0 * max(0.0, 1.0 - min(gaps))
+
+    def chart(self) -> dict[str, float]:
+        used = float(self.view_of_contacts.iterations_used)
+        return {"largest overlap, % of a diameter": self.overlap(), "iterations used": used}
+
+    def facts(self) -> str:
+        return f"{self.count} contacts; at most {2 * self.per_contact * self.count} iterations"
+
+    def say(self) -> str:
+        return f"The largest overlap is {self.overlap():.1f} % of a diameter."
+
+    def drag(self, name: str, x: float, y: float) -> None:
+        top = self.spheres[-1]
+        top.position.x, top.position.y = x, max(self.RADIUS, y)
+        top.velocity.clear()
+
+
+class PymunkStack(Stack):
+    """The same spheres in pymunk, as circles that slide on a segment."""
+
+    def build(self) -> None:
+        import pymunk  # only this peer needs it
+
+        super().build()
+        self.space = pymunk.Space()
+        self.space.gravity = (0.0, -G)
+        floor = pymunk.Segment(self.space.static_body, (-9.0, -1.0), (9.0, -1.0), 1.0)
+        self.space.add(floor)
+        self.bodies = []
+        for sphere in self.spheres:
+            body = pymunk.Body(1.0, math.inf)
+            body.position = (sphere.position.x, sphere.position.y)
+            self.space.add(body, pymunk.Circle(body, self.RADIUS))
+            self.bodies.append(body)
+
+    def step(self, duration: float) -> None:
+        self.space.iterations = 10 * self.per_contact
+        for _ in range(self.substeps):
+            self.space.step(duration / self.substeps)
+        for sphere, body in zip(self.spheres, self.bodies, strict=True):
+            sphere.position.x, sphere.position.y = body.position.x, body.position.y
+
+    def drag(self, name: str, x: float, y: float) -> None:
+        self.bodies[-1].position, self.bodies[-1].velocity = (x, max(self.RADIUS, y)), (0.0, 0.0)
+
+
+Stack.peers = {"pymunk": PymunkStack}
+SCENES = (Bounce, Stack)

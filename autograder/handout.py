@@ -22,8 +22,8 @@ STUDENT_TOOLS = {
     "autograder/student": "*.py",
     "studies": (
         "__init__.py __main__.py balance.py constraints.py demo.py drag_flight.py drawing.py "
-        "engine.py links.py mass_aggregate.py piles.py plot.py releases.py reason.py ropes.py "
-        "rotations.py stability.py timing.py"
+        "engine.py links.py mass_aggregate.py piles.py plot.py readings.py releases.py reason.py "
+        "ropes.py rotations.py stability.py timing.py"
     ),
 }
 

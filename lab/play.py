@@ -115,7 +115,7 @@ def _row(scene: Scene) -> dict[str, float | None]:
     """Return a line of the table: the time, what is charted, and the error where it is known."""
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
-    return found if error is None else found | {"error, m": error}
+    return found if error is None else found | {f"error, {scene.error_unit}": error}
 
 
 def _image_of(figure: Figure) -> Any:

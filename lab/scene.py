@@ -44,7 +44,8 @@ class Scene:
     keys: ClassVar[dict[str, str]] = {}  # what a key does, such as {"left": "walk to the left"}
     predict: ClassVar[Question | None] = None
     peers: ClassVar[dict[str, type[Scene]]] = {}
-    exact_from: ClassVar[str] = ""  # where the exact positions come from, if the scene has any
+    exact_from: ClassVar[str] = ""  # where the exact state comes from, if the scene has one
+    error_unit: ClassVar[str] = "m"
 
     def __init__(self, **values: object) -> None:
         """Build the scene. Raises ValueError for a parameter that is unknown or out of range."""
@@ -144,6 +145,7 @@ def described(scene: type[Scene]) -> dict[str, Any]:
         "keys": scene.keys,
         "peers": list(scene.peers),
         "exactFrom": scene.exact_from,
+        "errorUnit": scene.error_unit,
         "parameters": [parameter.described() for parameter in parameters_of(scene).values()],
         "predict": question
         and {

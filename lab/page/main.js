@@ -192,7 +192,7 @@ function chart(contender, frame) {
   const colors = page.contenders.map(tint);
   if (contender.number >= colors.length) return;
   const values = {...frame.chart};
-  if (frame.error !== null && frame.error !== undefined) values["error, m"] = frame.error;
+  if (frame.error !== null && frame.error !== undefined) values[`error, ${page.spec.errorUnit}`] = frame.error;
   for (const [title, value] of Object.entries(values)) page.charts.add(title, frame.time, contender.number, colors, value);
 }
 
@@ -266,7 +266,7 @@ function showNumbers() {
   const exact = first.frame.error !== null && first.frame.error !== undefined;
   for (const {cells, frame, worst} of page.contenders) {
     if (!cells || !frame) continue;
-    cells[0].textContent = exact ? `${worst.toPrecision(2)}` : "no exact solution";
+    cells[0].textContent = exact ? `${worst.toPrecision(2)} ${page.spec.errorUnit}` : "no exact solution";
     cells[1].textContent = frame.cost >= 1000 ? `${(frame.cost / 1000).toPrecision(3)} ms` : `${frame.cost.toPrecision(3)} µs`;
   }
   page.charts.draw();

@@ -94,6 +94,7 @@ class CrossProduct(Scene):
     view = (-4.5, 4.5, -4.0, 4.5)
     seconds = 4.0
     exact_from = "the same formula in plain numbers"
+    error_unit = "m²"
     keys = {"left": "rotate a to the left", "right": "rotate a to the right"}
 
     def build(self) -> None:

@@ -54,7 +54,7 @@ from machine import (  # noqa: E402
 from odd_files import RIGHT, SUMS, WRONG  # noqa: E402
 
 from graded import told_by  # noqa: E402
-from table import table  # noqa: E402
+from hostile_table import table  # noqa: E402
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the walls are those of Linux")
 

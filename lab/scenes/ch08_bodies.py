@@ -1,0 +1,204 @@
+"""Scenes of chapter 8: a platform that tips over, and a blob that tears."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch08_mass_aggregate import blob, tilting_platform
+from lab.camera import flat
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import Question
+from lab.world_scene import WorldScene
+from studies.links import ends_of
+from studies.readings import is_written
+
+DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up": (0.0, 1.0)}
+
+
+def lower_end(scene: Platform) -> int:
+    """Return which end goes down: 0 is the left one, 1 the right one, 2 neither."""
+    ends = tilting_platform.LEFT + tilting_platform.RIGHT
+    torque = 2.0 * tilting_platform.MASS * ends + scene.mass * scene.x
+    return 2 if abs(torque) < 1e-9 else int(torque > 0.0)
+
+
+class Platform(WorldScene):
+    """A weight on a platform that tilts on a pivot, which can be freed (mini-project 8.1)."""
+
+    chapter = 8
+    title = "A platform that tips"
+    question = "Where does the weight balance the platform?"
+    view = (-7.0, 7.0, -1.2, 6.3)
+    seconds = 12.0
+    keys = {
+        "left": "move the weight to the left",
+        "right": "move the weight to the right",
+        "f": "free the pivot",
+    }
+    predict = Question(
+        "The right end is farther from the pivot. Which end goes down?",
+        ["The left end.", "The right end.", "Neither: the platform is balanced."],
+        lower_end,
+        "Each mass turns the platform by mass times distance from the pivot. The end on the side "
+        "with the larger sum goes down.",
+        3.0,
+    )
+    mass = Slider(4.0, "weight", "kg", 0.0, 32.0, step=0.5, live=True)
+    x = Slider(-1.0, "place of the weight", "m", -3.0, 4.0, step=0.25, live=True)
+    PACE = 0.5  # m
+
+    def build(self) -> None:
+        self.platform = tilting_platform.TiltingPlatform()
+        self.free = False
+        self.put: tuple[float, float] | None = None
+        self.run(self.platform.step, self.platform.world)
+
+    def one_step(self, duration: float) -> None:
+        if self.put != (self.mass, self.x):
+            self.platform.put_weight(self.mass, self.x)
+            self.put = (self.mass, self.x)
+        super().one_step(duration)
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        corners = [particle.position for particle in self.platform.particles]
+        pen.area([flat(corners[i]) for i in (2, 3, 5, 4)], "wood")
+        pen.segments([ends_on_screen(rod) for rod in self.platform.rods], "blue", 1.5)
+        pen.dots(map(flat, corners[:2]), "green" if self.free else "red", 9.0)
+        share = (self.x - tilting_platform.LEFT) / (tilting_platform.RIGHT - tilting_platform.LEFT)
+        place = (corners[2] + corners[3]) * (0.5 - 0.5 * share)
+        place.add_scaled(corners[4] + corners[5], 0.5 * share)
+        radius = 0.18 * self.mass ** (1.0 / 3.0)
+        pen.circle((place.x, place.y + radius), radius, "orange", grab="weight")
+        pen.arrow(place, (0.0, -0.05 * self.mass), "red", "force")
+        self.contacts.draw(pen, 1.0)
+
+    def chart(self) -> dict[str, float]:
+        return {"tilt, degrees": math.degrees(self.platform.tilt()), **self.used()}
+
+    def facts(self) -> str:
+        ends = 2.0 * tilting_platform.MASS * (tilting_platform.LEFT + tilting_platform.RIGHT)
+        balance = f"{-ends / self.x:.2f} kg balance here" if self.x * ends < 0.0 else "no balance"
+        return f"torque / g = {ends + self.mass * self.x:+.2f} kg m; {balance}"
+
+    def say(self) -> str:
+        pivot = "free" if self.free else "held"
+        tilt = math.degrees(self.platform.tilt())
+        return f"The platform is tilted by {tilt:.0f}°. The pivot is {pivot}."
+
+    def press(self, key: str) -> None:
+        if key in ("left", "right"):
+            self.drag("weight", self.x + (self.PACE if key == "right" else -self.PACE), 0.0)
+        elif key == "f" and not self.free:
+            self.platform.free_pivot()
+            self.free = True
+
+    def drag(self, name: str, x: float, y: float) -> None:
+        self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
+
+    def play(self, time: float) -> None:
+        """Let it tip, walk the weight to the right end and back, and free the pivot."""
+        orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
+        orders |= dict.fromkeys(range(380, 480, 8), "left")
+        orders |= dict.fromkeys(range(580, 650, 5), "right")
+        if key := orders.get(round(60.0 * time)):
+            self.press(key)
+
+
+class Blob(WorldScene):
+    """A blob of bonds that break and heal, to throw about; cables can hold it together."""
+
+    chapter = 8
+    title = "A blob that tears"
+    question = "How hard a push tears the blob apart, and do cables prevent it?"
+    view = (-4.1, 4.1, -0.4, 4.1)
+    seconds = 12.0
+    keys = {
+        key: f"push {words}"
+        for key, words in zip(
+            DIRECTIONS, ("to the left", "to the right", "down", "up"), strict=True
+        )
+    }
+    rate = Choice(120, "steps per second", [60, 120, 240], "Hz", live=True)
+    cables = Choice("none", "cables", ["none", "along each bond"])
+    push = Slider(6.0, "push on each particle", "N", 1.0, 20.0, step=1.0, live=True)
+    MOMENT = 0.2  # s, how long a push lasts
+
+    def build(self) -> None:
+        self.blob = blob.Blob(cables=self.cables != "none")
+        self.pushed = 0.0
+        self.eye = 0.0  # x in m of the middle of the picture
+        self.can_measure = is_written(lambda: blob.spread(self.blob.particles))
+        self.run(self.blob.step, self.blob.world)
+
+    def step(self, duration: float) -> None:
+        if self.pushed <= 0.0:
+            self.blob.push = Vector3()
+        super().step(duration)
+        self.pushed -= duration
+
+    def middle(self) -> Vector3:
+        """Return the mean of the positions."""
+        places = [particle.position for particle in self.blob.particles]
+        return sum(places[1:], places[0]) / len(places)
+
+    def draw(self, pen: Pen) -> None:
+        middle = self.middle()
+        if abs(middle.x - self.eye) > 3.0:  # it has no friction, and would soon be out of sight
+            self.eye = middle.x + math.copysign(3.0, self.eye - middle.x)
+        away = Vector3(-self.eye)
+        pen.ground()
+        first = math.floor(self.eye - 4.0)
+        pen.segments(
+            [((x - self.eye, 0.0), (x - self.eye, -0.1)) for x in range(first, first + 10)]
+        )
+        well, over = [], []
+        for bond in self.blob.bonds:
+            if bond.holds:
+                a, b = bond.a.position, bond.b.position
+                over_limit = (b - a).magnitude() > blob.LIMIT * bond.rest_length
+                (over if over_limit else well).append((a + away, b + away))
+        pen.segments(well, "blue", 1.5)
+        pen.segments(over, "red", 1.5)
+        pen.dots([particle.position + away for particle in self.blob.particles], "black", 7.0)
+        pen.arrow(middle + away, self.blob.push * 0.15, "orange", "force")
+        self.contacts.draw(pen, 2.0)
+
+    def holding(self) -> int:
+        """Return how many bonds hold."""
+        return sum(bond.holds for bond in self.blob.bonds)
+
+    def chart(self) -> dict[str, float]:
+        found = {"bonds that hold": float(self.holding())}
+        if self.can_measure:
+            found["spread, m"] = blob.spread(self.blob.particles)
+        return found
+
+    def facts(self) -> str:
+        limit, break_length = blob.LIMIT, blob.BREAK
+        return f"a bond is red beyond {limit:g} times its length, and breaks at {break_length:g}"
+
+    def say(self) -> str:
+        return f"{self.holding()} of {len(self.blob.bonds)} bonds hold."
+
+    def press(self, key: str) -> None:
+        if key in DIRECTIONS:
+            self.blob.push = Vector3(*DIRECTIONS[key]) * self.push
+            self.pushed = self.MOMENT
+
+    def play(self, time: float) -> None:
+        """Throw the blob about."""
+        orders = {70: "up", 110: "down", 122: "down", 134: "down", 270: "right", 300: "left"}
+        if key := orders.get(round(60.0 * time) % 360):
+            self.press(key)
+
+
+def ends_on_screen(rod: object) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return where the two ends of a rod are drawn."""
+    a, b = ends_of(rod)
+    return flat(a), flat(b)
+
+
+SCENES = (Platform, Blob)

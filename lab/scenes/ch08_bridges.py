@@ -1,0 +1,171 @@
+"""Scenes of chapter 8 on the rope bridge: a ball that walks over it, and a game."""
+
+from __future__ import annotations
+
+from ch02_vectors.vector import Vector3
+from ch08_mass_aggregate import ball_game, bridge
+from ch08_mass_aggregate.fixed_step import FixedStep
+from lab.camera import flat
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import Question, Scene
+from lab.world_scene import WorldScene, draw_cables
+from studies.links import over_length
+
+VIEW = (-8.0, 8.0, -1.0, 7.6)
+LATE = 0.5  # s, what a late frame takes
+
+
+class Bridge(WorldScene):
+    """A heavy ball walks over a rope bridge, in frames of one length or in some that are late."""
+
+    chapter = 8
+    title = "A rope bridge"
+    question = "How many iterations do the cables need to carry the ball?"
+    view = VIEW
+    seconds = 12.0
+    keys = {"left": "walk to the left", "right": "walk to the right", "s": "stand still"}
+    predict = Question(
+        "The ball stands on the bridge. Is any cable more than 2 % too long after three seconds?",
+        ["No, the resolver holds all cables.", "Yes, some cable is too long."],
+        lambda scene: int(scene.too_long() > 2.0),
+        "Each iteration shortens one cable and pulls at its neighbors. With too few iterations "
+        "the step ends before the weight of the ball has reached the anchors.",
+        3.0,
+    )
+    iterations = Choice(300, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
+    mass = Slider(5.0, "mass of the ball", "kg", 1.0, 50.0, step=1.0)
+    frames = Choice("all on time", "frames", ["all on time", "every 60th late"], live=True)
+    PACE = 1.5  # m/s
+    MAX_STEPS = 6  # of a frame, if some frames are late
+    EVERY = 60  # frames, one of them is late
+
+    def build(self) -> None:
+        self.bridge = bridge.Bridge(self.mass)
+        self.run(self.bridge.step, self.bridge.world)
+        self.clock: FixedStep | None = None
+        self.count = 0
+
+    def step(self, duration: float) -> None:
+        if self.frames == "all on time":
+            super().step(duration)
+            return
+        # The time step that copes with late frames is the student's own.
+        if self.clock is None or self.clock.duration != 1.0 / self.rate:
+            self.clock = FixedStep(self.one_step, 1.0 / self.rate, self.MAX_STEPS)
+        self.count += 1
+        self.clock.advance(duration if self.count % self.EVERY else LATE)
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        draw_cables(pen, self.bridge.world.contact_generators)
+        pen.segments([(flat(a.position), flat(b.position)) for a, b in self.bridge.rows], "wood", 5)
+        pen.circle(self.bridge.ball.position, bridge.RADIUS, "orange")
+        pen.arrow(self.bridge.ball.position, self.bridge.ball.velocity, "green", "velocity")
+        self.contacts.draw(pen, 1.0)
+
+    def too_long(self) -> float:
+        """Return by how much the worst cable is too long, as a percentage of its length."""
+        return over_length(self.bridge.world.contact_generators)
+
+    def chart(self) -> dict[str, float]:
+        return {"worst cable too long by, %": self.too_long(), **self.used()}
+
+    def facts(self) -> str:
+        dropped = f"; {self.clock.dropped:.2f} s dropped so far" if self.clock else ""
+        return f"{len(self.bridge.links)} rods and cables{dropped}"
+
+    def say(self) -> str:
+        place = self.bridge.ball.position
+        return (
+            f"The ball is at x = {place.x:.1f} m, y = {place.y:.1f} m. "
+            f"The worst cable is {self.too_long():.2f} % too long."
+        )
+
+    def press(self, key: str) -> None:
+        paces = {"left": -self.PACE, "right": self.PACE, "s": 0.0}
+        self.bridge.pace = paces.get(key, self.bridge.pace)
+
+    def play(self, time: float) -> None:
+        """Walk to the left, then with late frames to the right and off the bridge."""
+        frame = round(60.0 * time)
+        if frame == 240:
+            self.values["frames"] = "every 60th late"
+        if key := {60: "left", 200: "s", 250: "right", 645: "s"}.get(frame):
+            self.press(key)
+
+
+class BallGame(Scene):
+    """A game: bounce from plank to plank, and do not fall (project 8.1)."""
+
+    chapter = 8
+    title = "A game on the bridge"
+    question = "Can you land on every plank before you lose three balls?"
+    view = VIEW
+    seconds = 12.0
+    keys = {
+        "left": "steer to the left",
+        "right": "steer to the right",
+        "down": "steer neither way",
+        "n": "begin a new game",
+    }
+    FORESIGHT = 0.4  # s, by which the scripted player looks ahead
+
+    def build(self) -> None:
+        self.game = ball_game.BallGame()
+
+    def step(self, duration: float) -> None:
+        self.game.step(duration)
+
+    def draw(self, pen: Pen) -> None:
+        game, rules = self.game, self.game.rules
+        pen.ground()
+        draw_cables(pen, game.world.contact_generators)
+        for i, (a, b) in enumerate(game.rows):
+            color = "green" if i in rules.visited else "wood"
+            pen.segments([(flat(a.position), flat(b.position))], color, 5.0)
+        pen.circle(game.ball.position, bridge.RADIUS, "orange")
+        pen.arrow(game.ball.position, Vector3(game.direction), "green", "force")
+        pen.dots([(-7.5 + 0.5 * i, 6.9) for i in range(rules.lives)], "orange", 12.0)
+        if rules.over:
+            won = rules.won
+            pen.text((0.0, 2.2), "won" if won else "lost", "green" if won else "red", 28.0)
+
+    def chart(self) -> dict[str, float]:
+        return {"score": float(self.game.rules.score)}
+
+    def facts(self) -> str:
+        return f"{ball_game.POINTS} points a row, {ball_game.BONUS} for each ball that is left"
+
+    def say(self) -> str:
+        rules = self.game.rules
+        return f"Score {rules.score}, {rules.lives} balls left."
+
+    def press(self, key: str) -> None:
+        if key == "n":
+            self.build()
+        elif key in ("left", "right", "down"):
+            self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
+
+    def play(self, time: float) -> None:
+        """Win a game by steering to the next row that was not visited; then lose another one."""
+        frame = round(60.0 * time)
+        if frame == 424:
+            self.press("n")
+        elif frame > 424:
+            self.press("left" if frame > 474 else "down")
+        else:
+            self.press(self.next_key())
+
+    def next_key(self) -> str:
+        """Return the key that steers to the first row that was not visited."""
+        ball = self.game.ball
+        for row, (a, b) in enumerate(self.game.rows):
+            if row not in self.game.rules.visited:
+                there = 0.5 * (a.position.x + b.position.x)
+                foreseen = ball.position.x + self.FORESIGHT * ball.velocity.x
+                return "right" if there > foreseen else "left"
+        return "down"
+
+
+SCENES = (Bridge, BallGame)

@@ -1,0 +1,125 @@
+"""A trebuchet throws (project 8.2), and its counterweight's energy goes into the projectile."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from ch08_mass_aggregate import trebuchet
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import Question
+from lab.world_scene import WorldScene
+
+# The machine is drawn again above the flight, enlarged: this many times, at this place in m.
+LARGER, MACHINE = 2.2, (27.0, 33.0)
+DESIGN = trebuchet.Design(400.0, 1.0, 4.0, 3.0, 40.0)  # for a chapter without my_design
+
+Point = tuple[float, float]
+
+
+class Trebuchet(WorldScene):
+    """The student's own design, with another counterweight or another angle of release."""
+
+    chapter = 8
+    title = "A trebuchet"
+    question = "Which angle of release throws farthest?"
+    view = (-14.0, 134.0, -5.0, 66.0)
+    seconds = 7.0
+    predict = Question(
+        "How much of the counterweight's energy does the projectile get?",
+        ["Less than a quarter.", "From a quarter to a half.", "From a half to three quarters."],
+        lambda scene: int(scene.share() >= 0.25) + int(scene.share() >= 0.5),
+        "The counterweight falls and slows down while the beam and the sling speed up. A good "
+        "design lets it nearly stand still when the sling lets go.",
+        4.0,
+    )
+    rate = Choice(240, "steps per second", [60, 120, 240, 480], "Hz", live=True)
+    counterweight = Slider(400.0, "counterweight", "kg", 250.0, 600.0, step=25.0)
+    earlier = Slider(0.0, "let go earlier by", "degrees", -40.0, 40.0, step=5.0)
+
+    def build(self) -> None:
+        try:
+            own = trebuchet.my_design()
+        except NotImplementedError:
+            own = DESIGN
+        angle = max(-80.0, min(80.0, own.release_angle + self.earlier))
+        self.design = replace(own, counterweight=self.counterweight, release_angle=angle)
+        self.engine = trebuchet.Trebuchet(self.design)
+        self.way: list[Point] = []
+        self.end = ""
+        self.lost = self.gained = 0.0  # J
+        self.heights = (self.engine.weight.position.y, self.engine.projectile.position.y)
+        self.run(self.engine.step, self.engine.world)
+
+    def one_step(self, duration: float) -> None:
+        if not self.end:
+            super().one_step(duration)
+            self.look()
+
+    def look(self) -> None:
+        """Note the path and the energies, and end where the projectile is down."""
+        engine = self.engine
+        weight, projectile = engine.weight, engine.projectile
+        self.way.append((projectile.position.x, max(0.0, projectile.position.y)))
+        if not engine.flies:
+            fallen = self.heights[0] - weight.position.y
+            risen = projectile.position.y - self.heights[1]
+            self.lost = weight.mass * trebuchet.G * fallen
+            self.gained = projectile.mass * trebuchet.G * risen + projectile.kinetic_energy()
+        if projectile.position.y <= 0.0:
+            self.end = (
+                f"It lands {projectile.position.x:.1f} m from the pivot."
+                if engine.flies
+                else "It touches the ground in the sling."
+            )
+
+    def share(self) -> float:
+        """Return the projectile's share of the energy that the counterweight has lost."""
+        return self.gained / self.lost if self.lost > 0.0 else 0.0
+
+    def draw(self, pen: Pen) -> None:
+        pen.ground()
+        for scale, (x, y) in ((1.0, (0.0, 0.0)), (LARGER, MACHINE)):
+            self.draw_machine(pen, scale, x, y)
+        x, y = MACHINE
+        pen.text((x, y - 3.0), f"the machine, {LARGER:g} times as large", "gray", 12.0)
+        pen.segments([((x - 20.0, y), (x + 20.0, y))], "gray")
+        pen.line(self.way, "orange", 1.5)
+        stone = self.engine.projectile
+        pen.dots([(stone.position.x, max(0.0, stone.position.y))], "orange", 8.0)
+        pen.arrow(stone.position, stone.velocity * 0.4, "green", "velocity")
+        pen.text((88.0, 58.0), self.end, "black", 14.0)
+
+    def draw_machine(self, pen: Pen, scale: float, x0: float, y0: float) -> None:
+        """Draw the frame, the beam, the counterweight and the sling."""
+        engine = self.engine
+        pivot, weight, tip, stone = (
+            (x0 + scale * one.position.x, y0 + scale * max(0.0, one.position.y))
+            for one in (engine.pivot, engine.weight, engine.tip, engine.projectile)
+        )
+        width = 1.0 + scale
+        feet = [(x0 - 1.5 * scale, y0), pivot, (x0 + 1.5 * scale, y0)]
+        pen.line(feet, "gray", width)
+        pen.line([weight, pivot, tip], "wood", 1.5 * width)
+        pen.circle(weight, scale * 0.09 * self.design.counterweight ** (1.0 / 3.0), "blue")
+        if not engine.flies:
+            pen.line([tip, stone], "black", 1.0)
+            pen.circle(stone, 0.25 * scale, "orange")
+
+    def chart(self) -> dict[str, float]:
+        return {"counterweight lost, kJ": 1e-3 * self.lost, "projectile, kJ": 1e-3 * self.gained}
+
+    def facts(self) -> str:
+        one = self.design
+        return (
+            f"arms {one.short_arm:g} m and {one.long_arm:g} m, sling {one.sling:g} m, "
+            f"lets go at {one.release_angle:g}°"
+        )
+
+    def say(self) -> str:
+        if self.end:
+            return f"{self.end} It got {100.0 * self.share():.0f} % of the energy."
+        return "The projectile flies." if self.engine.flies else "The beam swings."
+
+
+SCENES = (Trebuchet,)

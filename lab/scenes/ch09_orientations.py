@@ -1,0 +1,235 @@
+"""Orientations in steps: by matrix, quaternion and Euler angles, and what Eq. 9.5 leaves out."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch09_rotations.angular import first_order_drift
+from ch09_rotations.euler import euler_rates, euler_to_quaternion
+from ch09_rotations.matrix3 import Matrix3
+from ch09_rotations.quaternion import Quaternion
+from lab.box import draw_box
+from lab.camera import flat
+from lab.parameters import Choice, Slider
+from lab.pen import Pen
+from lab.scene import Question, Scene
+
+SIDES = (1.3, 0.8, 0.3)  # m
+RATES = [30, 60, 120, 240]
+PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
+
+
+class Orientations(Scene):
+    """Three boxes with the same angular velocity, each with its own way to store an orientation."""
+
+    chapter = 9
+    title = "Matrix, quaternion, Euler angles"
+    question = "Which way to store an orientation can be stepped without breaking?"
+    view = (-3.8, 3.8, -1.6, 1.9)
+    seconds = 8.0
+    exact_from = "one rotation about the fixed axis"
+    error_unit = "lengths"
+    predict = Question(
+        "The same angular velocity turns three boxes. Which of them is wrong after four seconds?",
+        ["The matrix.", "The quaternion.", "The Euler angles.", "None of them."],
+        lambda scene: scene.worst(),
+        "Where the second angle comes near a quarter turn, the rates of the other two become huge, "
+        "and a step overshoots. Numbers added to a matrix stretch it. The quaternion is turned by "
+        "the exact rotation of each step.",
+        4.0,
+    )
+    rate = Choice(60, "steps per second", RATES, "Hz")
+    speed = Slider(120.0, "angular speed", "degrees/s", 10.0, 360.0, step=10.0)
+    tilt = Slider(2.0, "tilt of the axis from Y toward X", "degrees", 1.0, 90.0, step=1.0)
+    repair = Choice("yes", "normalize the matrix", ["yes", "no"])
+
+    def build(self) -> None:
+        tilt = math.radians(self.tilt)
+        speed = math.radians(self.speed)
+        self.velocity = Vector3(math.sin(tilt), math.cos(tilt)) * speed
+        self.quaternion = Quaternion()
+        self.columns = [Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)]
+        self.angles = Vector3()
+        self.locked = False
+        self.owed = 0.0
+
+    def step(self, duration: float) -> None:
+        h = 1.0 / self.rate
+        self.owed += duration
+        while self.owed > 0.5 * h:
+            self.owed -= h
+            self.quaternion.rotate_by(self.velocity * h)
+            self.step_matrix(h)
+            self.step_angles(h)
+
+    def step_matrix(self, h: float) -> None:
+        """Move each column, an axis of the box, with the velocity of its tip: w x column."""
+        for column in self.columns:
+            column.add_scaled(self.velocity.cross(column), h)
+        if self.repair == "yes":
+            x, y, _ = self.columns
+            x.normalize()
+            y.add_scaled(x, -x.dot(y))
+            y.normalize()
+            self.columns[2] = x.cross(y)
+
+    def step_angles(self, h: float) -> None:
+        """Move the angles with their rates, which do not exist in gimbal lock."""
+        a = self.angles
+        try:
+            a.add_scaled(euler_rates(a.x, a.y, a.z, self.velocity), h)
+        except ValueError:
+            self.locked = True
+
+    def matrix(self) -> Matrix3:
+        """Return the matrix with the three columns."""
+        x, y, z = self.columns
+        return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
+
+    def turns(self) -> dict[str, list[Vector3]]:
+        """Return where the axes of each box point."""
+        angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
+        q = self.quaternion.copy()
+        q.normalize()
+        axes = [Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)]
+        return {
+            "matrix": [self.matrix().transform(axis) for axis in axes],
+            "quaternion": [q.rotate(axis) for axis in axes],
+            "Euler angles": [angles.rotate(axis) for axis in axes],
+        }
+
+    def errors(self) -> list[float]:
+        """Return how far, in percent of its length, an axis of each box is from the right place."""
+        speed = self.velocity.magnitude()
+        right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
+        axes = [right.rotate(a) for a in (Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0))]
+        return [
+            100.0 * max((b - a).magnitude() for a, b in zip(axes, found, strict=True))
+            for found in self.turns().values()
+        ]
+
+    def worst(self) -> int:
+        """Return which box is farthest from the right orientation; 3 if none is 10 % off."""
+        errors = self.errors()
+        return errors.index(max(errors)) if max(errors) > 10.0 else 3
+
+    def draw(self, pen: Pen) -> None:
+        for (name, x), (axes, error) in zip(
+            PLACES.items(), zip(self.turns().values(), self.errors(), strict=True), strict=True
+        ):
+
+            def turn(v: Vector3, axes: list[Vector3] = axes) -> Vector3:
+                return axes[0] * v.x + axes[1] * v.y + axes[2] * v.z
+
+            draw_box(pen, SIDES, turn, (x, 0.0))
+            axis = flat(self.velocity.normalized())
+            pen.arrow((x, 0.0), axis, "pink", "velocity")
+            pen.text((x, 1.6), name, "black", 15.0)
+            words = f"{error:.2g} % off" if error < 10.0 else f"{error:.0f} % off"
+            pen.text((x, -1.35), words, "red" if error > 10.0 else "gray", 13.0)
+
+    def chart(self) -> dict[str, float]:
+        names = [f"{name}, % off" for name in PLACES]
+        return dict(zip(names, self.errors(), strict=True))
+
+    def state(self) -> list[float]:
+        """Return the error of the quaternion, as a fraction of the length of an axis."""
+        return [0.01 * self.errors()[1]]
+
+    def exact(self, time: float) -> list[float]:
+        return [0.0]
+
+    def facts(self) -> str:
+        near = 90.0 - abs(math.remainder(math.degrees(self.angles.y), 180.0))
+        return f"the second Euler angle is {near:.0f}° from gimbal lock"
+
+    def say(self) -> str:
+        matrix, quaternion, angles = self.errors()
+        lock = " The Euler angles are locked." if self.locked else ""
+        return (
+            f"The matrix is {matrix:.0f} % off, the quaternion {quaternion:.0f} % and the Euler "
+            f"angles {angles:.0f} %.{lock}"
+        )
+
+
+class FirstOrder(Scene):
+    """A hand that is turned by Eq. 9.5, which moves the quaternion along a straight line."""
+
+    chapter = 9
+    title = "What Eq. 9.5 leaves out"
+    question = "Does normalizing repair all of the error of a step?"
+    view = (-2.4, 2.4, -1.7, 1.7)
+    seconds = 8.0
+    exact_from = "the angle of a steady rotation"
+    error_unit = "rad"
+    predict = Question(
+        "The hand turns once per second, and is normalized after each step. Does it keep up?",
+        ["Yes, only the length was wrong.", "No, it falls behind."],
+        lambda _: 1,
+        "A step along the tangent makes the quaternion longer, and turns it by too small an "
+        "angle. Normalizing removes the first error but not the second.",
+        8.0,
+    )
+    rate = Choice(15, "steps per second", [10, 15, 30, 60, 120], "Hz")
+    speed = Slider(360.0, "angular speed", "degrees/s", 30.0, 720.0, step=30.0)
+    normalize = Choice("yes", "normalize after each step", ["yes", "no"], live=True)
+
+    def build(self) -> None:
+        self.q = Quaternion()
+        self.spin = Vector3(0.0, 0.0, math.radians(self.speed))
+        self.steps, self.owed, self.angle = 0, 0.0, 0.0
+
+    def step(self, duration: float) -> None:
+        h = 1.0 / self.rate
+        self.owed += duration
+        while self.owed > 0.5 * h:
+            self.owed -= h
+            before = self.half_angle()
+            self.q.add_scaled(self.spin, h)
+            self.angle += 2.0 * math.remainder(self.half_angle() - before, math.tau)
+            self.steps += 1
+            if self.normalize == "yes":
+                self.q.normalize()
+
+    def half_angle(self) -> float:
+        """Return half the angle of the rotation about Z."""
+        return math.atan2(self.q.k, self.q.r)
+
+    def passed(self) -> float:
+        """Return the time in s that the steps have covered."""
+        return self.steps / self.rate
+
+    def draw(self, pen: Pen) -> None:
+        pen.circle((0.0, 0.0), 1.0, "gray", fill=False)
+        right = self.spin.z * self.passed()
+        pen.arrow((0.0, 0.0), (math.cos(right), math.sin(right)), "gray")
+        length = self.q.magnitude() ** 2  # by what it would scale a vector
+        hand = (length * math.cos(self.angle), length * math.sin(self.angle))
+        pen.arrow((0.0, 0.0), hand, "blue")
+        pen.text((-1.75, 1.4), "steady rotation", "gray", 13.0)
+        pen.text((-1.75, 1.15), "Eq. 9.5", "blue", 13.0)
+
+    def chart(self) -> dict[str, float]:
+        behind = math.degrees(self.spin.z * self.passed() - self.angle)
+        return {"behind, degrees": behind, "length of q": self.q.magnitude()}
+
+    def state(self) -> list[float]:
+        """Return the angle that the hand has turned by, in rad."""
+        return [self.angle]
+
+    def exact(self, time: float) -> list[float]:
+        return [self.spin.z * self.passed()]
+
+    def facts(self) -> str:
+        length, angle = first_order_drift(self.spin.z, 1.0, self.rate)
+        return (
+            f"in theory {math.degrees(angle):.3g}° behind and {length:.3g} times as long per second"
+        )
+
+    def say(self) -> str:
+        behind = math.degrees(self.spin.z * self.passed() - self.angle)
+        return f"The hand is {behind:.1f}° behind. The length of q is {self.q.magnitude():.3g}."
+
+
+SCENES = (Orientations, FirstOrder)

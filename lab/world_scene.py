@@ -1,0 +1,61 @@
+"""Scenes of a particle world, whose steps and iterations a reader may change while it runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from ch07_constraints.links import AnchoredCable, Cable
+from ch08_mass_aggregate.world import ParticleWorld
+from lab.camera import flat
+from lab.contact_view import ContactView
+from lab.parameters import Choice
+from lab.pen import Pen
+from lab.scene import Scene
+from studies.links import ends_of
+
+
+class WorldScene(Scene):
+    """A scene that steps a world. ``build`` calls ``run``."""
+
+    rate = Choice(60, "steps per second", [30, 60, 120, 240], "Hz", live=True)
+    iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
+
+    def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
+        """Step a world from now on, and watch its contacts."""
+        self.make_step = step
+        self.owed = 0.0  # s that have passed and were not simulated yet
+        self.contacts = ContactView(world.resolver)
+        world.resolver = self.contacts
+
+    def step(self, duration: float) -> None:
+        """Make as many steps as the frame has time for; the rest is left for the next frame."""
+        length = 1.0 / self.rate
+        self.owed += duration
+        while self.owed > 0.5 * length:
+            self.owed -= length
+            self.one_step(length)
+
+    def one_step(self, duration: float) -> None:
+        """Make one step of the world."""
+        self.contacts.forget()
+        self.contacts.iterations = self.iterations
+        self.make_step(duration)
+
+    def used(self) -> dict[str, float]:
+        """Return the iterations of the last step, for a chart."""
+        return {"iterations used": float(self.contacts.iterations_used)}
+
+
+def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
+    """Draw the cables of a world: black where they are taut, gray where they are slack."""
+    taut, slack, anchors = [], [], []
+    for link in generators:
+        if isinstance(link, Cable | AnchoredCable):
+            a, b = ends_of(link)
+            tight = (b - a).magnitude() >= link.max_length
+            (taut if tight else slack).append((flat(a), flat(b)))
+        if isinstance(link, AnchoredCable):
+            anchors.append(flat(link.anchor))
+    pen.segments(slack, "gray")
+    pen.segments(taut, "black", 1.5)
+    pen.dots(anchors, "black", 5.0)

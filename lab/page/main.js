@@ -202,7 +202,9 @@ function play(wanted) {
   page.playing = wanted;
   page.last = performance.now();
   $("play").textContent = wanted ? "Pause" : "Play";
-  if (!wanted && page.contenders[0]?.frame) say(page.contenders[0].frame.say);
+  if (wanted) return;
+  page.target = Math.max(0, ...page.contenders.map((c) => c.asked)); // those behind catch up
+  if (page.contenders[0]?.frame) say(page.contenders[0].frame.say);
 }
 
 function advance(frames) {
@@ -235,13 +237,14 @@ function tick(now) {
     page.last = now;
     // Where an engine cannot follow, time passes more slowly.
     const slowest = Math.min(...page.contenders.filter((c) => !c.dead).map((c) => c.asked));
-    page.target = Math.min(page.target, slowest + 4 * MOST_AT_ONCE);
-    if (page.target >= page.until) {
+    page.target = Math.min(page.target, slowest + 4 * MOST_AT_ONCE, page.until);
+    if (slowest >= page.until) {
       page.until = Infinity;
       play(false);
       page.contenders[0].link.send({kind: "predict", option: page.guess});
     }
   }
+  advance(0); // a step that was wanted while an engine was busy
   drawAll();
   if (++pictures % 6 === 0) showNumbers();
   requestAnimationFrame(tick);

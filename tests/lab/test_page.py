@@ -76,7 +76,7 @@ def test_the_error_is_that_of_the_method(page: Any, address: str) -> None:
     """Leapfrog errs by a phase of w h (w h)^2 / 24 a step: 0.0139 in 2 s at 10 rad/s and 60 Hz."""
     open_scene(page, address, "one-spring", stiffness=100, integrator="leapfrog")
     play_until(page, 2.0)
-    error = float(page.inner_text("#contenders tbody tr td"))
+    error = float(page.inner_text("#contenders tbody tr td").removesuffix(" m"))
     w, h = 10.0, 1.0 / 60.0
     assert error == pytest.approx(2.0 * w * (w * h) ** 2 / 24.0, rel=0.25)
 
@@ -98,7 +98,7 @@ def test_another_contender_is_compared(page: Any, address: str) -> None:
     page.wait_for_function("document.querySelectorAll('#contenders tbody tr').length === 2")
     play_until(page, 2.0)
     first, second = (
-        float(row.split("\t")[1]) for row in page.inner_text("#contenders tbody").splitlines()
+        float(row.split("\t")[1].removesuffix(" m")) for row in page.inner_text("#contenders tbody").splitlines()
     )
     assert second < first / 100.0  # order 4 against order 1, at w h = 1/6
     assert page.is_visible("#tradeoff")

@@ -33,7 +33,13 @@ class Parameter:
 
     def described(self) -> dict[str, Any]:
         """Return what a page needs to show the parameter."""
-        return {"name": self.name, "label": self.label, "unit": self.unit, "default": self.default}
+        return {
+            "name": self.name,
+            "label": self.label,
+            "unit": self.unit,
+            "default": self.default,
+            "live": self.live,
+        }
 
 
 class Slider(Parameter):

@@ -1,27 +1,12 @@
 // The lab's page: a scene, its parameters, and one or more engines that play it.
 
-import {Charts, drawTradeoff} from "./charts.js";
+import {drawTradeoff} from "./charts.js";
+import {addContender, showContenders, showRivals} from "./contenders.js";
 import {makeControl} from "./controls.js";
-import {Stage} from "./draw.js";
-import {EngineLink} from "./engine.js";
 import {ask} from "./predict.js";
-
-const $ = (id) => document.getElementById(id);
-const TINTS = ["--blue", "--red", "--green", "--violet", "--orange"];
-const FRAMES = 60; // in a second
-const MOST_AT_ONCE = 8; // frames that a link is asked for in one message
-
-const page = {
-  list: {scenes: [], engines: []},
-  spec: null,
-  values: {},
-  contenders: [],
-  playing: false,
-  target: 0, // frames that should have passed
-  until: Infinity, // frames after which a question is answered
-  hidden: new Set(["force", "contact"]),
-  charts: new Charts($("charts")),
-};
+import {showStages} from "./stages.js";
+import {$, FRAMES, page, remember, say, tint, trouble} from "./state.js";
+import {advance, play, restart, tick} from "./time.js";
 
 // --- Scenes and contenders -------------------------------------------------------------------
 
@@ -31,20 +16,11 @@ function openScene(name, values) {
   $("stage").replaceChildren();
   $("parameters").replaceChildren();
   $("scenes").value = name;
-  addContender({engine: page.list.engines[0], peer: "", changes: {}});
+  compare({engine: page.list.engines[0], peer: "", changes: {}});
 }
 
-function addContender({engine, peer, changes}) {
-  const contender = {engine, peer, changes, number: page.contenders.length, asked: page.target, worst: 0, frame: null};
-  contender.label = [peer || (engine === "yours" ? "your engine" : "the reference"), ...Object.values(changes)].join(", ");
-  contender.link = new EngineLink(engine, (answer) => answered(contender, answer));
-  page.contenders.push(contender);
-  load(contender);
-}
-
-function load(contender) {
-  contender.dead = false;
-  contender.link.send({kind: "load", scene: page.name, peer: contender.peer, values: {...page.values, ...contender.changes}});
+function compare(rival) {
+  addContender(rival, answered);
 }
 
 function answered(contender, answer) {
@@ -67,15 +43,6 @@ function answered(contender, answer) {
   } else if (answer.kind === "judged") {
     page.judged?.(answer);
   }
-}
-
-function trouble(words) {
-  $("trouble").hidden = !words;
-  $("trouble").textContent = words;
-}
-
-function say(words) {
-  if ($("say").textContent !== words) $("say").textContent = words;
 }
 
 // --- What is shown of a scene ----------------------------------------------------------------
@@ -114,80 +81,6 @@ function showActions(keys) {
   }
 }
 
-function showRivals(spec) {
-  $("add").replaceChildren(new Option("another one ...", ""));
-  const add = (label, rival) => $("add").add(new Option(label, JSON.stringify(rival)));
-  for (const engine of page.list.engines.slice(1)) add("the reference", {engine, peer: "", changes: {}});
-  const own = page.list.engines[0];
-  for (const peer of spec.peers) add(peer, {engine: own, peer, changes: {}});
-  for (const {name, label, options} of spec.parameters) {
-    if (!["integrator", "rate"].includes(name)) continue;
-    for (const option of options) add(`${label}: ${option}`, {engine: own, peer: "", changes: {[name]: option}});
-  }
-}
-
-function tint(contender) {
-  return getComputedStyle(document.documentElement).getPropertyValue(TINTS[contender.number % TINTS.length]);
-}
-
-function showStages() {
-  const apart = $("split").checked ? page.contenders : page.contenders.slice(0, 1);
-  $("stage").classList.toggle("split", apart.length > 1);
-  $("stage").replaceChildren();
-  page.stages = apart.map((contender) => {
-    const figure = document.createElement("figure");
-    const canvas = document.createElement("canvas");
-    canvas.tabIndex = 0;
-    canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", `${page.spec.title}: ${page.spec.question}`);
-    canvas.setAttribute("aria-describedby", "say");
-    figure.append(canvas);
-    if (apart.length > 1) {
-      const caption = document.createElement("figcaption");
-      caption.textContent = contender.label;
-      figure.append(caption);
-    }
-    $("stage").append(figure);
-    const stage = new Stage(canvas);
-    stage.view = page.spec.view;
-    stage.fit();
-    listen(stage);
-    return stage;
-  });
-}
-
-function showContenders() {
-  const body = $("contenders").tBodies[0];
-  body.replaceChildren();
-  for (const contender of page.contenders) {
-    const row = body.insertRow();
-    const name = document.createElement("th");
-    name.scope = "row";
-    name.innerHTML = `<span class="swatch" style="background:${tint(contender)}"></span>`;
-    name.append(contender.label);
-    row.append(name);
-    contender.cells = [row.insertCell(), row.insertCell()];
-    const last = row.insertCell();
-    if (contender.number) {
-      const remove = document.createElement("button");
-      remove.textContent = "remove";
-      remove.setAttribute("aria-label", `remove ${contender.label}`);
-      remove.onclick = () => removeContender(contender);
-      last.append(remove);
-    }
-  }
-}
-
-function removeContender(contender) {
-  contender.link.close();
-  page.contenders.splice(page.contenders.indexOf(contender), 1);
-  page.contenders.forEach((each, number) => (each.number = number));
-  page.charts.clear();
-  showContenders();
-  showStages();
-  remember();
-}
-
 function chart(contender, frame) {
   const colors = page.contenders.map(tint);
   if (contender.number >= colors.length) return;
@@ -196,76 +89,15 @@ function chart(contender, frame) {
   for (const [title, value] of Object.entries(values)) page.charts.add(title, frame.time, contender.number, colors, value);
 }
 
-// --- Time ------------------------------------------------------------------------------------
-
-function play(wanted) {
-  page.playing = wanted;
-  page.last = performance.now();
-  $("play").textContent = wanted ? "Pause" : "Play";
-  if (wanted) return;
-  page.target = Math.max(0, ...page.contenders.map((c) => c.asked)); // those behind catch up
-  if (page.contenders[0]?.frame) say(page.contenders[0].frame.say);
-}
-
-function advance(frames) {
-  page.target += frames;
-  for (const contender of page.contenders) {
-    const due = Math.floor(page.target) - contender.asked;
-    if (contender.dead || contender.link.busy || due < 1) continue;
-    const now = Math.min(due, MOST_AT_ONCE);
-    contender.asked += now;
-    contender.link.send({kind: "run", frames: now});
-  }
-}
-
-function restart() {
-  trouble("");
-  page.charts.clear();
-  page.target = 0;
-  page.until = Infinity;
-  for (const contender of page.contenders) {
-    Object.assign(contender, {asked: 0, worst: 0});
-    load(contender);
-  }
-}
-
-let pictures = 0;
-
-function tick(now) {
-  if (page.playing) {
-    advance(((now - page.last) / 1000) * FRAMES * Number($("speed").value));
-    page.last = now;
-    // Where an engine cannot follow, time passes more slowly.
-    const slowest = Math.min(...page.contenders.filter((c) => !c.dead).map((c) => c.asked));
-    page.target = Math.min(page.target, slowest + 4 * MOST_AT_ONCE, page.until);
-    if (slowest >= page.until) {
-      page.until = Infinity;
-      play(false);
-      page.contenders[0].link.send({kind: "predict", option: page.guess});
-    }
-  }
-  advance(0); // a step that was wanted while an engine was busy
-  drawAll();
-  if (++pictures % 6 === 0) showNumbers();
-  requestAnimationFrame(tick);
-}
-
-function drawAll() {
-  page.stages?.forEach((stage, place) => {
-    stage.clear();
-    page.contenders.forEach((contender, number) => {
-      if (!contender.frame || (page.stages.length > 1 && number !== place)) return;
-      stage.draw(contender.frame.items, page.hidden, number ? tint(contender) : "");
-    });
-  });
-}
-
 function showNumbers() {
   const [first] = page.contenders;
   if (!first?.frame) return;
   $("clock").textContent = `${first.frame.time.toFixed(2)} s`;
   if ($("facts").textContent !== first.frame.facts) $("facts").textContent = first.frame.facts;
-  if (page.playing && pictures % 120 === 0) say(first.frame.say);
+  if (page.playing && first.frame.time - (page.said ?? -2) >= 2) {
+    page.said = first.frame.time;
+    say(first.frame.say);
+  }
   const exact = first.frame.error !== null && first.frame.error !== undefined;
   for (const {cells, frame, worst} of page.contenders) {
     if (!cells || !frame) continue;
@@ -285,7 +117,7 @@ function showNumbers() {
 function change(name, value) {
   page.values[name] = value;
   trouble("");
-  const live = ["integrator", "rate"].includes(name);
+  const {live} = page.spec.parameters.find((parameter) => parameter.name === name);
   for (const contender of page.contenders) {
     if (name in contender.changes) continue;
     contender.dead = false;
@@ -300,32 +132,6 @@ function change(name, value) {
 
 function press(key) {
   for (const contender of page.contenders) contender.link.send({kind: "press", key});
-}
-
-function listen(stage) {
-  const canvas = stage.canvas;
-  let held = "";
-  const send = (message) => page.contenders.forEach((contender) => contender.link.send(message));
-  canvas.onpointerdown = (event) => {
-    const [x, y] = stage.point(event);
-    const circles = (page.contenders[0].frame?.items ?? []).filter((item) => item[0] === "circle" && item[6]);
-    const near = circles.find(([, , cx, cy, radius]) => Math.hypot(cx - x, cy - y) < Math.max(radius, 14 / stage.scale));
-    held = near ? near[6] : "";
-    if (held) canvas.setPointerCapture(event.pointerId);
-    else send({kind: "click", x, y});
-  };
-  canvas.onpointermove = (event) => {
-    if (!held || page.contenders[0].link.busy) return;
-    const [x, y] = stage.point(event);
-    send({kind: "drag", name: held, x, y});
-  };
-  canvas.onpointerup = () => (held = "");
-}
-
-function remember() {
-  const query = new URLSearchParams({scene: page.name, ...page.values});
-  for (const {engine, peer, changes} of page.contenders.slice(1)) query.append("with", JSON.stringify({engine, peer, changes}));
-  history.replaceState(null, "", `?${query}`);
 }
 
 function save(name, type, content) {
@@ -374,7 +180,7 @@ $("scenes").onchange = () => (openScene($("scenes").value, {}), remember());
 $("split").onchange = showStages;
 $("add").onchange = () => {
   if (!$("add").value) return;
-  addContender(JSON.parse($("add").value));
+  compare(JSON.parse($("add").value));
   restart();
   showStages();
   remember();
@@ -414,8 +220,8 @@ async function start() {
   const query = new URLSearchParams(location.search);
   const {scene = page.list.scenes[0].name, ...values} = Object.fromEntries([...query].filter(([key]) => key !== "with"));
   openScene(scene, values);
-  for (const rival of query.getAll("with")) addContender(JSON.parse(rival));
-  requestAnimationFrame(tick);
+  for (const rival of query.getAll("with")) compare(JSON.parse(rival));
+  requestAnimationFrame((now) => tick(now, showNumbers));
 }
 
 start();

@@ -1,0 +1,60 @@
+// The pictures of the scene, and the mouse or finger on them.
+
+import {Stage} from "./draw.js";
+import {$, page, tint} from "./state.js";
+
+export function showStages() {
+  const apart = $("split").checked ? page.contenders : page.contenders.slice(0, 1);
+  $("stage").classList.toggle("split", apart.length > 1);
+  $("stage").replaceChildren();
+  page.stages = apart.map((contender) => {
+    const figure = document.createElement("figure");
+    const canvas = document.createElement("canvas");
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", `${page.spec.title}: ${page.spec.question}`);
+    canvas.setAttribute("aria-describedby", "say");
+    figure.append(canvas);
+    if (apart.length > 1) {
+      const caption = document.createElement("figcaption");
+      caption.textContent = contender.label;
+      figure.append(caption);
+    }
+    $("stage").append(figure);
+    const stage = new Stage(canvas);
+    stage.view = page.spec.view;
+    stage.fit();
+    listen(stage);
+    return stage;
+  });
+}
+
+export function drawAll() {
+  page.stages?.forEach((stage, place) => {
+    stage.clear();
+    page.contenders.forEach((contender, number) => {
+      if (!contender.frame || (page.stages.length > 1 && number !== place)) return;
+      stage.draw(contender.frame.items, page.hidden, number ? tint(contender) : "");
+    });
+  });
+}
+
+function listen(stage) {
+  const canvas = stage.canvas;
+  let held = "";
+  const send = (message) => page.contenders.forEach((contender) => contender.link.send(message));
+  canvas.onpointerdown = (event) => {
+    const [x, y] = stage.point(event);
+    const circles = (page.contenders[0].frame?.items ?? []).filter((item) => item[0] === "circle" && item[6]);
+    const near = circles.find(([, , cx, cy, radius]) => Math.hypot(cx - x, cy - y) < Math.max(radius, 14 / stage.scale));
+    held = near ? near[6] : "";
+    if (held) canvas.setPointerCapture(event.pointerId);
+    else send({kind: "click", x, y});
+  };
+  canvas.onpointermove = (event) => {
+    if (!held || page.contenders[0].link.busy) return;
+    const [x, y] = stage.point(event);
+    send({kind: "drag", name: held, x, y});
+  };
+  canvas.onpointerup = () => (held = "");
+}

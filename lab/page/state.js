@@ -1,0 +1,40 @@
+// What the page shows now, and small helpers that all of its modules use.
+
+import {Charts} from "./charts.js";
+
+export const $ = (id) => document.getElementById(id);
+export const FRAMES = 60; // in a second
+const TINTS = ["--blue", "--red", "--green", "--violet", "--orange"];
+
+export const page = {
+  list: {scenes: [], engines: []},
+  spec: null,
+  values: {},
+  contenders: [],
+  playing: false,
+  target: 0, // frames that should have passed
+  until: Infinity, // frames after which a question is answered
+  hidden: new Set(["force", "contact"]),
+  charts: new Charts($("charts")),
+};
+
+export function trouble(words) {
+  $("trouble").hidden = !words;
+  $("trouble").textContent = words;
+}
+
+export function say(words) {
+  if ($("say").textContent !== words) $("say").textContent = words;
+}
+
+// The color of a contender in the table, the charts and the picture.
+export function tint(contender) {
+  return getComputedStyle(document.documentElement).getPropertyValue(TINTS[contender.number % TINTS.length]);
+}
+
+// The address holds what is needed to come back to this: scene, parameters, contenders.
+export function remember() {
+  const query = new URLSearchParams({scene: page.name, ...page.values});
+  for (const {engine, peer, changes} of page.contenders.slice(1)) query.append("with", JSON.stringify({engine, peer, changes}));
+  history.replaceState(null, "", `?${query}`);
+}

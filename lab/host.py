@@ -139,6 +139,11 @@ class Host:
             "error": error if error is None or math.isfinite(error) else None,
             "cost": round(self.cost, 2),
             "facts": scene.facts(),
+            "changed": {  # parameters that a key or a drag has changed
+                name: value
+                for name, value in scene.values.items()
+                if value != self.values.get(name, getattr(self.kind, name).default)
+            },
             "say": scene.say(),
         }
 

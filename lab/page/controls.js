@@ -1,4 +1,5 @@
-// Controls for a scene's parameters: a slider with a number beside it, or a choice.
+// Controls for a scene's parameters: a slider with a number beside it, or a choice. Each has a
+// function show, for a value that the scene itself has changed.
 
 export function makeControl(parameter, value, onChange) {
   const label = document.createElement("label");
@@ -15,6 +16,7 @@ export function makeControl(parameter, value, onChange) {
     select.value = value;
     select.name = parameter.name;
     select.onchange = () => onChange(select.value);
+    label.show = (wanted) => (select.value = wanted);
     label.append(select);
     return label;
   }
@@ -57,5 +59,6 @@ export function makeControl(parameter, value, onChange) {
   unit.className = "unit";
   unit.textContent = parameter.unit;
   label.append(range, number, unit);
+  label.show = show;
   return label;
 }

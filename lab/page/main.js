@@ -45,6 +45,8 @@ function answered(contender, answer) {
   }
 }
 
+const controls = new Map();
+
 // --- What is shown of a scene ----------------------------------------------------------------
 
 function showScene(spec) {
@@ -52,9 +54,12 @@ function showScene(spec) {
   document.title = `${spec.title} - the lab`;
   $("title").textContent = spec.title;
   $("question").textContent = spec.question;
+  controls.clear();
   for (const parameter of spec.parameters) {
     const value = page.values[parameter.name] ?? parameter.default;
-    $("parameters").append(makeControl(parameter, value, (wanted) => change(parameter.name, wanted)));
+    const control = makeControl(parameter, value, (wanted) => change(parameter.name, wanted));
+    $("parameters").append(control);
+    controls.set(parameter.name, control);
   }
   $("parameters").hidden = !spec.parameters.length;
   showActions(spec.keys);
@@ -97,6 +102,12 @@ function showNumbers() {
   if (page.playing && first.frame.time - (page.said ?? -2) >= 2) {
     page.said = first.frame.time;
     say(first.frame.say);
+  }
+  for (const [name, value] of Object.entries(first.frame.changed)) {
+    if (page.values[name] === value) continue;
+    page.values[name] = value;
+    controls.get(name).show(value);
+    remember();
   }
   const exact = first.frame.error !== null && first.frame.error !== undefined;
   for (const {cells, frame, worst} of page.contenders) {

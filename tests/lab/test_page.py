@@ -34,6 +34,7 @@ def address() -> Iterator[str]:
 def page(browser: Any) -> Iterator[Any]:
     """A page that notes its errors, and every host that it asks."""
     page = browser.new_page(viewport=DESK, bypass_csp=True)  # Playwright's waiting needs eval
+    page.set_default_timeout(10_000.0)  # ms; an answer takes less than a second
     page.errors, page.hosts = [], set()
     page.on("pageerror", lambda error: page.errors.append(str(error)))
     page.on("request", lambda request: page.hosts.add(urlsplit(request.url).hostname))
@@ -98,7 +99,8 @@ def test_another_contender_is_compared(page: Any, address: str) -> None:
     page.wait_for_function("document.querySelectorAll('#contenders tbody tr').length === 2")
     play_until(page, 2.0)
     first, second = (
-        float(row.split("\t")[1].removesuffix(" m")) for row in page.inner_text("#contenders tbody").splitlines()
+        float(row.split("\t")[1].removesuffix(" m"))
+        for row in page.inner_text("#contenders tbody").splitlines()
     )
     assert second < first / 100.0  # order 4 against order 1, at w h = 1/6
     assert page.is_visible("#tradeoff")
@@ -136,6 +138,10 @@ def test_the_keyboard_is_enough(page: Any, address: str) -> None:
         page.keyboard.press("Tab")
         reached.add(page.evaluate("document.activeElement.name || document.activeElement.id"))
     assert {"scenes", "play", "restart", "stiffness", "integrator", "add", "csv"} <= reached
+    open_scene(page, address, "platform")
+    page.keyboard.press("ArrowRight")  # a key that changes a parameter moves its slider
+    page.wait_for_function("document.querySelector('[name=x]').value === '-0.5'")
+    open_scene(page, address, "one-spring")
     page.focus("#parameters input[type=range]")
     page.keyboard.press("ArrowRight")
     assert float(page.input_value("[name=stiffness]")) > 100.0

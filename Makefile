@@ -63,8 +63,8 @@ lab: $(READY) ## play with your engine in the browser (CH=6, SCENE=one-spring)
 plot: $(READY) ## draw pictures with your own functions (CH=2)
 	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)
 
-demo: $(READY) ## play a scene with your engine (DEMO=fireworks)
-	@$(RUN) -m studies demo --engine "$(ENGINE)" $(if $(GIVEN),--given "$(GIVEN)") $(if $(DEMO),"$(DEMO)") $(DIAGNOSIS)
+demo: $(READY) ## play a scene of the lab in a window instead (DEMO=fireworks)
+	@$(RUN) -m lab play $(if $(DEMO),"$(DEMO)") --engine "$(ENGINE)" $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)
 
 setup: $(READY) ## make .venv; the other commands do it by themselves
 	@echo "Set up: .venv is ready."

@@ -11,7 +11,7 @@ from pathlib import Path
 from autograder.make_venv import shown_python
 from autograder.manifest import ROOT
 
-# What make calls a student's options; a demo, and the exercise of a hint or a reset, have no name.
+# What make calls a student's options. A scene, and the exercise of a hint or a reset, have no name.
 OPTIONS = {
     "CH": "--chapter",
     "EX": "--exercise",
@@ -20,7 +20,7 @@ OPTIONS = {
     "N": "--count",
     "WHOLE": "--whole",
 }
-OF_STUDIES = ("plot", "demo")  # the commands of python -m studies
+MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # not the autograder's
 
 
 def prepare() -> bool:
@@ -51,10 +51,9 @@ def command(name: str, **variables: str) -> str:
     """Return the line that runs a command: make's, or Python's own where there is no make."""
     if shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
-    package = "studies" if name in OF_STUDIES else "autograder"
-    words = [shown_python(), f"-m {package}", name]
+    words = [shown_python(), "-m", MODULES.get(name, f"autograder {name}")]
     for key, value in variables.items():
-        if key != "DEMO" and (key != "EX" or name == "check"):
+        if key not in ("DEMO", "SCENE") and (key != "EX" or name == "check"):
             words.append(OPTIONS[key])
         if key != "WHOLE":
             words.append(value)

@@ -21,7 +21,7 @@ STUDENT_TOOLS = {
     "autograder/checks": "*.py",
     "autograder/student": "*.py",
     "studies": (
-        "__init__.py __main__.py balance.py constraints.py demo.py drag_flight.py drawing.py "
+        "__init__.py __main__.py balance.py constraints.py drag_flight.py drawing.py "
         "engine.py links.py mass_aggregate.py piles.py plot.py readings.py releases.py reason.py "
         "ropes.py rotations.py stability.py timing.py"
     ),
@@ -41,7 +41,8 @@ as on most Windows, [chapters/README.md](chapters/README.md) has the same comman
     make reset EX={example}  its stub back, and a copy of what you had
     make lab            scenes that your own engine plays, in your browser
     make plot           pictures of what your own functions do, under build/plots/
-{demo}
+    make demo DEMO=...  one of these scenes in a window, or into files without a display
+
 Each chapter's README maps the book's sections to the functions that you write. Written questions,
 where there are any, are answered in `answers.md`. Hand in the folders under `chapters/` that you
 have edited: the files that the exercise table names are taken, so keep your own helpers in them.
@@ -49,7 +50,6 @@ have edited: the files that the exercise table names are taken, so keep your own
 KEPT_README = """\
 The stubs as they were handed out, for `make reset`. Nothing here is checked or handed in.
 """
-DEMO = "    make demo DEMO=...  a scene to play; its chapter's README names it\n"
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
@@ -102,8 +102,7 @@ def make_handout(
         _copy(modules, out / "chapters" / chapter.name)
     titles = ", ".join(chapter.title.lower() for chapter in chapters)
     example = chapters[0].exercises[0].id
-    demo = DEMO if any("demos.py" in chapter.complete for chapter in chapters) else ""
-    text = README.format(titles=titles, example=example, demo=demo)
+    text = README.format(titles=titles, example=example)
     (out / "README.md").write_text(text, encoding="utf-8", newline="\n")
     print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
     print(f"given complete: {', '.join(chapter.name for chapter in given) or 'none'}")

@@ -30,7 +30,7 @@ class Exercise:
     needs: list[str] = field(default_factory=list)
     chart: list[str] = field(default_factory=list)  # of open ones: what cost and error are
     robust: str = ""  # why an engine needs the robust checks, where the exercise has any
-    play: list[str] = field(default_factory=list)  # demos that it makes playable
+    play: list[str] = field(default_factory=list)  # scenes of the lab that it makes playable
 
 
 @dataclass(frozen=True)
@@ -191,7 +191,7 @@ def _exercise(path: Path, entry: dict[str, Any]) -> Exercise:
     if len(exercise.chart) not in (0, 2):
         raise ValueError(f"{where}: chart must name the cost and the error, got {exercise.chart!r}")
     if not _are_words(exercise.play):
-        raise ValueError(f"{where}: play must be a list of demos, got {exercise.play!r}")
+        raise ValueError(f"{where}: play must be a list of scenes, got {exercise.play!r}")
     return exercise
 
 

@@ -12,7 +12,7 @@ import webbrowser
 from pathlib import Path
 from urllib.parse import urlencode
 
-from autograder.commands import find_engine
+from autograder.commands import find_engine, prepare
 from autograder.manifest import ROOT
 from lab.catalog import entries, find, load
 from studies.engine import add_engine_options, use_engine
@@ -41,6 +41,8 @@ def main() -> int:
             "--set", action="append", default=[], metavar="NAME=VALUE", help="set a parameter"
         )
     options = parser.parse_args()
+    if not prepare():
+        return 2
     try:
         return {"serve": _serve, "play": _play, "record": _play}[options.command](options)
     except ValueError as error:

@@ -48,7 +48,8 @@ def find(name: str) -> Entry:
         if entry.name == name:
             return entry
     names = ", ".join(entry.name for entry in entries())
-    raise ValueError(f"there is no scene {name!r}; there are {names}")
+    wrong = f"there is no scene {name!r}" if name else "name a scene"
+    raise ValueError(f"{wrong}; there are {names}")
 
 
 def load(name: str) -> type[Scene]:

@@ -48,7 +48,9 @@ class WorldScene(Scene):
 
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
     """Draw the cables of a world: black where they are taut, gray where they are slack."""
-    taut, slack, anchors = [], [], []
+    anchors: list[tuple[float, float]] = []
+    taut: list[tuple[tuple[float, float], tuple[float, float]]] = []
+    slack: list[tuple[tuple[float, float], tuple[float, float]]] = []
     for link in generators:
         if isinstance(link, Cable | AnchoredCable):
             a, b = ends_of(link)

@@ -8,8 +8,8 @@ import sys
 
 from autograder.commands import prepare
 
-# A hand-out has the first two.
-COMMANDS = ("plot", "demo", "figures", "bench", "charts", "choose", "limits", "economy", "soak")
+# A hand-out has the first.
+COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy", "soak")
 
 
 def main() -> int:

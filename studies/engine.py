@@ -1,4 +1,4 @@
-"""Choose the engine whose chapters plots, demos and measurements import."""
+"""Choose the engine whose chapters plots, scenes and measurements import."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Draw the pictures of the chapters' READMEs anew, with the reference: `make figures`.
 
-They are plots of `make plot` and demos of `make demo`, in fewer colours, and the demos smaller and
-with fewer pictures a second: a page should load at once.
+They are plots of `make plot` and scenes of the lab, in fewer colors. The scenes are smaller and
+have fewer pictures per second, so that a page loads at once.
 """
 
 from __future__ import annotations
@@ -14,7 +14,9 @@ from matplotlib import pyplot
 from PIL import Image, ImageSequence
 
 from autograder.manifest import ROOT
-from studies import demo, plot
+from lab.catalog import load
+from lab.play import record
+from studies import plot
 from studies.engine import use_engine
 from studies.reason import shown
 
@@ -28,7 +30,7 @@ PLOTS = (
     "ch08_mass_aggregate/mass_ratios",
     "ch09_rotations/drift_of_first_order",
 )
-# For how many seconds each demo is played.
+# For how many seconds each scene is played.
 ANIMATIONS = {
     "ch04_particle_engine/fireworks": 6.0,
     "ch05_forces/sniper": 11.0,
@@ -50,7 +52,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
     options = parser.parse_args(arguments)
     use_engine(parser, options.engine)
-    pyplot.switch_backend("Agg")  # whether or not there is a display: demos go into files
+    pyplot.switch_backend("Agg")  # scenes go into files even where there is a display
     work = ROOT / "build" / "figures"
     done = []
     for name in PLOTS:
@@ -65,13 +67,9 @@ def main(arguments: list[str]) -> int:
                 )
         pyplot.close("all")
     for name, seconds in ANIMATIONS.items():
-        folder = work / Path(name).parent
-        played = [Path(name).name, "--engine", options.engine]
-        done.append(demo.main([*played, "--seconds", str(seconds), "--out", str(folder)]) == 0)
-        if done[-1]:
-            _write(_shrunk(work / f"{name}.gif"), options.out / f"{name}.gif")
-        pyplot.close("all")
-    print(f"{sum(done)} of {len(done)} pictures drawn by {options.engine}")
+        animation, _, _ = record(load(Path(name).name)(), work / Path(name).parent, seconds)
+        _write(_shrunk(animation), options.out / f"{name}.gif")
+    print(f"drawn: {sum(done)} of {len(done)} plots and {len(ANIMATIONS)} animations")
     return 0 if all(done) else 1
 
 

@@ -155,7 +155,7 @@ def _modules(
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}
     for file in sorted(f for folder in engine for f in folder.glob("ch??_*/*.py")):
-        name, drawing = file.parent.name, file.name.startswith("demos")
-        if name < chapter.name and name not in listed and not drawing:
+        name = file.parent.name
+        if name < chapter.name and name not in listed:
             files.setdefault(name, []).append(file.name)
     return [f"{name}.{file[:-3]}" for name in sorted(files) for file in files[name]]

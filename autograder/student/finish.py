@@ -1,4 +1,4 @@
-"""What a student sees at the end of a chapter, and which demos an exercise makes playable.
+"""What a student sees at the end of a chapter, and which scenes an exercise makes playable.
 
 A chapter is finished when the physics of its exercises works. Robust checks, questions, projects
 and what goes further may still be open: they are listed.
@@ -77,10 +77,10 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
     if chapter.picture:
         lines += _labeled("Picture", _picture(chapter, engine, given))
-    demos = [name for result in report.results if result.works for name in result.exercise.play]
-    if demos:
-        others = f" (or {listed(demos[1:], 'or')})" if demos[1:] else ""
-        lines += _labeled("Play", _demo(demos[0], engine, given) + others)
+    scenes = [name for result in report.results if result.works for name in result.exercise.play]
+    if scenes:
+        others = f" (or {listed(scenes[1:], 'or')})" if scenes[1:] else ""
+        lines += _labeled("Play", _lab(scenes[0], engine, given) + others)
     label = "Open"
     for words in _open(report, engine) or ["nothing"]:
         lines += _labeled(label, words)
@@ -103,8 +103,8 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
             break
         if other.edit and (other.id in failing or _is_stub(other, report.chapter, engine)):
             return ""
-    demos = listed([_demo(name, engine, given) for name in exercise.play])
-    return f"{exercise.id} works. Try it: {demos}"
+    scenes = listed([_lab(name, engine, given) for name in exercise.play])
+    return f"{exercise.id} works. Try it: {scenes}"
 
 
 def _is_extra(exercise: Exercise) -> bool:
@@ -169,8 +169,8 @@ def _last_change(chapter: Chapter, engine: Path) -> float:
     return max((file.stat().st_mtime for file in files), default=0.0)
 
 
-def _demo(name: str, engine: list[Path], given: list[Chapter]) -> str:
-    return command("demo", DEMO=name, **_variables(engine, given))
+def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
+    return command("lab", SCENE=name, **_variables(engine, given))
 
 
 def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:

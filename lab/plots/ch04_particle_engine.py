@@ -12,20 +12,25 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot
 from ch04_particle_engine.closed_form import state_after
-from ch04_particle_engine.demos import (
-    SHOT_COLORS,
-    SPARK_COLORS,
-    WHEEL_SPARK,
-    can_throw,
-    can_turn,
-    make_wheel,
-)
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworksShow
+from lab.scenes.ch04_ballistics import can_throw
+from lab.scenes.ch04_fireworks import WHEEL_SPARK, can_turn, make_wheel
 from studies.drag_flight import flight_of, make_particle
-from studies.drawing import GREEN, GREY, ORANGE, Picture, slope
+from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, YELLOW, Picture, slope
 from studies.readings import Numbers, is_written, numbers
 
+SHOT_COLORS = {  # a shot of the student's own is pink
+    **dict.fromkeys(SHOT_TYPES, PINK),
+    "pistol": BLACK,
+    "artillery": GREEN,
+    "fireball": ORANGE,
+    "laser": RED,
+    "grenade": BLUE,
+    "fragment": BLUE,
+}
+# One for each of the eleven types, and for the sparks of the wheel.
+SPARK_COLORS = (YELLOW, ORANGE, SKY, PINK, YELLOW, RED, SKY, GREEN, "white", PINK, GREEN, ORANGE)
 FRAME = 1.0 / 60.0
 LONGEST = 600  # frames, in which every shot lands and every firework burns out
 

@@ -66,8 +66,7 @@ class Ballistics(Scene):
                 TargetBlock(Vector3(4, 1.5, 65), (3, 3, 1), mass=1000),
                 TargetBlock(Vector3(0, 4, 120), (16, 8, 0.5), mass=math.inf),
             ]
-        throws = is_written(lambda: grenade_after(Shot("grenade", Particle())))
-        self.names = [name for name in SHOT_TYPES if throws or name != "grenade"]
+        self.names = [name for name in SHOT_TYPES if name != "grenade" or can_throw()]
         self.name = "pistol"
         self.azimuth = 0.0
         self.elevation: float | None = None
@@ -123,7 +122,7 @@ class Ballistics(Scene):
             f"{_mass(block)}: {block.hits} hits, {block.particle.velocity.z:.1f} m/s"
             for block in self.range.targets
         ]
-        return "; ".join(hits) or f"{len(self.range.shots)} shots are in flight."
+        return "; ".join([*hits, f"{len(self.range.shots)} shots in flight."])
 
     def press(self, key: str) -> None:
         if key in "12345"[: len(self.names)]:
@@ -247,6 +246,11 @@ class Artillery(Scene):
     def press(self, key: str) -> None:
         if key == "f":
             self.build()
+
+
+def can_throw() -> bool:
+    """Return whether it is written what happens to a grenade."""
+    return is_written(lambda: grenade_after(Shot("grenade", Particle())))
 
 
 SCENES = (Artillery, Ballistics)

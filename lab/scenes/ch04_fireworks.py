@@ -33,8 +33,7 @@ class Fireworks(Scene):
         rules = [*FIREWORK_TYPES, *own, WHEEL_SPARK]
         self.display = Display(FireworksShow(rules, capacity=400, seed=2))
         self.wheel = make_wheel(self.display.show, Vector3(-22, 10, 0))
-        trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
-        self.turns = is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
+        self.turns = can_turn()
         self.plays = is_written(lambda: is_over(self.display)) and is_written(
             lambda: find_rocket(self.display, 0.0, 0.0)
         )
@@ -105,6 +104,12 @@ class Fireworks(Scene):
             if 0.0 < firework.age < 0.3 and firework.type in (1, 2, 6, 10):
                 p = firework.particle.position
                 click(self.display, p.x, p.y)
+
+
+def can_turn() -> bool:
+    """Return whether the wheel is written: a trial one throws sparks."""
+    trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
+    return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 
 
 SCENES = (Fireworks,)

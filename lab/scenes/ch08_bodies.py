@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from ch02_vectors.vector import Vector3
+from ch07_constraints.links import Rod
 from ch08_mass_aggregate import blob, tilting_platform
 from lab.camera import flat
 from lab.parameters import Choice, Slider
@@ -154,7 +155,8 @@ class Blob(WorldScene):
         pen.segments(
             [((x - self.eye, 0.0), (x - self.eye, -0.1)) for x in range(first, first + 10)]
         )
-        well, over = [], []
+        well: list[tuple[Vector3, Vector3]] = []
+        over: list[tuple[Vector3, Vector3]] = []
         for bond in self.blob.bonds:
             if bond.holds:
                 a, b = bond.a.position, bond.b.position
@@ -195,7 +197,7 @@ class Blob(WorldScene):
             self.press(key)
 
 
-def ends_on_screen(rod: object) -> tuple[tuple[float, float], tuple[float, float]]:
+def ends_on_screen(rod: Rod) -> tuple[tuple[float, float], tuple[float, float]]:
     """Return where the two ends of a rod are drawn."""
     a, b = ends_of(rod)
     return flat(a), flat(b)

@@ -198,7 +198,8 @@ class FirstOrder(Scene):
 
     def passed(self) -> float:
         """Return the time in s that the steps have covered."""
-        return self.steps / self.rate
+        passed: float = self.steps / self.rate
+        return passed
 
     def draw(self, pen: Pen) -> None:
         pen.circle((0.0, 0.0), 1.0, "gray", fill=False)

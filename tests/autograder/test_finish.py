@@ -1,4 +1,4 @@
-"""The screen at the end of a chapter, and what is said of demos by then."""
+"""The screen at the end of a chapter, and what is said of scenes by then."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_it_says_what_one_can_do_what_to_play_what_is_open_and_what_comes_next()
     text = shown([report_of(CH03, robust=["B3.3"])])
     words = " ".join(text.split())
     assert all(sentence in words for sentence in CH03.you_can)
-    assert "make demo DEMO=throw ENGINE=solutions" in words
+    assert "make lab SCENE=damping-forms ENGINE=solutions (or frame-rates or throw)" in words
     assert "1 robust check; the first: make check EX=B3.3 ENGINE=solutions" in words
     assert f"chapter 4, The particle engine. {CHAPTERS[4].summary}" in words
     assert "Open nothing" in " ".join(shown([report_of(CH03)]).split())
@@ -91,7 +91,7 @@ def test_questions_and_projects_that_are_open_are_named() -> None:
     five = shown([report_of(CHAPTERS[5], "P4.2a", "P4.2b")])
     assert "P4.2a" in five
     assert "P4.2b" in five
-    assert "DEMO=sniper" not in five
+    assert "SCENE=sniper" not in five
 
 
 def test_the_last_chapter_has_no_next() -> None:
@@ -107,10 +107,10 @@ def test_of_several_chapters_the_last_finished_one_until_the_next_is_begun() -> 
     assert shown([untouched]) == ""
 
 
-def test_a_demo_is_offered_by_the_exercise_that_unlocks_it() -> None:
+def test_a_scene_is_offered_by_the_exercise_that_unlocks_it() -> None:
     for_demo = CH03.exercise("B3.4")
     report = report_of(CH03, *ids(CH03, "B3.1", "B3.2", "B3.3", "B3.4"))
-    told = "B3.4 works. Try it: make demo DEMO=throw ENGINE=solutions"
+    told = "B3.4 works. Try it: make lab SCENE=frame-rates ENGINE=solutions and make lab"
     assert told in shown([report], for_demo)
     assert told in shown([report])
     assert shown([report], CH03.exercise("B3.1")) == ""
@@ -120,13 +120,13 @@ def test_a_demo_is_offered_by_the_exercise_that_unlocks_it() -> None:
     assert told in shown([robust], for_demo)
 
 
-def test_a_demo_is_not_offered_while_an_exercise_before_it_is_a_stub(tmp_path: Path) -> None:
+def test_a_scene_is_not_offered_while_an_exercise_before_it_is_a_stub(tmp_path: Path) -> None:
     """Of one exercise and what it needs the rest is not checked: B6.6 does not need B6.3."""
     ch06 = CHAPTERS[6]
     exercise = ch06.exercise("B6.6")
     whole = report_of(ch06)
     alone = Report(ch06, [r for r in whole.results if r.exercise == exercise], [], [])
-    assert "DEMO=cloth" in shown([alone], exercise)
+    assert "SCENE=cloth" in shown([alone], exercise)
     stub = "raise NotImplementedError('Exercise B6.3: One spring for both ends')"
     write_all(ch06, stub, tmp_path, but=[e.id for e in ch06.exercises if e.id != "B6.3"])
     assert shown([alone], exercise, [tmp_path]) == ""
@@ -166,5 +166,5 @@ def test_the_picture_is_shown_only_if_this_code_drew_it(
 def test_without_make_the_commands_are_pythons(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shutil, "which", lambda _: None)
     words = " ".join(shown([report_of(CH03)]).split())
-    assert "-m studies demo throw --engine solutions" in words
+    assert "-m lab serve damping-forms --engine solutions" in words
     assert "-m studies plot --chapter 3 --engine solutions" in words

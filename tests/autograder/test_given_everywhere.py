@@ -45,8 +45,8 @@ def test_plots_are_drawn_on_what_is_given(engine: str, tmp_path: Path) -> None:
     assert (tmp_path / "out/ch03_laws_of_motion/trajectories.png").exists()
 
 
-def test_demos_are_played_on_what_is_given(engine: str, tmp_path: Path) -> None:
-    own = ("studies", "demo", "ballistics", "--engine", engine, "--seconds", "0.1")
+def test_scenes_are_played_on_what_is_given(engine: str, tmp_path: Path) -> None:
+    own = ("lab", "record", "ballistics", "--engine", engine, "--seconds", "0.1")
     out = ("--out", str(tmp_path / "out"))
     before = run(*own, *out)
     assert before.returncode != 0
@@ -70,12 +70,12 @@ def test_an_exercise_above_what_is_given_has_its_hints() -> None:
     )
 
 
-@pytest.mark.parametrize("command", [("plot",), ("demo", "ballistics")])
+@pytest.mark.parametrize("command", [("studies", "plot"), ("lab", "record", "ballistics")])
 @pytest.mark.parametrize(("given", "words"), [("19", "no chapter 19"), ("x", "must look like")])
 def test_what_cannot_be_given_is_one_sentence(
     command: tuple[str, ...], given: str, words: str
 ) -> None:
-    refused = run("studies", *command, "--given", given)
+    refused = run(*command, "--given", given)
     assert refused.returncode == 2
     assert words in refused.stderr
     assert "Traceback" not in refused.stderr

@@ -44,6 +44,7 @@ from corpus import (  # noqa: E402
     result_of,
     write,
 )
+from hostile_table import table  # noqa: E402
 from machine import (  # noqa: E402
     Services,
     bearing_the_mark_of,
@@ -54,7 +55,6 @@ from machine import (  # noqa: E402
 from odd_files import RIGHT, SUMS, WRONG  # noqa: E402
 
 from graded import told_by  # noqa: E402
-from hostile_table import table  # noqa: E402
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the walls are those of Linux")
 

@@ -213,16 +213,16 @@ def test_a_module_that_asks_for_it_is_told_the_same(line: str, words: str, tmp_p
     assert re.search(words, str(home["test_double"].message))
 
 
-def test_a_plot_and_a_demo_refuse_what_a_check_refuses(tmp_path: Path) -> None:
+def test_a_plot_and_a_scene_refuse_what_a_check_refuses(tmp_path: Path) -> None:
     vector = tmp_path / "ch02_vectors/vector.py"
     vector.parent.mkdir()
     source = (ROOT / "solutions/ch02_vectors/vector.py").read_text(encoding="utf-8")
     vector.write_text(
         source.replace("import math\n", "import math\nimport numpy\n"), encoding="utf-8"
     )
-    for arguments in (["plot", "--chapter", "2"], ["demo", "ball"]):
+    for arguments in (["studies", "plot", "--chapter", "2"], ["lab", "record", "ball-game"]):
         done = subprocess.run(
-            [sys.executable, "-m", "studies", *arguments, "--engine", str(tmp_path)],
+            [sys.executable, "-m", *arguments, "--engine", str(tmp_path)],
             cwd=ROOT,
             capture_output=True,
             encoding="utf-8",

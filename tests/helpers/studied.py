@@ -1,4 +1,4 @@
-"""Run a command of the studies in a copy of a process that has matplotlib ready.
+"""Run a command of the studies or of the lab in a copy of a process that has matplotlib ready.
 
 A new Python takes most of a second to import matplotlib, and the tests run dozens of such commands.
 Where there is no fork, as on Windows, each command has a process of its own after all.
@@ -22,19 +22,22 @@ ROOT = Path(__file__).resolve().parents[2]
 ENVIRONMENT = os.environ | {"MPLBACKEND": "Agg", "PYTHONPATH": str(ROOT)}
 
 
-def study(*arguments: str, settings: dict[str, int] | None = None) -> subprocess.CompletedProcess:
-    """Run `python -m studies` with these arguments.
+def study(
+    *arguments: str, package: str = "studies", settings: dict[str, int] | None = None
+) -> subprocess.CompletedProcess:
+    """Run `python -m` with the package and these arguments.
 
-    Settings replace constants of the command's module: {"STEPS_A_PICTURE": 6} for a demo.
+    Settings replace constants of the module that plays scenes: {"STEPS_A_PICTURE": 6}.
     """
     if not hasattr(os, "fork"):
-        command = [sys.executable, "-m", "studies", *arguments]
+        command = [sys.executable, "-m", package, *arguments]
         return subprocess.run(
             command, cwd=ROOT, env=ENVIRONMENT, capture_output=True, encoding="utf-8", check=False
         )
     with tempfile.TemporaryDirectory(prefix="study-") as folder:
         out, err = Path(folder) / "out", Path(folder) / "err"
-        request = {"arguments": arguments, "out": str(out), "err": str(err), "set": settings or {}}
+        request = {"package": package, "arguments": arguments, "set": settings or {}}
+        request |= {"out": str(out), "err": str(err)}
         waiting = _waiting()
         print(json.dumps(request), file=waiting.stdin, flush=True)
         status = int(waiting.stdout.readline())
@@ -60,8 +63,9 @@ def _waiting() -> subprocess.Popen[str]:
 def _wait() -> None:
     """Import what takes long, and fork for each request; say how the copy ended."""
     sys.path[0] = str(ROOT)
+    import lab.__main__
+    import lab.play  # noqa: F401
     import studies.__main__
-    import studies.demo
     import studies.plot  # noqa: F401
 
     for line in sys.stdin:
@@ -75,13 +79,13 @@ def _run(request: dict) -> int:
     """Be the process of one command; return its exit status."""
     for number, name in ((1, "out"), (2, "err")):
         os.dup2(os.open(request[name], os.O_WRONLY | os.O_CREAT), number)
-    sys.argv = ["studies", *request["arguments"]]
-    module = sys.modules.get(f"studies.{sys.argv[1]}")
+    sys.argv = [request["package"], *request["arguments"]]
+    module = sys.modules["lab.play"]
     for name, value in request["set"].items():
         assert hasattr(module, name), name
         setattr(module, name, value)
     try:
-        status = sys.modules["studies.__main__"].main()
+        status = sys.modules[f"{request['package']}.__main__"].main()
     except SystemExit as end:
         status = end.code
     except BaseException:

@@ -13,6 +13,7 @@ import pytest
 from autograder.answers import questions_of
 from autograder.checks.runner import run_checks
 from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
+from lab.catalog import entries
 
 CHAPTERS = load_chapters()
 BELOW = {  # the chapters that a chapter's modules may import
@@ -54,12 +55,9 @@ def chapter_numbers(names: set[str]) -> set[int]:
 @pytest.mark.parametrize("path", python_files("chapters", "solutions"), ids=str)
 def test_a_chapter_imports_only_chapters_below_it(path: Path) -> None:
     number = int(path.parent.name[2:4])
-    drawing = path.name.startswith("demos")
-    below = set(range(2, number)) if drawing else BELOW[number]
-    assert chapter_numbers(imported(path)) <= below | {number}
-    if not drawing:
-        engine = {name for name in imported(path) if not re.match(r"ch\d\d_", name)}
-        assert engine <= set(sys.stdlib_module_names), "the engine is the standard library alone"
+    assert chapter_numbers(imported(path)) <= BELOW[number] | {number}
+    engine = {name for name in imported(path) if not re.match(r"ch\d\d_", name)}
+    assert engine <= set(sys.stdlib_module_names), "the engine is the standard library alone"
 
 
 @pytest.mark.parametrize("path", python_files("tests"), ids=str)
@@ -123,7 +121,7 @@ def test_every_chapter_has_what_its_end_shows(chapter: Chapter) -> None:
     assert all(re.fullmatch(r"[A-Z][^.]+\.", sentence) for sentence in chapter.you_can)
     assert chapter.picture in names_in(f"lab.plots.{chapter.name}", "PLOTS")
     played = [name for exercise in chapter.exercises for name in exercise.play]
-    assert sorted(played) == sorted(names_in(f"{chapter.name}.demos", "DEMOS"))
+    assert sorted(played) == sorted(e.name for e in entries() if e.chapter == chapter.number)
 
 
 def names_in(module: str, listed: str) -> list[str]:
@@ -176,7 +174,10 @@ def test_links_between_pages_lead_somewhere(path: Path) -> None:
         (("picture = ", "pictures = "), "unknown key 'pictures'"),
         (('picture = "cross_product"', "picture = 3"), "picture must be a text, got 3"),
         (("you_can = [", "you_can = [2, "), "you_can must be a list of sentences, got [2, "),
-        (("needs = []", "needs = []\nplay = 'throw'"), "play must be a list of demos, got 'throw'"),
+        (
+            ("needs = []", "needs = []\nplay = 'throw'"),
+            "play must be a list of scenes, got 'throw'",
+        ),
     ],
 )
 def test_a_manifest_that_is_wrong_is_refused(

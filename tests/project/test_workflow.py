@@ -44,7 +44,7 @@ def test_linux_runs_the_test_command_of_the_readme() -> None:
 
 
 def test_students_systems_run_each_of_their_commands() -> None:
-    assert {name for _, name, _ in COMMANDS} == {"check", "hint", "reset", "plot", "demo"}
+    assert {name for _, name, _ in COMMANDS} == {"check", "hint", "reset", "plot", "record"}
     assert "python autograder/make_venv.py" in LINES
     assert (ROOT / "autograder/make_venv.py").is_file()
     assert not any(

@@ -1,0 +1,157 @@
+"""Scenes are played into files, or in a window with mouse and keys."""
+
+from __future__ import annotations
+
+import csv
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from matplotlib import pyplot
+from matplotlib.backend_bases import KeyEvent, MouseEvent
+from PIL import Image
+
+from autograder.manifest import ROOT, load_chapters
+from copies import copy_tree
+from lab import play
+from lab.catalog import entries, load
+from lab.scene import FRAME, Scene
+from made import made_stubs
+from studied import study
+from wrong import write_all
+
+UNLOCKED = {name: (c, e) for c in load_chapters() for e in c.exercises for name in e.play}
+LATER = "raise NotImplementedError('later')"
+
+
+def record(*arguments: str, **settings: int) -> subprocess.CompletedProcess[str]:
+    return study("record", *arguments, package="lab", settings=settings)
+
+
+@pytest.mark.parametrize("name", [entry.name for entry in entries()])
+def test_a_scene_becomes_an_animation_a_contact_sheet_and_a_table(
+    name: str, tmp_path: Path
+) -> None:
+    """It works with the exercise that unlocks it and those before it: what is later are stubs."""
+    chapter, unlocks = UNLOCKED[name]
+    written = [exercise.id for exercise in chapter.exercises]
+    written = written[: written.index(unlocks.id) + 1]
+    engine = tmp_path / "engine"
+    copy_tree(ROOT / "solutions", engine)
+    write_all(chapter, LATER, engine, but=written)
+    arguments = ("--engine", str(engine), "--seconds", "2", "--out", str(tmp_path))
+    # Fewer pictures than students get: drawing them takes most of the time.
+    done = record(name, *arguments, STEPS_A_PICTURE=10)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert f"{name}.gif, " in done.stdout
+    with Image.open(tmp_path / f"{name}.gif") as animation:
+        length = 0.0
+        for i in range(animation.n_frames):  # equal pictures are one, that is shown for longer
+            animation.seek(i)
+            length += animation.info["duration"] / 1000.0
+    # A picture takes 1 / 6 s, and the format counts in hundredths of a second.
+    assert length == pytest.approx(2.0, abs=12 * 0.01)
+    assert (tmp_path / f"{name}.png").stat().st_size > 20_000, "an empty sheet"
+    with (tmp_path / f"{name}.csv").open(encoding="utf-8", newline="") as table:
+        times = [float(row["time, s"]) for row in csv.DictReader(table)]
+    assert times == pytest.approx([i * FRAME for i in range(121)], abs=1e-6)
+
+
+def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Path) -> None:
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
+    ballistics = tmp_path / "engine/ch04_particle_engine/ballistics.py"
+    ballistics.write_text(
+        made_stubs()["chapters/ch04_particle_engine/ballistics.py"], encoding="utf-8"
+    )
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "ballistics.gif").write_text("an older animation", encoding="utf-8")
+    done = record("ballistics", "--engine", str(tmp_path / "engine"), "--out", str(out))
+    assert done.returncode == 1
+    assert "ballistics: not played, not written yet: Exercise B4.3" in done.stdout
+    assert "Traceback" not in done.stderr
+    assert [*out.iterdir()] == []
+
+
+def test_a_scene_plays_with_what_is_written(tmp_path: Path) -> None:
+    """Without grenades, targets, own types, wheel, turns and game there is enough to see."""
+    copy_tree(ROOT / "solutions", tmp_path / "engine")
+    stubs = made_stubs()
+    missing = ("grenade", "targets", "firework_types", "catherine_wheel", "screen_rotation")
+    for module in (*missing, "display"):
+        path = f"ch04_particle_engine/{module}.py"
+        (tmp_path / "engine" / path).write_text(stubs[f"chapters/{path}"], encoding="utf-8")
+    for name in ("ballistics", "fireworks", "sniper"):
+        engine, out = str(tmp_path / "engine"), str(tmp_path / "out")
+        done = record(name, "--engine", engine, "--seconds", "1", "--out", out)
+        assert done.returncode == 0, done.stdout
+        assert (tmp_path / "out" / f"{name}.gif").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["trebuchets"], "there is no scene 'trebuchets'; there are projection, cross-product"),
+        ([], "name a scene; there are projection, cross-product"),
+        (["spin", "--engine", "nowhere"], "engine must be a folder of chapters, got 'nowhere'"),
+        (["spin", "--seconds", "-1"], "--seconds must be positive and finite, got -1.0"),
+        (["spin", "--set", "spin=3"], "spin has no parameter spin"),
+        (["spin", "--set", "about=none"], "about must be one of smallest, middle, largest"),
+    ],
+)
+def test_what_cannot_be_played_is_a_clear_sentence(arguments: list[str], words: str) -> None:
+    done = record("--engine", "solutions", *arguments)
+    assert done.returncode in (1, 2)
+    assert words in " ".join((done.stdout + done.stderr).split())
+    assert "Traceback" not in done.stderr
+
+
+@pytest.fixture
+def window(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
+    """Play a scene in a window that nobody sees, with these keys and clicks on points."""
+
+    def played(scene: Scene, *events: str | tuple[float, float]) -> Scene:
+        def happen() -> None:
+            figure = pyplot.gcf()
+            figure.canvas.draw()
+            for event in events:
+                if isinstance(event, str):
+                    made: Any = KeyEvent("key_press_event", figure.canvas, event)
+                else:
+                    x, y = figure.axes[0].transData.transform(event)
+                    made = MouseEvent("button_press_event", figure.canvas, x, y, 1)
+                figure.canvas.callbacks.process(made.name, made)
+
+        monkeypatch.setattr(pyplot, "show", happen)
+        play.show(scene)
+        return scene
+
+    yield played
+    pyplot.close("all")
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_keys_and_clicks_reach_the_scene(window: Any) -> None:
+    walked = window(load("spring-bridge")(), "right", "right", "left")
+    assert walked.x == pytest.approx(0.5 + walked.PACE)
+    aimed = window(load("throw")(), (4.0, 6.0))
+    # The hand is at (0, 2): the throw starts toward the point that was clicked.
+    vx, vy, _ = aimed.thrown.start.velocity
+    assert vy / vx == pytest.approx((6.0 - aimed.HAND[1]) / (4.0 - aimed.HAND[0]), rel=1e-6)
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_what_the_engine_raises_ends_the_window_and_is_told(
+    window: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    throw = load("throw")
+
+    def broken(*_: Any) -> None:
+        raise ValueError("no such click")
+
+    monkeypatch.setattr(throw, "click", broken)
+    with pytest.raises(ValueError, match="no such click"):
+        window(throw(), (4.0, 6.0))
+    assert pyplot.get_fignums() == []

@@ -1,0 +1,136 @@
+"""Every scene of the lab: what it draws and says, its parameters, its question and its peers."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from lab.catalog import entries, load
+from lab.host import Host
+from lab.parameters import Choice, Slider
+from lab.pen import COLORS, Pen
+from lab.scene import Scene, parameters_of
+
+SCENES = [entry.name for entry in entries()]
+RESERVED = {" ", ".", "r", "?"}  # keys of the page
+
+
+def told(error: BaseException) -> str:
+    raise error
+
+
+def frames(name: str, peer: str = "", seconds: float = 1.0, **values: object) -> list[Any]:
+    """Return the frames of a scene on the reference, as its page gets them."""
+    host = Host(told)
+    answers = host.receive({"kind": "load", "scene": name, "values": values, "peer": peer})
+    assert [answer["kind"] for answer in answers] == ["scene", "frame"]
+    for _ in range(round(60 * seconds)):
+        assert host.scene is not None
+        host.scene.play(host.scene.time)
+        answers += host.receive({"kind": "run", "frames": 1})
+    return answers[1:]
+
+
+def inside(view: tuple[float, float, float, float], item: list[Any]) -> bool:
+    """Return whether the first point of what is drawn is in the view."""
+    kind, _, *values = item
+    if kind == "ground":
+        return True
+    flat = values[0] if isinstance(values[0], list) else values[:2]
+    left, right, bottom, top = view
+    return bool(flat) and left <= flat[0] <= right and bottom <= flat[1] <= top
+
+
+def test_there_are_three_scenes_per_chapter_and_two_for_the_first() -> None:
+    numbers = [entry.chapter for entry in entries()]
+    assert {number: min(3, numbers.count(number)) for number in numbers} == {
+        2: 2,
+        **dict.fromkeys(range(3, 10), 3),
+    }
+
+
+def test_every_chapter_has_a_question_to_predict() -> None:
+    asking = {entry.chapter for entry in entries() if load(entry.name).predict}
+    assert asking == set(range(3, 10))
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_scene_draws_charts_and_tells_what_happens(name: str) -> None:
+    scene = load(name)
+    first, *_, last = frames(name, seconds=scene.seconds)
+    assert scene.question.endswith("?")
+    assert not RESERVED & scene.keys.keys()
+    for frame in (first, last):
+        assert all(item[1] in COLORS for item in frame["items"])
+        assert sum(inside(scene.view, item) for item in frame["items"]) >= 0.5 * len(frame["items"])
+        assert all(math.isfinite(value) for value in frame["chart"].values())
+        assert frame["facts"]
+        assert frame["say"].endswith(".")
+    assert last["time"] == pytest.approx(scene.seconds, abs=0.02)
+    assert first["items"] != last["items"], "nothing moves"
+    assert (last["error"] is not None) == bool(scene.exact_from) or first["error"] == 0.0
+
+
+def ends() -> list[tuple[str, str, object]]:
+    """Return the extreme values of all parameters: scene, parameter, value."""
+    found: list[tuple[str, str, object]] = []
+    for name in SCENES:
+        for parameter in parameters_of(load(name)).values():
+            if isinstance(parameter, Slider):
+                found += [(name, parameter.name, end) for end in (parameter.low, parameter.high)]
+            elif isinstance(parameter, Choice):
+                options = parameter.options
+                found += [(name, parameter.name, end) for end in (options[0], options[-1])]
+    return found
+
+
+@pytest.mark.parametrize(("name", "parameter", "value"), ends(), ids=str)
+def test_a_scene_takes_the_extremes_of_its_parameters(
+    name: str, parameter: str, value: object
+) -> None:
+    """It may explode there, and then says so; nothing else is raised."""
+    host = Host(lambda error: f"{type(error).__name__}: {error}")
+    host.receive({"kind": "load", "scene": name, "values": {parameter: value}, "peer": ""})
+    (last,) = host.receive({"kind": "run", "frames": 15})
+    assert last.get("time") == pytest.approx(0.25) or "The scene exploded" in last["why"]
+
+
+@pytest.mark.parametrize("name", [name for name in SCENES if load(name).predict])
+def test_a_question_has_one_answer_that_a_run_confirms(name: str) -> None:
+    scene = load(name)
+    question = scene.predict
+    assert question is not None
+    run: Scene = scene()
+    before = question.answer(run) if name not in MEASURED else None
+    for _ in range(round(60 * question.seconds)):
+        run.advance()
+    run.draw(Pen())
+    assert question.answer(run) in range(len(question.options))
+    assert before in (None, question.answer(run)), "the answer is that of theory"
+
+
+# Scenes whose question asks for what the run itself has shown.
+MEASURED = {"bounce", "stack", "bridge", "cube", "trebuchet", "orientations"}
+
+
+@pytest.mark.parametrize(
+    ("name", "peer", "most"),
+    [
+        ("one-spring", "exact", 1e-12),
+        # Both steps are of order 1, and pymunk's takes the force at other places of the step: a
+        # tenth of the amplitude is more than the error of either after a second.
+        ("one-spring", "pymunk", 0.1),
+        # One step of a fall of 6.3 m/s, for each of both bounces.
+        ("bounce", "pymunk", 2.0 * 6.3 / 60.0),
+        # The spokes' pull turns by 3 rad/s / 60 Hz a step: 5 % of 3 rad/s.
+        ("wheel", "pymunk", 0.15),
+    ],
+)
+def test_a_peer_runs_the_same_physics(name: str, peer: str, most: float) -> None:
+    own, other = frames(name, seconds=1.0), frames(name, peer, seconds=1.0)
+    assert max(frame["error"] for frame in other) <= most
+    for key, value in own[30]["chart"].items():
+        if key in ("height, m", "spin, rad/s", "rigid wheel, rad/s"):
+            assert other[30]["chart"][key] == pytest.approx(value, abs=most + 0.1)

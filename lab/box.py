@@ -26,7 +26,7 @@ def draw_box(
         if normal.dot(VIEWER) > 0.0:
             seen = [(x0 + x, y0 + y) for x, y in map(flat, corners)]
             pen.area(seen, COLORS[axis])
-            pen.line([*seen, seen[0]], COLORS[axis], 1.5)
+            pen.line([*seen, seen[0]], COLORS[axis], 3.0)
 
 
 def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:

@@ -66,9 +66,9 @@ class Pen:
         """Draw many separate lines, each from a point to another."""
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
-    def area(self, corners: Iterable[Point], color: str = "gray") -> None:
-        """Fill an area, such as water."""
-        self._add("area", color, _flat(corners))
+    def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
+        """Fill an area. What is behind it shines through, as through water, unless it is solid."""
+        self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
         """Draw a spring from one point to another."""

@@ -88,7 +88,9 @@ def _segments(axes: Axes, paint: str, values: Item) -> list[Any]:
 
 
 def _area(axes: Axes, paint: str, values: Item) -> list[Any]:
-    return [axes.add_patch(patches.Polygon(_pairs(values[0]), color=paint, alpha=0.3, lw=0))]
+    flat, solid = values
+    alpha = 1.0 if solid else 0.3
+    return [axes.add_patch(patches.Polygon(_pairs(flat), color=paint, alpha=alpha, lw=0))]
 
 
 def _spring(axes: Axes, paint: str, values: Item) -> list[Any]:

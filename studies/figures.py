@@ -69,7 +69,8 @@ def main(arguments: list[str]) -> int:
     for name, seconds in ANIMATIONS.items():
         animation, _, _ = record(load(Path(name).name)(), work / Path(name).parent, seconds)
         _write(_shrunk(animation), options.out / f"{name}.gif")
-    print(f"drawn: {sum(done)} of {len(done)} plots and {len(ANIMATIONS)} animations")
+        done.append(True)
+    print(f"{sum(done)} of {len(done)} pictures drawn by {options.engine}")
     return 0 if all(done) else 1
 
 
@@ -89,6 +90,10 @@ def _shrunk(animation: Path) -> list[Image.Image]:
     for i in range(4):
         strip.paste(pictures[i * (len(pictures) - 1) // 3], (i * size[0], 0))
     few = _palette(strip, COLORS_OF_ANIMATION)
+    entries = few.getpalette() or []
+    brightest = max(range(0, len(entries), 3), key=lambda i: sum(entries[i : i + 3]))
+    entries[brightest : brightest + 3] = [255, 255, 255]  # as white as the page around it
+    few.putpalette(entries)
     return [picture.quantize(palette=few, dither=Image.Dither.NONE) for picture in pictures]
 
 

@@ -84,8 +84,8 @@ const shapes = {
     }
     stage.context.stroke();
   },
-  area(stage, [points]) {
-    stage.context.globalAlpha = 0.3;
+  area(stage, [points, solid]) {
+    stage.context.globalAlpha = solid ? 1 : 0.3;
     path(stage, points);
     stage.context.fill();
     stage.context.globalAlpha = 1;

@@ -68,7 +68,7 @@ class Fireworks(Scene):
             if self.spins:
                 angle = screen_angle(0.0, self.SPIN, firework.age)
                 corners = [*screen_corners((p.x, p.y), size, angle)]
-            pen.area(corners, COLORS[(firework.type - 1) % len(COLORS)])
+            pen.area(corners, COLORS[(firework.type - 1) % len(COLORS)], solid=True)
         if self.ended():
             pen.text((0.0, 16.0), "The display has ended. Press r.", "red", 20.0)
 

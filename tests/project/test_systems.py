@@ -27,7 +27,7 @@ from small import RIGHT, make_root
 # Modules that Python's documentation offers on POSIX alone.
 POSIX_ONLY = {"curses", "fcntl", "grp", "posix", "pty", "pwd", "readline", "resource"}
 POSIX_ONLY |= {"syslog", "termios", "tty"}
-STUDENTS_COMMANDS = {"check", "watch", "hint", "reset", "plot", "demo"}
+STUDENTS_COMMANDS = {"check", "watch", "hint", "reset", "plot", "lab", "demo"}
 
 
 def run(*command: str, cwd: Path = ROOT, **variables: str) -> subprocess.CompletedProcess[str]:

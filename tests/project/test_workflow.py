@@ -16,7 +16,7 @@ from autograder.manifest import ROOT
 JOBS = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))["jobs"]
 STEPS = [step for job in JOBS.values() for step in job["steps"]]
 LINES = [line for step in STEPS for line in step.get("run", "").splitlines()]
-COMMANDS = re.findall(r"-m (autograder|studies) (\w+)(.*)", "\n".join(LINES))
+COMMANDS = re.findall(r"-m (autograder|studies|lab) (\w+)(.*)", "\n".join(LINES))
 
 
 def test_it_runs_on_three_systems_with_the_pythons_of_the_readme() -> None:

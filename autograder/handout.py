@@ -47,6 +47,7 @@ Each chapter's README maps the book's sections to the functions that you write. 
 where there are any, are answered in `answers.md`. Hand in the folders under `chapters/` that you
 have edited: the files that the exercise table names are taken, so keep your own helpers in them.
 """
+CHARTS = "ch08_charts.py"  # scenes of the charts, which are for readers of the reference
 KEPT_README = """\
 The stubs as they were handed out, for `make reset`. Nothing here is checked or handed in.
 """
@@ -118,6 +119,7 @@ def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)
+        wanted = wanted and file.name != CHARTS
         if wanted and file.is_file() and "__pycache__" not in file.parts:
             _copy([file], out / file.parent.relative_to(root))
 

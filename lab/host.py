@@ -137,7 +137,7 @@ class Host:
             "items": pen.items,
             "chart": charted,
             "error": error if error is None or math.isfinite(error) else None,
-            "cost": round(self.cost, 2),
+            "cost": round(scene.cost or self.cost, 2),
             "facts": scene.facts(),
             "changed": {  # parameters that a key or a drag has changed
                 name: value

@@ -46,6 +46,8 @@ class Scene:
     peers: ClassVar[dict[str, type[Scene]]] = {}
     exact_from: ClassVar[str] = ""  # where the exact state comes from, if the scene has one
     error_unit: ClassVar[str] = "m"
+    compare: ClassVar[tuple[str, ...]] = ("integrator", "rate")  # parameters to compare values of
+    cost: float | None = None  # microseconds of a frame, if the scene measures it itself
 
     def __init__(self, **values: object) -> None:
         """Build the scene. Raises ValueError for a parameter that is unknown or out of range."""
@@ -146,6 +148,7 @@ def described(scene: type[Scene]) -> dict[str, Any]:
         "peers": list(scene.peers),
         "exactFrom": scene.exact_from,
         "errorUnit": scene.error_unit,
+        "compare": list(scene.compare),
         "parameters": [parameter.described() for parameter in parameters_of(scene).values()],
         "predict": question
         and {

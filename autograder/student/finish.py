@@ -93,9 +93,14 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Return what can be played by this exercise; nothing while it, or one before it, is open."""
+    """Return what can be played by this exercise.
+
+    Return nothing while it, or one before it, is open, or an earlier chapter is broken.
+    """
     exercise = result.exercise
     if not (exercise.play and result.works):
+        return ""
+    if any(check.status == "inherited" for other in report.results for check in other.checks):
         return ""
     failing = {other.exercise.id for other in report.results if not other.works}
     for other in report.chapter.exercises:

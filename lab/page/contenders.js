@@ -24,7 +24,7 @@ export function showRivals(spec) {
   const own = page.list.engines[0];
   for (const peer of spec.peers) add(peer, {engine: own, peer, changes: {}});
   for (const {name, label, options} of spec.parameters) {
-    if (!["integrator", "rate"].includes(name)) continue;
+    if (!spec.compare.includes(name)) continue;
     for (const option of options) add(`${label}: ${option}`, {engine: own, peer: "", changes: {[name]: option}});
   }
 }

@@ -1,0 +1,98 @@
+"""The scenes of the charts of speed against accuracy, played back by any of their models."""
+
+from __future__ import annotations
+
+import time as clock
+
+from lab.parameters import Choice
+from lab.pen import Pen
+from lab.scene import Scene
+from studies.accuracy.catalog import scenes_with
+from studies.accuracy.scene import RATE, Model, Place
+
+# At rest there is nothing to see, and most of its models take longer than a reader waits.
+CHARTED = {scene.name: scene for scene in scenes_with("") if scene.name != "rope bridge at rest"}
+METHODS = list(dict.fromkeys(model.name for scene in CHARTED.values() for model in scene.models))
+
+
+class Charts(Scene):
+    """A scene of the charts. A model runs all of it at once, and the frames are then shown."""
+
+    chapter = 8
+    title = "Speed against accuracy"
+    question = "Which method is the fastest that is accurate enough?"
+    view = (-1.6, 1.6, -1.3, 1.3)
+    seconds = 3.0
+    exact_from = "the closed form, or SciPy to 1e-11"
+    error_unit = "of the scene's scale"
+    compare = ("method", "steps")
+    charted = Choice("elastic pendulum", "scene", [*CHARTED])
+    method = Choice("semi-implicit Euler", "method", METHODS)
+    steps = Choice(4, "steps per frame", [1, 2, 4, 8])
+
+    def build(self) -> None:
+        self.scene = CHARTED[self.charted]
+        self.model = self.chosen()
+        started = clock.perf_counter()
+        try:
+            outcome = self.model.run(self.steps if self.steps in self.model.steps else 1)
+        except (ArithmeticError, ValueError) as error:
+            raise ArithmeticError(f"The scene exploded. Take more steps. {error}") from error
+        self.cost = 1e6 * (clock.perf_counter() - started) / self.scene.frames
+        self.places, self.work = outcome.places, outcome.work
+        self.truths = [self.scene.truth(frame / RATE) for frame in range(1, self.scene.frames + 1)]
+        self.frame = 0
+        xs, ys = zip(*(point for truth in self.truths for point in points(truth)), strict=True)
+        self.middle = (0.5 * (min(xs) + max(xs)), 0.5 * (min(ys) + max(ys)))
+        self.size = max(max(xs) - min(xs), max(ys) - min(ys), 1e-9)  # m
+
+    def chosen(self) -> Model:
+        """Return the model of that name, or the scene's first model where it has none."""
+        models = {model.name: model for model in self.scene.models}
+        return models.get(self.method, self.scene.models[0])
+
+    def step(self, duration: float) -> None:
+        self.frame = min(self.frame + 1, len(self.places) - 1)
+
+    def seen(self, place: Place) -> list[tuple[float, float]]:
+        """Return where the points of a place are drawn: the whole path fills the view."""
+        x0, y0 = self.middle
+        return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
+
+    def draw(self, pen: Pen) -> None:
+        last = [self.seen(place)[-1] for place in self.truths]
+        pen.line(last, "gray", 1.0, dashed=True)
+        for point in self.seen(self.truths[self.frame]):
+            pen.circle(point, 0.06, "gray", fill=False)
+        own = self.seen(self.places[self.frame])
+        if len(own) > 1:
+            pen.line(own, "blue", 1.5)
+        for point in own:
+            pen.circle(point, 0.04, "blue")
+        pen.text((0.0, 1.2), self.model.name, "black", 14.0)
+
+    def state(self) -> list[float]:
+        return [float(x) / self.scene.scale for x in self.places[self.frame]]
+
+    def exact(self, time: float) -> list[float]:
+        return [float(x) / self.scene.scale for x in self.truths[self.frame]]
+
+    def facts(self) -> str:
+        return (
+            f"{self.work:,} {self.scene.counted} for {self.scene.frames} frames; "
+            f"the scale is {self.scene.scale:g} m"
+        )
+
+    def say(self) -> str:
+        return f"{self.model.name} is off by {self.error() or 0.0:.2g} of the scale."
+
+
+def points(place: Place) -> list[tuple[float, float]]:
+    """Return the points of a place: pairs of x and y, or one height."""
+    numbers = [float(number) for number in place]
+    if len(numbers) == 1:
+        return [(0.0, numbers[0])]
+    return list(zip(numbers[::2], numbers[1::2], strict=True))
+
+
+SCENES = (Charts,)

@@ -101,8 +101,8 @@ export function drawTradeoff(canvas, points) {
   const context = canvas.getContext("2d");
   context.scale(ratio, ratio);
   const ink = getComputedStyle(document.documentElement).getPropertyValue("--ink");
-  const [left, bottom] = [52, 30];
-  const x = (cost) => left + ((Math.log10(cost) - 0) / 5) * (width - left - 10); // 1 us to 0.1 s
+  const [left, right, bottom] = [52, 22, 30];
+  const x = (cost) => left + ((Math.log10(cost) - 0) / 5) * (width - left - right); // 1 us to 0.1 s
   const y = (error) => 8 + ((2 - Math.log10(error)) / 18) * (height - bottom - 8); // 100 to 1e-16
   context.font = "11px system-ui";
   context.fillStyle = context.strokeStyle = ink;
@@ -111,12 +111,12 @@ export function drawTradeoff(canvas, points) {
     context.globalAlpha = 0.2;
     context.strokeRect(x(10 ** power), 8, 0, height - bottom - 8);
     context.globalAlpha = 1;
-    context.fillText(["1 us", "10 us", "0.1 ms", "1 ms", "10 ms", "0.1 s"][power], x(10 ** power), height - 14);
+    context.fillText(["1 µs", "10 µs", "0.1 ms", "1 ms", "10 ms", "0.1 s"][power], x(10 ** power), height - 14);
   }
   context.textAlign = "right";
   for (let power = -16; power <= 2; power += 4) {
     context.globalAlpha = 0.2;
-    context.strokeRect(left, y(10 ** power), width - left - 10, 0);
+    context.strokeRect(left, y(10 ** power), width - left - right, 0);
     context.globalAlpha = 1;
     context.fillText(`1e${power}`, left - 6, y(10 ** power) + 4);
   }

@@ -24,7 +24,7 @@ class Charts(Scene):
     view = (-1.6, 1.6, -1.3, 1.3)
     seconds = 3.0
     exact_from = "the closed form, or SciPy to 1e-11"
-    error_unit = "of the scene's scale"
+    error_unit = "of scale"
     compare = ("method", "steps")
     charted = Choice("elastic pendulum", "scene", [*CHARTED])
     method = Choice("semi-implicit Euler", "method", METHODS)

@@ -155,11 +155,12 @@ def test_it_is_accessible_and_fits(
     from axe_playwright_python.sync_playwright import Axe
 
     page = browser.new_page(viewport=size, color_scheme=scheme, bypass_csp=True)
-    open_scene(page, address, "one-spring")
-    play_until(page, 0.5)
-    found = Axe().run(page).response["violations"]
-    assert found == [], json.dumps([(v["id"], v["nodes"][0]["html"]) for v in found])
-    assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
+    for scene in ("one-spring", "charts"):  # the second has the longest names to choose from
+        open_scene(page, address, scene)
+        play_until(page, 0.5)
+        found = Axe().run(page).response["violations"]
+        assert found == [], json.dumps([(v["id"], v["nodes"][0]["html"]) for v in found])
+        assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
     page.close()
 
 

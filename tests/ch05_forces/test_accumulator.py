@@ -49,24 +49,22 @@ def test_forces_add_up(rng: Random) -> None:
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9), mass=4.0)
     total = [0.0, 0.0, 0.0]
     for force in forces:
-        about.cause = "each force is added to the sum, component by component; the mass does not "
-        about.cause += "matter yet"
+        about.cause = "Add each force to the sum, component by component. Do not use the mass yet."
         about.call += f"; p.add_force(Vector3{force})"
         p.add_force(Vector3(*force))
         total = [total[i] + force[i] for i in range(3)]
-        name = "p.force_accumulator, once a force was added"
-        got = expect_vector(
-            p.force_accumulator, call=name, cause="it gives the sum back as a new Vector3"
-        )
+        name = "p.force_accumulator, after a force was added"
+        cause = "force_accumulator returns the sum as a new Vector3."
+        got = expect_vector(p.force_accumulator, call=name, cause=cause)
         slips = {
-            "the newest force alone, in the place of the others": force,
-            "the sum divided by the mass": [part / 4.0 for part in total],
-            "minus the sum": [-part for part in total],
-            "no force, as where the sum is not kept in self._forces[0], or not read there": ZERO,
+            "This is the newest force. Add it to the sum instead of replacing the sum.": force,
+            "This is the sum divided by the mass. The sum is in N.": [t / 4.0 for t in total],
+            "This is the sum with the opposite sign.": [-part for part in total],
+            "The sum is still zero. Store it in self._forces[0], and read it there.": ZERO,
         }
         blame(got, slips)
         expect_close(got, total, then="; p.force_accumulator", tolerance=ROUNDED)
-        expect_unmoved(p, "the force waits for the next step, and changes nothing else yet")
+        expect_unmoved(p, "A force has no effect before the next step. Only change the sum.")
 
 
 @pytest.mark.exercise("B5.1")
@@ -74,19 +72,18 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     force = components(rng)
     opposite = (-force[0], -force[1], -force[2])
     about.read = "the docstring of force_accumulator"
-    about.cause = "where no force was added the sum is Vector3(0, 0, 0), and not None"
+    about.cause = "If no force was added, the sum is Vector3(0, 0, 0), not None."
     about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.force_accumulator"
     p = Particle(acceleration=Vector3(0, -10, 0))
     expect_close(xyz(p.force_accumulator), ZERO)
     about.call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
-    about.cause = "two forces that cancel add up to zero, and no force of another particle is in "
-    about.cause += "the sum: keep it in self"
+    about.cause = "Two opposite forces add up to zero. Each particle has its own sum, in self."
     p.add_force(Vector3(*force))
     first = xyz(p.force_accumulator)
     p.add_force(Vector3(*opposite))
     expect_close(xyz(p.force_accumulator), ZERO)
     about.call = f"p.add_force(Vector3{force}); p.force_accumulator"
-    about.cause = "the sum after the first force is that force"
+    about.cause = "After the first force, the sum is that force."
     expect_close(first, force)
 
 
@@ -94,7 +91,7 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
 def test_a_force_is_only_read(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"f = Vector3{first}; p.add_force(f)"
-    about.cause = "keep the numbers of the force and not the vector itself, which others may change"
+    about.cause = "Store the components of the force. The vector itself may be changed later."
     about.read = "the docstring of add_force"
     p, f = Particle(), Vector3(*first)
     p.add_force(f)
@@ -114,12 +111,14 @@ def test_a_force_is_only_read(rng: Random) -> None:
 def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
     force = components(rng)
     about.call = f"p.add_force(Vector3{force}); total = p.force_accumulator; total.x = 99.0"
-    about.cause = "what comes back is new: changing it changes nothing in the particle"
+    about.cause = "Return a new vector, so that changing it does not change the particle."
     about.read = "the docstring of force_accumulator"
     p = Particle()
     p.add_force(Vector3(*force))
     total = p.force_accumulator
-    expect_close(xyz(total), force, call="p.force_accumulator", cause="the sum so far")
+    expect_close(
+        xyz(total), force, call="p.force_accumulator", cause="This is the sum before the change."
+    )
     total.x = 99.0
     expect_close(xyz(p.force_accumulator), force, then="; p.force_accumulator")
 
@@ -128,7 +127,7 @@ def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
 def test_two_particles_have_forces_of_their_own(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"p.add_force(Vector3{first}); q.add_force(Vector3{second})"
-    about.cause = "the sum belongs to one particle: keep it in self"
+    about.cause = "Each particle has a sum of its own. Store it in self."
     about.read = "the docstring of Particle"
     p, q = Particle(), Particle()
     p.add_force(Vector3(*first))
@@ -142,7 +141,7 @@ def test_two_particles_have_forces_of_their_own(rng: Random) -> None:
 @pytest.mark.exercise("B5.1")
 def test_forces_can_be_dropped(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    about(f"p.add_force(Vector3{first}); p.clear_forces()", cause="afterwards no force is there")
+    about(f"p.add_force(Vector3{first}); p.clear_forces()", cause="Set the sum to zero.")
     about.read = "the docstring of clear_forces"
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9))
     p.add_force(Vector3(*first))
@@ -152,12 +151,12 @@ def test_forces_can_be_dropped(rng: Random) -> None:
     p.clear_forces()
     p.add_force(Vector3(*second))
     about.call = f"{about.call}; p.clear_forces(); p.add_force(Vector3{second})"
-    about.cause = "to clear an empty sum is no error, and the next force is the first one again"
+    about.cause = "Clearing twice is allowed. The next force is then the first one again."
     got = xyz(p.force_accumulator)
     expect_close(got, second, then="; p.force_accumulator")
     name = f"p.add_force(Vector3{first}); p.force_accumulator"
-    expect_close(before, first, call=name, cause="the sum so far")
-    expect_unmoved(p, "forces are cleared, and nothing else")
+    expect_close(before, first, call=name, cause="This is the sum before it was cleared.")
+    expect_unmoved(p, "Clear the forces and change nothing else.")
 
 
 @scoped
@@ -174,7 +173,7 @@ def expect_refusal(
         error,
         allowed=lambda: Particle().add_force(Vector3(1.5e308, 1.5e308, 1.0)),
     )
-    about.cause = "look at the force, and at the sum with it, before anything is kept"
+    about.cause = "Check the force and the new sum before you store anything."
     got = xyz(p.force_accumulator)
     expect_close(got, so_far, then="; p.force_accumulator")
 
@@ -183,7 +182,7 @@ def expect_refusal(
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_force_must_be_finite(bad: float) -> None:
-    about.cause = "refuse it with ValueError: finite_vector of arguments.py does"
+    about.cause = "Refuse this force with ValueError. finite_vector of arguments.py does that."
     for numbers in ((bad, 2.0, 3.0), (1.0, bad, 3.0), (1.0, 2.0, bad)):
         about.call = f"p.add_force(Vector3{numbers})"
         expect_refusal((4.0, 5.0, 6.0), about.call, Vector3(*numbers), ValueError)
@@ -192,7 +191,7 @@ def test_a_force_must_be_finite(bad: float) -> None:
 @pytest.mark.exercise("B5.1")
 @pytest.mark.robust
 def test_the_sum_must_be_finite() -> None:
-    about.cause = "1e308 + 1e308 is too large for a float: look at the sum too, before it is kept"
+    about.cause = "1e308 + 1e308 overflows a float. Check the sum too, before you store it."
     for i in range(3):
         for large in (1e308, -1e308):
             force = tuple(large if i == j else 0.0 for j in range(3))
@@ -204,7 +203,7 @@ def test_the_sum_must_be_finite() -> None:
 @pytest.mark.exercise("B5.1")
 @pytest.mark.robust
 def test_a_force_must_be_a_vector() -> None:
-    about.cause = "refuse it with TypeError: finite_vector of arguments.py does"
+    about.cause = "Refuse it with TypeError. finite_vector of arguments.py does that."
     for bad in (3.0, (1.0, 2.0, 3.0), None, "up"):
         expect_refusal((4.0, 5.0, 6.0), f"p.add_force({bad!r})", bad, TypeError)
 
@@ -212,11 +211,11 @@ def test_a_force_must_be_a_vector() -> None:
 @pytest.mark.exercise("B5.1", weight=0.5)
 def test_what_changes_the_sum_returns_nothing(rng: Random) -> None:
     force = components(rng)
-    about(f"p.add_force(Vector3{force})", cause="what works in place returns None")
+    about(f"p.add_force(Vector3{force})", cause="A method that works in place returns None.")
     about.read = "the docstrings of add_force and clear_forces"
     p = Particle()
     got = p.add_force(Vector3(*force))
     expect_exactly(got, None)
     total = xyz(p.force_accumulator)
-    expect_close(total, force, then="; p.force_accumulator", cause="the sum so far")
+    expect_close(total, force, then="; p.force_accumulator", cause="The sum is the first force.")
     expect_exactly(p.clear_forces(), None, call="p.clear_forces()")

@@ -48,44 +48,46 @@ def expect_asked(
             told.append("registry.clear()")
         else:
             told.append(f"registry.update_forces({numbers[0]})")
-    about.call = "; ".join(told) + "; asked were (particle, generator, duration)"
+    about.call = "; ".join(told) + "; calls of update_force as (particle, generator, duration)"
     if immovable:
         about.call = f"p{[*immovable]} immovable; {about.call}"
     got = [*map(tuple, asked(immovable, acts))]
     for name, calls in (slips or {}).items():
         if got == calls:
-            about.cause = f"this is {name}: {about.cause}"
+            about.cause = name
     expect_exactly(got, wanted)
 
 
 @pytest.mark.exercise("B5.3")
 def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
     h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
-    about.cause = "in the order in which they were added, each generator gets its particle and the "
-    about.cause += "frame"
+    about.cause = "In each update, call every pair's generator with its particle and the duration."
     about.read = "book 5.2.2"
     acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
     slips = {
-        "the first update alone, though pairs stay until remove or clear takes them": wanted[:3],
-        "the newest pair first": [*wanted[2::-1], *wanted[:2:-1]],
-        "one generator a particle, where each call of add makes a pair": [
+        "Only the first update called them. Pairs stay until remove or clear.": wanted[:3],
+        "The newest pair came first. Keep the order in which they were added.": [
+            *wanted[2::-1],
+            *wanted[:2:-1],
+        ],
+        "Each particle has one generator only. Every call of add makes another pair.": [
             one for one in wanted if one[:2] != (0, 1)
         ],
-        "all but the last pair, as where add looks for an equal one with ==": [
+        "A pair is missing. Do not compare generators with ==, they may be equal.": [
             one for one in wanted if one[:2] != (0, 2)
         ],
-        "1/60 s for every frame, not the duration of this one": [
+        "The generators got 1/60 s. Pass them the duration of update_forces.": [
             (p, generator, 1.0 / 60.0) for p, generator, _ in wanted
         ],
-        "a call of nobody, where only particles whose inverse mass is 0 are skipped": [],
+        "No generator was called. Skip a particle only if its inverse mass is 0.": [],
     }
     expect_asked(acts, wanted, cause=about.cause, slips=slips)
 
 
 @pytest.mark.exercise("B5.3")
 def test_one_generator_may_serve_many_particles() -> None:
-    about.cause = "a pair is a particle and a generator: both may stand in other pairs too"
+    about.cause = "A particle and a generator may each belong to several pairs."
     about.read = "the docstring of ForceRegistry"
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 2, 0), ("update", 0.5)]
     expect_asked(acts, [(0, 0, 0.5), (1, 0, 0.5), (2, 0, 0.5)], cause=about.cause)
@@ -93,11 +95,9 @@ def test_one_generator_may_serve_many_particles() -> None:
 
 @pytest.mark.exercise("B5.3")
 def test_a_pair_that_is_added_twice_acts_twice() -> None:
-    about.cause = "each call of registry.add() counts: no pair is looked for first, in neither "
-    about.cause += "function"
+    about.cause = "Every call of add counts. Do not check whether the pair is already there."
     about.read = "the docstring of add"
-    about.call = "registry.add(p, generator) twice; registry.update_forces(0.5): how often p was "
-    about.call += "asked for"
+    about.call = "registry.add(p, generator) twice; registry.update_forces(0.5); number of calls"
     got = asked((), [("add", 1, 1), ("add", 1, 1), ("update", 0.5)])
     expect_exactly(len(got), 2)
 
@@ -105,12 +105,12 @@ def test_a_pair_that_is_added_twice_acts_twice() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_takes_back_one_call_of_add() -> None:
     about.read = "the docstring of remove"
-    about.cause = "one pair goes for each call of remove, and the others stay"
+    about.cause = "Each call of remove removes one pair. The others stay."
     adds = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
     everyone = [(0, 0, 0.5), (1, 1, 0.5), (0, 0, 0.5), (0, 0, 0.5)]
-    expect_asked([*adds, ("update", 0.5)], everyone, cause="each call of add counts")
+    expect_asked([*adds, ("update", 0.5)], everyone, cause="Every call of add counts.")
     about.call = "added p[0] with generator[0] three times, and p[1] with generator[1]; "
-    about.call += "registry.remove(p[0], generator[0]); asked were, sorted"
+    about.call += "registry.remove(p[0], generator[0]); calls of update_force, sorted"
     got = sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)]))
     wanted = [(0, 0, 0.5), (0, 0, 0.5), (1, 1, 0.5)]
     expect_exactly([*map(tuple, got)], wanted)
@@ -121,7 +121,7 @@ def test_remove_takes_back_one_call_of_add() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.read = "the docstring of remove"
-    about.cause = "only the pair of this very particle (is) and this very generator (is) goes"
+    about.cause = "Remove the pair whose particle and generator are both the same objects (`is`)."
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
     for i, (_, particle, generator) in enumerate(pairs):
@@ -132,7 +132,7 @@ def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_of_what_is_absent_changes_nothing() -> None:
     about.read = "the docstring of remove"
-    about.cause = "a pair that is not there needs no error, and nobody else goes for it"
+    about.cause = "If the pair is not there, do nothing. Do not remove another pair."
     acts = [("remove", 0, 0), ("add", 0, 1), ("add", 1, 0), ("remove", 0, 0), ("update", 0.5)]
     expect_asked(acts, [(0, 1, 0.5), (1, 0, 0.5)], cause=about.cause)
 
@@ -140,7 +140,7 @@ def test_remove_of_what_is_absent_changes_nothing() -> None:
 @pytest.mark.exercise("B5.3")
 def test_clear_takes_back_everything() -> None:
     about.read = "the docstring of clear"
-    about.cause = "after clear the registry is as new: what is added then is all there is"
+    about.cause = "After clear the registry is empty. Only pairs that are added later act."
     acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
     acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
     expect_asked(acts, [(0, 0, 0.5), (1, 1, 0.5), (2, 1, 0.25)], cause=about.cause)
@@ -149,12 +149,12 @@ def test_clear_takes_back_everything() -> None:
 @pytest.mark.exercise("B5.3")
 def test_immovable_particles_are_skipped() -> None:
     about.read = "the docstring of update_forces"
-    about.cause = "no force moves a particle whose inverse mass is 0: its generators are not asked"
+    about.cause = "Skip a particle whose inverse mass is 0, because no force can move it."
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 1, 1), ("add", 2, 0), ("update", 0.5)]
     wanted = [(0, 0, 0.5), (2, 0, 0.5)]
-    slips = {"the pairs before the immovable one alone (skip it, and go on)": wanted[:1]}
+    slips = {"The loop stopped at the immovable particle. Skip it and continue.": wanted[:1]}
     expect_asked(acts, wanted, cause=about.cause, immovable=(1,), slips=slips)
-    about.cause = "a particle that can be moved now is asked for: look at it in every frame"
+    about.cause = "This particle can move now. Check the inverse mass in every update."
     acts = [("add", 1, 2), ("add", 0, 2), ("update", 0.5), ("free", 1), ("update", 0.5)]
     wanted = [(0, 2, 0.5), (1, 2, 0.5), (0, 2, 0.5)]
     expect_asked(acts, wanted, cause=about.cause, immovable=(1,))
@@ -165,13 +165,12 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
     by_hand, first, second = components(rng), components(rng), components(rng)
     about.call = f"p.add_force(Vector3{by_hand}); generators push with {first} and {second}; "
     about.call += "registry.update_forces(0.5); p.force_accumulator"
-    about(cause="forces that were added by hand stay: only the step clears them", read="book 5.2.2")
+    about(cause="Keep forces that were added by hand. Only a step clears them.", read="book 5.2.2")
     before, after, emptied = gathered(by_hand, [first, second])
     wanted = tuple(by_hand[i] + first[i] + second[i] for i in range(3))
     # Two roundings of numbers up to 30.
     expect_close(after, wanted, tolerance=1e-13)
-    about.cause = "to fill or to empty a registry is no frame: no force is added, and none is "
-    about.cause += "dropped"
+    about.cause = "add, remove and clear change the registry only. They do not change any forces."
     name = f"p.add_force(Vector3{by_hand}); p in registry.add(); p.force_accumulator"
     expect_close(before, by_hand, call=name, read="the docstring of add")
     about.read = "the docstring of clear"
@@ -181,11 +180,10 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
 @pytest.mark.exercise("B5.3")
 def test_a_generator_may_change_the_registry_meanwhile() -> None:
     about.read = "the docstring of update_forces"
-    about.cause = "what is added or removed meanwhile counts from the next call on: go through a "
-    about.cause += "copy of the list, and ask all of it"
+    about.cause = "Changes during an update count from the next one. Loop over a copy of the list."
     for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):
-        about.call = f"three pairs, the first of which changes the registry ({what}) when it is "
-        about.call += "asked; registry.update_forces(0.5) twice; how many were asked in each"
+        about.call = f"three pairs, the first generator changes the registry ({what}); "
+        about.call += "registry.update_forces(0.5) twice; number of generators called in each"
         got = asked_while_it_changes(what)
         expect_exactly(got, [3, second])
 
@@ -195,7 +193,7 @@ def test_a_generator_may_change_the_registry_meanwhile() -> None:
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None:
     about(f"registry.update_forces({duration!r})", read="the docstring of update_forces")
-    about.cause = "positive of arguments.py raises the errors for you: look at the duration first"
+    about.cause = "Check the duration first. positive of arguments.py raises both errors for you."
     expect_error(
         lambda: ForceRegistry().update_forces(duration),
         TypeError if isinstance(duration, str) else ValueError,
@@ -203,18 +201,16 @@ def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None
     )
     for immovable in (False, True):
         got = asked_after_a_refusal(duration, immovable)
-        about.cause = "look at the duration before anybody is asked, and whoever is there"
-        expect_exactly(
-            got, 1, then=" with a pair in it, then registry.update_forces(0.5): how many were asked"
-        )
+        about.cause = "Check the duration before you call any generator."
+        then = " with one pair, then registry.update_forces(0.5); number of generators called"
+        expect_exactly(got, 1, then=then)
 
 
 @pytest.mark.exercise("B5.3")
 @pytest.mark.robust
 def test_what_a_generator_raises_comes_out() -> None:
     about.call = "a generator raises ArithmeticError; registry.update_forces(0.5)"
-    about.cause = "an error of a generator is for whoever lets the frame pass: no try and except "
-    about.cause += "here"
+    about.cause = "Let an error of a generator pass through. Do not catch it here."
     about.read = "the docstring of update_forces"
     registry = failing()
     expect_error(
@@ -237,10 +233,10 @@ def test_only_a_particle_and_a_generator_can_be_added(bad: Any) -> None:
         ("registry.add(gravity, p)", lambda: registry.add(gravity, p)),  # type: ignore[arg-type]
     ):
         about.call = call
-        about.cause = "refuse what has no add_force, or no update_force, with TypeError: here it "
-        about.cause += "is cheap"
+        about.cause = "Raise TypeError if the particle has no add_force, or the generator no "
+        about.cause += "update_force."
         expect_error(attempt, TypeError, allowed=lambda: other.add(p, gravity))
-        about.cause = "what was refused must not be in the registry: look first, and then append"
+        about.cause = "A refused pair must not be stored. Check both before you append."
         about.call += ", which is refused; registry.update_forces(0.5)"
         came = "no error"
         try:

@@ -42,28 +42,32 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     v, f, mass, h = components(rng), components(rng), draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, ZERO, mass)
     about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
-    about.cause = "v' = v + (f / m) h, the force times the inverse mass is an acceleration (Eq. "
-    about.cause += "3.2)"
+    about.cause = "v' = v + (f / m) h. A force divided by the mass is an acceleration (Eq. 3.2)."
     about.read = "book 5.1"
     p.add_force(Vector3(*f))
     p.integrate(h)
     wanted = tuple(v[i] + f[i] / mass * h for i in range(3))
     got = xyz(p.velocity)
     slips = {
-        "the velocity as it was, where the force is cleared before it acts or never asked for (a "
-        "step that uses last_acceleration moves the sum on to self._forces[1] first)": v,
-        "v + f h, without the mass": [v[i] + f[i] * h for i in range(3)],
-        "v + f m h, the mass and not its inverse": [v[i] + f[i] * mass * h for i in range(3)],
-        "v + f / m, without the duration": [v[i] + f[i] / mass for i in range(3)],
+        "The velocity did not change. Either the kick does not use the force, or it clears the sum "
+        "first. Move the sum to self._forces[1] before you use last_acceleration.": v,
+        "This is v + f h. Divide the force by the mass.": [v[i] + f[i] * h for i in range(3)],
+        "This is v + f m h. Divide by the mass instead of multiplying.": [
+            v[i] + f[i] * mass * h for i in range(3)
+        ],
+        "This is v + f / m. Multiply by the duration.": [v[i] + f[i] / mass for i in range(3)],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-    about.cause = "the position moves with the velocity from before the step, as in chapter 3 "
-    about.cause += "(E-17)"
+    about.cause = "The position moves with the velocity from before the step, as in chapter 3."
     about.read = "book 3.3.2, the docstring of kick, errata.md"
     slips = {
-        "v' h, the velocity from after the step": [wanted[i] * h for i in range(3)],
-        "v h + a h^2 / 2": [(v[i] + wanted[i]) / 2.0 * h for i in range(3)],
+        "The position moved with the new velocity. Drift before you kick.": [
+            wanted[i] * h for i in range(3)
+        ],
+        "This is v h + a h^2 / 2. The book's step leaves out the second term.": [
+            (v[i] + wanted[i]) / 2.0 * h for i in range(3)
+        ],
     }
     wanted = tuple(v[i] * h for i in range(3))
     got = xyz(p.position)
@@ -77,7 +81,7 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     mass, h = draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, a, mass)
     about.call = f"{words}; p.add_force(Vector3{f}); p.add_force(Vector3{g}); p.integrate({h})"
-    about.cause = "the acceleration of the step is a + f / m, where f is the sum of all forces"
+    about.cause = "The step's acceleration is a + f / m, where f is the sum of all forces."
     about.read = "the docstring of kick"
     p.add_force(Vector3(*f))
     p.add_force(Vector3(*g))
@@ -86,13 +90,19 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     wanted = tuple(v[i] + (a[i] + sums[i]) * h for i in range(3))
     got = xyz(p.velocity)
     slips = {
-        "v + (f / m) h, without the constant acceleration": [v[i] + sums[i] * h for i in range(3)],
-        "v + a h, without the forces": [v[i] + a[i] * h for i in range(3)],
+        "The constant acceleration is missing. Add it to f / m.": [
+            v[i] + sums[i] * h for i in range(3)
+        ],
+        "This is v + a h. The forces are missing.": [v[i] + a[i] * h for i in range(3)],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-    about.cause = "the constant acceleration stays as it was given, forces last for one step"
-    slips = {"a + f / m, which was lent for the step": [a[i] + sums[i] for i in range(3)]}
+    about.cause = "The constant acceleration never changes. Forces last for one step only."
+    slips = {
+        "p.acceleration is now a + f / m. Do not store the sum there.": [
+            a[i] + sums[i] for i in range(3)
+        ]
+    }
     blame(xyz(p.acceleration), slips)
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
@@ -103,21 +113,21 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
     words, p = moving(ZERO, v, a, mass, damping)
     about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    about.cause = "v' = (v + (a + f / m) h) d^h, the damping comes last"
+    about.cause = "v' = (v + (a + f / m) h) d^h. The damping comes last."
     about.read = "the docstring of kick, E-16 of errata.md"
     p.add_force(Vector3(*f))
     p.integrate(h)
     keep, gained = damping**h, [(a[i] + f[i] / mass) * h for i in range(3)]
     wanted = tuple((v[i] + gained[i]) * keep for i in range(3))
     slips = {
-        "Eq. 3.6 as printed, v d^h + a h, which the book's own listing does not do (E-16)": [
+        "This is v d^h + a h, as in Eq. 3.6. The book's listing damps at the end (E-16).": [
             v[i] * keep + gained[i] for i in range(3)
         ],
-        "a step that does not damp what the force adds": [
+        "The velocity from the force is not damped. Add f / m before you damp.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
         ],
-        "a step without damping": [v[i] + gained[i] for i in range(3)],
-        "a step with d in the place of d^h": [(v[i] + gained[i]) * damping for i in range(3)],
+        "The damping is missing. Multiply by d^h.": [v[i] + gained[i] for i in range(3)],
+        "This multiplies by d. Multiply by d^h.": [(v[i] + gained[i]) * damping for i in range(3)],
     }
     got = xyz(p.velocity)
     blame(got, slips)
@@ -130,7 +140,7 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
     mass, h = draw_mass(rng), draw_frame(rng)
     words, p = moving(ZERO, v, a, mass)
     about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
-    about(cause="a force acts in one step: integrate clears the sum", read="book 5.1")
+    about(cause="A force acts for one step. The kick clears the sum.", read="book 5.1")
     p.add_force(Vector3(*f))
     p.integrate(h)
     got = xyz(p.force_accumulator)
@@ -146,7 +156,7 @@ def test_without_forces_the_step_is_chapter_3s(rng: Random) -> None:
     mass, h, damping = draw_mass(rng), draw_frame(rng), round(rng.uniform(0.2, 0.8), 3)
     words, p = moving(x, v, a, mass, damping)
     about.call = f"{words}; p.integrate({h})"
-    about.cause = "without a force: p' = p + v h, v' = (v + a h) d^h, whatever the mass"
+    about.cause = "Without forces, p' = p + v h and v' = (v + a h) d^h. The mass has no effect."
     about.read = "the docstring of kick"
     p.integrate(h)
     wanted = tuple(x[i] + v[i] * h for i in range(3))
@@ -162,7 +172,7 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
     v, f, mass = components(rng), components(rng), draw_mass(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; p.mass = "
     about.call += f"{mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity"
-    about.cause = "d^h and 1 / m are those of now: what is kept of an earlier step is out of date"
+    about.cause = "Use the current d^h and 1 / m. Values stored in an earlier step are outdated."
     about.read = "the docstring of kick"
     p = Particle(velocity=Vector3(*v))
     p.integrate(0.5)
@@ -174,7 +184,7 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.25); p.integrate(0.5) twice; "
     about.call += "p.velocity"
-    about.cause = "a frame as long as the last one keeps the same share again, here a half"
+    about.cause = "Each step of 0.5 s keeps the fraction 0.25^0.5, which is a half."
     p = Particle(velocity=Vector3(*v), damping=0.25)
     p.integrate(0.5)
     p.integrate(0.5)
@@ -186,14 +196,14 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
 def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     v, f = components(rng), components(rng)
     about.read = "the docstring of kick"
-    about.cause = "0^h is 0: a damping of 0 stops the particle, whatever pushes it"
+    about.cause = "0^h is 0, so a damping of 0 stops the particle, even if a force acts."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.0); p.add_force(Vector3{f}); "
     about.call += "p.integrate(0.5); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.0)
     p.add_force(Vector3(*f))
     p.integrate(0.5)
     expect_close(xyz(p.velocity), ZERO)
-    about.cause = "1 is a number as good as 1.0"
+    about.cause = "A duration of 1 is as good as 1.0."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.5); p.add_force(Vector3{f}); "
     about.call += "p.integrate(1); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.5)
@@ -201,8 +211,7 @@ def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     p.integrate(1)
     wanted = tuple((v[i] + f[i]) / 2.0 for i in range(3))
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
-    about.cause = "A damping above 1 makes the particle faster. Take d^h of it as of any other "
-    about.cause += "damping."
+    about.cause = "A damping above 1 makes the particle faster. Use d^h as usual."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=2.0); p.add_force(Vector3{f}); "
     about.call += "p.integrate(2.0); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=2.0)
@@ -216,8 +225,7 @@ def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
 def test_a_push_of_5_seconds_lags_as_explicit_euler_does(rng: Random) -> None:
     f, mass = components(rng), draw_mass(rng)
     about.call = f"p = Particle(mass={mass}); 300 times p.add_force(Vector3{f}), p.integrate(1/60)"
-    about.cause = "a constant force is a constant acceleration: the error of explicit Euler is a t "
-    about.cause += "h / 2"
+    about.cause = "A constant force is a constant acceleration. Explicit Euler is a t h / 2 behind."
     about.read = "book 5.1, 3.3.2"
     position, velocity = probes.pushed(f, mass, 1.0, 1.0 / 60.0, 300)
     # 300 roundings of numbers up to 1200.
@@ -232,7 +240,7 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     a, f, g, mass = components(rng), components(rng), components(rng), draw_mass(rng)
     about.call = f"p = Particle(acceleration=Vector3{a}, mass={mass}, damping=0.5); "
     about.call += f"p.add_force(Vector3{f}); p.integrate(0.5)"
-    about.cause = "a + f / m of the step that was made, undamped"
+    about.cause = "Return a + f / m of the last step, without damping."
     about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=mass, damping=0.5)
     p.add_force(Vector3(*f))
@@ -240,25 +248,25 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     wanted = tuple(a[i] + f[i] / mass for i in range(3))
     got = xyz(p.last_acceleration)
     slips = {
-        "the constant acceleration alone; integrate keeps the forces that it used in "
-        "self._forces[1], and last_acceleration reads them there": a,
-        "a + f, without the mass": [a[i] + f[i] for i in range(3)],
-        "a + f m, the mass and not its inverse": [a[i] + f[i] * mass for i in range(3)],
-        "f / m, without the constant acceleration": [f[i] / mass for i in range(3)],
+        "This is the constant acceleration only. The kick must store the forces that it uses in "
+        "self._forces[1], where last_acceleration reads them.": a,
+        "This is a + f. Divide the force by the mass.": [a[i] + f[i] for i in range(3)],
+        "This is a + f m. Divide by the mass instead.": [a[i] + f[i] * mass for i in range(3)],
+        "This is f / m. Add the constant acceleration.": [f[i] / mass for i in range(3)],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.last_acceleration", tolerance=ROUNDED)
-    about.cause = "forces that wait for the next step are not of the last one"
+    about.cause = "Forces for the next step do not belong to the last one."
     p.add_force(Vector3(*g))
     got = xyz(p.last_acceleration)
     expect_close(
         got, wanted, then=f"; p.add_force(Vector3{g}); p.last_acceleration", tolerance=ROUNDED
     )
-    about.cause = "clear_forces drops what waits for the next step, and nothing of the last one"
+    about.cause = "clear_forces only clears the forces for the next step."
     p.clear_forces()
     got = xyz(p.last_acceleration)
     expect_close(got, wanted, then="; p.clear_forces(); p.last_acceleration", tolerance=ROUNDED)
-    about.cause = "a step without forces leaves the constant acceleration alone"
+    about.cause = "After a step without forces, this is the constant acceleration."
     p.integrate(0.5)
     expect_close(
         xyz(p.last_acceleration),
@@ -273,13 +281,13 @@ def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Ra
     a, f = components(rng), components(rng)
     about.call = f"p = Particle(acceleration=Vector3{a}); p.add_force(Vector3{f}); "
     about.call += "p.last_acceleration"
-    about(cause="no step has used the force yet", read="the docstring of last_acceleration")
+    about(cause="No step has used the force yet.", read="the docstring of last_acceleration")
     p = Particle(acceleration=Vector3(*a))
     p.add_force(Vector3(*f))
     last = p.last_acceleration
     expect_close(xyz(last), a)
     last.x = 99.0
-    about.cause = "what comes back is new: changing it changes nothing in the particle"
+    about.cause = "Return a new vector, so that changing it does not change the particle."
     expect_unchanged("p.acceleration", xyz(p.acceleration), a, then=".x = 99.0", cause=UNCHANGED)
     p.integrate(0.5)
     last = p.last_acceleration
@@ -297,22 +305,22 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     h, mass = draw_frame(rng), draw_mass(rng)
     about.call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
     about.call += f"p.add_force(Vector3{f}); p.integrate({h})"
-    about(cause="ask for the inverse mass before anything moves", read="the docstring of kick")
+    about(cause="Check the inverse mass before you move anything.", read="the docstring of kick")
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf)
     p.add_force(Vector3(*f))
     p.integrate(h)
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
-    about.cause = "its forces are cleared all the same, or they would add up until it is set free"
+    about.cause = "Clear its forces too. Otherwise they add up until it becomes movable."
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator")
-    about.cause = "its forces do nothing: what is left is the constant acceleration"
+    about.cause = "Forces do not accelerate it, so only the constant acceleration is left."
     expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration")
     p.mass = mass
     p.add_force(Vector3(*f))
     p.integrate(h)
     about.call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    about.cause = "now it has a finite mass, and only the new force acts"
+    about.cause = "Now the mass is finite, and only the new force acts."
     wanted = tuple(v[i] + (a[i] + f[i] / mass) * h for i in range(3))
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
 
@@ -341,7 +349,7 @@ def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     about.cause = "The kick has used the forces, so it clears their sum."
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator")
-    about.cause = "last_acceleration is what the kick used, until the next kick."
+    about.cause = "last_acceleration is the acceleration that the last kick used."
     about.call += f"; p.drift({h} / 2)"
     p.drift(h / 2.0)
     got = xyz(p.last_acceleration)
@@ -361,13 +369,13 @@ def test_a_refused_step_keeps_the_forces(duration: float) -> None:
     x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
     for mass in (2.0, math.inf):
         words, p = moving(x, v, a, mass)
-        about.cause = "refuse it: no time passes in it, or time runs back"
+        about.cause = "The duration must be positive and finite. integrate checks it."
         about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({duration!r})"
         p.add_force(Vector3(*f))
         expect_error(
             lambda p=p: p.integrate(duration), error, allowed=lambda: Particle().integrate(0.5)
         )
-        about.cause = "refuse the duration before anything is changed"
+        about.cause = "Refuse the duration before you change anything."
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.velocity", xyz(p.velocity), v)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)

@@ -31,16 +31,16 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
 
     x, y, z = (-part * (k1 + k2 * abs(part)) for part in v)
     return {
-        "a push along the motion, with the minus forgotten": along(k1 + k2 * speed),
-        "the drag with k1 and k2 exchanged": along(-(k2 + k1 * speed)),
-        "-v (k1 |v| + k2 |v|^2), with v in the place of its direction v^": along(
+        "This pushes along the motion. The minus sign is missing.": along(k1 + k2 * speed),
+        "k1 and k2 are swapped.": along(-(k2 + k1 * speed)),
+        "This uses v in place of the unit vector v^, so it is |v| times too large.": along(
             -speed * (k1 + k2 * speed)
         ),
-        "the part with k1 alone": along(-k1),
-        "the part with k2 alone": along(-k2 * speed),
-        "-v (k1 + k2), with no speed in the part with k2": along(-(k1 + k2)),
-        "-v^ (k1 + k2), without the speed": along(-(k1 + k2) / speed),
-        "a drag for each axis by itself, where |v| is the speed": (x, y, z),
+        "The part with k2 is missing.": along(-k1),
+        "The part with k1 is missing.": along(-k2 * speed),
+        "This is -v (k1 + k2). Multiply k2 by the speed.": along(-(k1 + k2)),
+        "This is -v^ (k1 + k2). The speed is missing.": along(-(k1 + k2) / speed),
+        "This is a separate drag for each axis. Use the speed |v| for all three.": (x, y, z),
     }
 
 
@@ -49,14 +49,14 @@ def test_the_velocity_is_only_read(rng: Random) -> None:
     about.read = READ
     v = components(rng)
     about.call = f"v = Vector3{v}; drag_force(v, 0.5, 0.25)"
-    about.cause = "normalize, invert and *= work in place: use normalized, - and *"
+    about.cause = "normalize, invert and *= change v. Use normalized, - and * instead."
     velocity = Vector3(*v)
     got = xyz(drag_force(velocity, 0.5, 0.25))
     expect_unchanged("v", xyz(velocity), v)
     wanted = tuple(-v[i] * (0.5 + 0.25 * math.hypot(*v)) for i in range(3))
-    about.cause = named(got, "the drag is -v (k1 + k2 |v|)", drag_slips(v, 0.5, 0.25))
+    about.cause = named(got, "The drag is -v (k1 + k2 |v|).", drag_slips(v, 0.5, 0.25))
     expect_close(got, wanted)
-    about.cause = "a generator adds a force, and leaves the velocity to the step"
+    about.cause = "A generator only adds a force. The step changes the velocity."
     about.call = f"p = Particle(velocity=Vector3{v}); Drag(0.5, 0.25).update_force(p, 0.5)"
     p = Particle(velocity=Vector3(*v))
     Drag(0.5, 0.25).update_force(p, 0.5)
@@ -70,9 +70,9 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
     speed = math.hypot(*v)
     for one, two, cause in (
-        (k1, 0.0, "k1 |v| along -v^ is -k1 v: v^ |v| is v again"),
-        (0.0, k2, "k2 |v|^2 along -v^ is -k2 |v| v: only one |v| is left over"),
-        (k1, k2, "both parts add up: -v (k1 + k2 |v|)"),
+        (k1, 0.0, "The part with k1 is -k1 v, because v^ |v| is v."),
+        (0.0, k2, "The part with k2 is -k2 |v| v, because v^ |v|^2 is v |v|."),
+        (k1, k2, "Add both parts: -v (k1 + k2 |v|)."),
     ):
         about(f"drag_force(Vector3{v}, {one}, {two})", cause=cause)
         wanted = tuple(-v[i] * (one + two * speed) for i in range(3))
@@ -84,7 +84,7 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
 @pytest.mark.exercise("B5.5")
 def test_drag_grows_with_the_speed_and_with_its_square() -> None:
     about.read = READ
-    about.cause = "k1 takes with the speed, k2 with its square: they must not be exchanged"
+    about.cause = "k1 belongs to the speed and k2 to its square. Do not swap them."
     for v, k1, k2, force in (
         ((0.0, 0.0, 2.0), 3.0, 0.0, -6.0),
         ((0.0, 0.0, -2.0), 3.0, 0.0, 6.0),
@@ -101,16 +101,16 @@ def test_drag_grows_with_the_speed_and_with_its_square() -> None:
 def test_at_rest_there_is_no_drag(rng: Random) -> None:
     about.read = READ
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
-    about.cause = "the zero vector has no direction: nothing may be divided by its length"
+    about.cause = "The zero vector has no direction. Do not divide by its length."
     about.call = f"v = Vector3(); f = drag_force(v, {k1}, {k2})"
     v = Vector3()
     force = drag_force(v, k1, k2)
     expect_close(xyz(force), ZERO)
     force.x = 99.0
-    about.cause = "what comes back is new, at rest too"
+    about.cause = "Return a new vector, also at rest."
     expect_unchanged("v", xyz(v), ZERO, then="; f.x = 99.0")
     about.call = f"drag_force(Vector3(0, 1e-9, 0), {k1}, {k2})"
-    about.cause = "slow motion is motion: the drag is small, and not zero"
+    about.cause = "At a low speed the drag is small, but not zero."
     got = xyz(drag_force(Vector3(0, 1e-9, 0), k1, k2))
     wanted = (0.0, -k1 * 1e-9 - k2 * 1e-18, 0.0)
     expect_close(got, wanted)
@@ -121,11 +121,11 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     v, f = components(rng), components(rng)
     k1, k2, mass = draw_coefficient(rng), draw_coefficient(rng), round(rng.uniform(2.0, 9.0), 3)
     speed = math.hypot(*v)
-    h = 0.0625  # short enough for a drag that is cut off where it would turn the motion round
+    h = 0.0625  # short enough for a drag that never reverses the motion
     about.read = "the docstring of Drag"
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); drag = "
     about.call += f"Drag({k1}, {k2}); drag.update_force(p, {h}); p.force_accumulator"
-    about.cause = "add the drag to the forces that are there; it is a force, whatever the mass"
+    about.cause = "Add the drag with add_force. It is a force and does not depend on the mass."
     p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
     p.add_force(Vector3(*f))
     drag.update_force(p, h)
@@ -133,17 +133,19 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     wanted = tuple(f[i] + force[i] for i in range(3))
     got = xyz(p.force_accumulator)
     slips = {
-        "the sum with the drag divided by the mass": [f[i] + force[i] / mass for i in range(3)],
-        "the sum with the drag times the duration": [f[i] + force[i] * h for i in range(3)],
-        "the sum with k1 and k2 exchanged": [f[i] - v[i] * (k2 + k1 * speed) for i in range(3)],
-        "the drag alone, without the other force": force,
-        "the other force alone; the drag is that of p.velocity": f,
+        "The drag is divided by the mass. Add a force.": [f[i] + force[i] / mass for i in range(3)],
+        "The drag is multiplied by the duration. The step does that.": [
+            f[i] + force[i] * h for i in range(3)
+        ],
+        "k1 and k2 are swapped.": [f[i] - v[i] * (k2 + k1 * speed) for i in range(3)],
+        "The other force is gone. Use add_force, which keeps it.": force,
+        "The drag is missing. Compute it from p.velocity.": f,
     }
     blame(got, slips)
     # A few roundings of numbers up to 150.
     expect_close(got, wanted, tolerance=1e-12)
     about.call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, {h})"
-    about.cause = "read self.k1 and self.k2 each time"
+    about.cause = "Read self.k1 and self.k2 in every call. They may change."
     p.clear_forces()
     drag.k1, drag.k2 = k2, k1
     drag.update_force(p, h)
@@ -156,7 +158,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
 def test_a_fall_comes_to_its_terminal_speed() -> None:
     about("drag = Drag(0.3, 0.05), 2 kg, g = 9.81; a minute of drag.update_force(), ", read=READ)
     about.call += "p.integrate()"
-    about.cause = "the drag grows until it is as large as the weight: k1 v + k2 v^2 = m g"
+    about.cause = "The speed grows until the drag equals the weight: k1 v + k2 v^2 = m g."
     _, velocity = with_drag(ZERO, 0.3, 0.05, 2.0, 1.0 / 60.0, 3600, gravity=9.81)
     wanted = (0.0, -17.034969428476803, 0.0)
     # What is left after a minute, e^-60, is far below rounding.
@@ -164,9 +166,9 @@ def test_a_fall_comes_to_its_terminal_speed() -> None:
 
 
 def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) -> None:
-    """Expect that the error of the longer frame is small, and that half the frame has half of it.
+    """Expect that the error of the longer step is small, and that half the step has half of it.
 
-    Of first order, the ratio is 2 plus a term of the order of h: with these frames 0.02 at most.
+    For a method of order 1, the ratio is 2 plus a term of order h: at most 0.02 with these steps.
     """
     long, short = errors
     expect_close(long, 0.0, then=f": error of {what}", tolerance=scale)
@@ -179,7 +181,7 @@ def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) 
 def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_frames() -> None:
     about("Drag(0, 0.05), 2 kg, g = 9.81, a fall of 3 s by drag.update_force(), ", read=READ)
     about.call += "p.integrate()"
-    about.cause = "exact are v_t tanh(g t / v_t), and v_t^2 / g ln cosh(g t / v_t) of distance"
+    about.cause = "The exact speed is v_t tanh(g t / v_t), the distance v_t^2 / g ln cosh(g t / v_t)."
     states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
     speed, distance = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
     speeds = [-velocity[1] - speed for _, velocity in states]
@@ -191,7 +193,7 @@ def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_f
 @pytest.mark.exercise("B5.5")
 def test_coasting_with_both_kinds_of_drag_comes_nearer_with_shorter_frames() -> None:
     about("Drag(0.3, 0.05), 2 kg, 20 m/s, 2 s of drag.update_force(), p.integrate()", read=READ)
-    about.cause = "exact is 1 / v + k2 / k1 = (1 / v0 + k2 / k1) e^(k1 t / m)"
+    about.cause = "The exact solution is 1 / v + k2 / k1 = (1 / v0 + k2 / k1) e^(k1 t / m)."
     ends = [
         with_drag((20.0, 0.0, 0.0), 0.3, 0.05, 2.0, h, round(2.0 / h))[1][0] for h in (0.01, 0.005)
     ]
@@ -205,9 +207,8 @@ def test_coasting_with_both_kinds_of_drag_comes_nearer_with_shorter_frames() -> 
 def test_linear_drag_in_frames_just_inside_and_just_outside_its_limits() -> None:
     about.read = READ
     k1, mass, frames = 8.0, 2.0, 40
-    about.cause = "each step multiplies the velocity by 1 - k1 h / m: below 0 it turns round, "
-    about.cause += "below -1 it grows. That is the method's own failing, which Drag does not mend "
-    about.cause += "(an Airbrake does)"
+    about.cause = "Each step multiplies v by 1 - k1 h / m, even if that is negative. Drag does not "
+    about.cause += "limit its force. The Airbrake does."
     # The rounding of each step, which the factor below enlarges at most 1.02^40 = 2.2 times.
     for share in (0.98, 1.02, 1.98, 2.02):
         h = share * mass / k1
@@ -215,5 +216,5 @@ def test_linear_drag_in_frames_just_inside_and_just_outside_its_limits() -> None
         for steps in (1, 2, frames):
             _, velocity = with_drag((3.0, 0.0, 0.0), k1, 0.0, mass, h, steps)
             wanted = 3.0 * (1.0 - share) ** steps
-            then = f" in the end; frames: {steps}, each of drag.update_force(), p.integrate()"
+            then = f" after {steps} times drag.update_force(), p.integrate()"
             expect_close(velocity[0], wanted, then=then, tolerance=1e-12)

@@ -24,32 +24,32 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
     for mass in (round(rng.uniform(2.0, 90.0), 3), 0.125):
         about.call = "p = Particle(velocity=Vector3(5, 6, 7), acceleration=Vector3(1, 2, 3), "
         about.call += f"{mass=}); Gravity(Vector3{g}).update_force(p, 0.5); p.force_accumulator"
-        about.cause = "f = m g with all three components of g, and added by particle.add_force"
+        about.cause = "The weight is m g with all components of g. Add it with add_force."
         vectors = {"velocity": Vector3(5, 6, 7), "acceleration": Vector3(1, 2, 3)}
         p = Particle(**vectors, mass=mass)
         gravity = Gravity(Vector3(*g))
         gravity.update_force(p, 0.5)
         wanted = tuple(mass * g[i] for i in range(3))
         slips = {
-            "g itself, an acceleration and no force yet": g,
-            "g / m": [g[i] / mass for i in range(3)],
-            "m g times the duration, which the step multiplies by anyway": [
+            "This is g, an acceleration. Multiply it by the mass.": g,
+            "This is g / m. Multiply by the mass instead.": [g[i] / mass for i in range(3)],
+            "This is m g times the duration. The step multiplies by the duration.": [
                 mass * g[i] * 0.5 for i in range(3)
             ],
-            "minus the weight; g has its direction already": [-mass * g[i] for i in range(3)],
-            "the upright part of it alone": (0.0, mass * g[1], 0.0),
-            "no force added to the particle": ZERO,
+            "The sign is wrong. g already points down.": [-mass * g[i] for i in range(3)],
+            "This is only the y component. g may point in any direction.": (0.0, mass * g[1], 0.0),
+            "No force was added. Call particle.add_force.": ZERO,
         }
         got = xyz(p.force_accumulator)
         blame(got, slips)
         expect_close(got, wanted)
-        about.cause = "a generator adds a force and changes nothing else"
+        about.cause = "A generator only adds a force. It changes nothing else."
         got = xyz(p.acceleration)
         expect_unchanged("p.acceleration", got, (1, 2, 3))
         got = xyz(p.velocity)
         expect_unchanged("p.velocity", got, (5, 6, 7))
         got = xyz(gravity.acceleration)
-        about.cause = "g is only read: *= works in place"
+        about.cause = "Do not change g. The operator *= works in place, so use *."
         expect_unchanged("gravity.acceleration", got, g)
 
 
@@ -58,7 +58,7 @@ def test_gravity_adds_to_the_other_forces_of_the_frame(rng: Random) -> None:
     f, g, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     about.call = f"p = Particle(mass={mass}); p.add_force(Vector3{f}); gravity = "
     about.call += f"Gravity(Vector3{g}); gravity.update_force(p, 0.5) twice; p.force_accumulator"
-    about.cause = "add_force adds; what is there already stays"
+    about.cause = "Use add_force, which keeps the forces that are already there."
     about.read = "the docstring of ForceGenerator"
     p, gravity = Particle(mass=mass), Gravity(Vector3(*g))
     p.add_force(Vector3(*f))
@@ -75,14 +75,14 @@ def test_a_new_gravity_counts_from_the_next_frame_on(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"gravity = Gravity(Vector3{first}); gravity.acceleration = Vector3{second}; "
     about.call += "gravity.update_force(Particle(mass=2.0), 0.5)"
-    about(cause="read self.acceleration each time", read="the docstring of Gravity")
+    about(cause="Read self.acceleration in every call.", read="the docstring of Gravity")
     p, gravity = Particle(mass=2.0), Gravity(Vector3(*first))
     gravity.acceleration = Vector3(*second)
     gravity.update_force(p, 0.5)
     wanted = tuple(2.0 * second[i] for i in range(3))
     expect_close(xyz(p.force_accumulator), wanted)
     got = xyz(gravity.acceleration)
-    about.cause = "the acceleration of the generator is only read"
+    about.cause = "Do not change the acceleration of the generator."
     expect_unchanged("gravity.acceleration", got, second)
 
 
@@ -90,14 +90,14 @@ def test_a_new_gravity_counts_from_the_next_frame_on(rng: Random) -> None:
 def test_an_immovable_particle_has_no_weight(rng: Random) -> None:
     g = components(rng)
     about.read = "book 5.2.3"
-    about.cause = "ask has_finite_mass: infinity times g is no force, and infinity times 0 is NaN"
+    about.cause = "Check has_finite_mass. An infinite mass times 0 would be NaN."
     for gravity in (g, (0.0, -10.0, 0.0)):
         about.call = f"p = Particle(mass=math.inf); Gravity(Vector3{gravity}).update_force(p, 0.5)"
         p = Particle(mass=math.inf)
         Gravity(Vector3(*gravity)).update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         expect_close(got, ZERO, then="; p.force_accumulator")
-    about.cause = "the largest mass that is not infinite has a weight"
+    about.cause = "A very large mass is still finite, so it has a weight."
     about.call = "p = Particle(mass=1e300); Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)"
     p = Particle(mass=1e300)
     Gravity(Vector3(0, -10, 0)).update_force(p, 0.5)
@@ -111,7 +111,7 @@ def test_the_generator_does_what_the_constant_acceleration_does(rng: Random) -> 
     h, frames = 1.0 / 64.0, 192
     about.call = f"a fall of 3 s with g = {g}, mass {mass}, damping {damping}, by "
     about.call += "gravity.update_force()"
-    about.cause = "m g / m is g: the same steps as with Particle.acceleration, but for rounding"
+    about.cause = "m g / m is g, so the steps are those with Particle.acceleration."
     about.read = "book 5.3"
     (by_force, velocity), (built_in, built_in_velocity) = fall(g, mass, damping, h, frames)
     # The sum of the geometric series of v' = (v + g h) D, D = d^h.

@@ -1,55 +1,61 @@
-"""What drag does to a particle, without steps; and the frames that are too long for the steps.
+"""Drag without time steps: closed forms, and the longest steps that are safe with drag (book 5.3).
 
-Everything here moves along one line, and its numbers are in SI units. k1 and k2 are Eq. 5.1's, in
-N s/m and N s^2/m^2. What is no number is a TypeError everywhere.
+Everything here moves along one line, and all numbers are in SI units. k1 in N s/m and k2 in N
+s^2/m^2 are the coefficients of Eq. 5.1. Every function raises TypeError for an argument that is not
+a number.
 """
 
 from __future__ import annotations
 
 
 def terminal_speed(weight: float, k1: float, k2: float) -> float:
-    """Return the speed in m/s of a fall at which the drag is as large as the weight in N.
+    """Return the speed in m/s at which the drag on a falling body balances its weight in N.
 
-    It solves k1 v + k2 v^2 = weight.
+    It is the positive solution of k1 v + k2 v^2 = weight.
 
-    Raises ValueError where the weight is not positive, a coefficient is negative, one of them is
-    not finite, or both coefficients are 0: such a fall gains speed for ever.
+    Raises:
+        ValueError: if the weight is not positive, a coefficient is negative, an argument is not
+            finite, or both coefficients are 0. Without drag, the speed grows without limit.
     """
     raise NotImplementedError("Exercise B5.6: Terminal speed")
 
 
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
-    """Return the speed in m/s and the distance in m of a fall from rest, with quadratic drag alone.
+    """Return the speed in m/s and the distance in m of a fall from rest with quadratic drag only.
 
-    They are u tanh x and u^2 / g times ln cosh x, where x is g t / u, with the terminal speed u and
-    the time t in s.
+    They are u tanh x and u^2 / g ln cosh x with x = g t / u. Here u is the terminal speed, g is
+    ``gravity`` and t is ``time`` in s. Both results must also be right for very small and very
+    large x.
 
-    Raises ValueError where mass, gravity or k2 is not positive, the time is negative, or one of
-    them is not finite.
+    Raises:
+        ValueError: if the mass, gravity or k2 is not positive, the time is negative, or an argument
+            is not finite.
     """
     raise NotImplementedError("Exercise B5.7: Falling and coasting without steps")
 
 
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
-    """Return what is left of a speed in m/s after a time in s in which nothing but drag acts.
+    """Return the speed in m/s that remains after a time in s in which only drag acts.
 
-    With s = k1 t / m it is v e^-s / (1 + k2 v (1 - e^-s) / k1), where (1 - e^-s) / k1 goes to t / m
-    for k1 = 0.
+    With s = k1 t / m it is v e^-s / (1 + k2 v (1 - e^-s) / k1). For k1 = 0, the fraction (1 - e^-s)
+    / k1 is t / m.
 
-    Raises ValueError where the mass is not positive, another of them is negative, or one of them is
-    not finite.
+    Raises:
+        ValueError: if the mass is not positive, another argument is negative, or an argument is not
+            finite.
     """
     raise NotImplementedError("Exercise B5.7: Falling and coasting without steps")
 
 
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
-    """Return two lengths of a frame in s, beyond which a step with drag alone goes wrong.
+    """Return two time steps in s, above which a step with drag alone goes wrong.
 
-    In a frame longer than the first, the drag turns the motion round; in one longer than the
-    second, the particle is faster afterwards than it was. The step is v' = v + (f / m) h, with the
-    f of Eq. 5.1 at the speed at which the frame begins. Without drag both are math.inf.
+    If the step is longer than the first limit, drag reverses the motion. If it is longer than the
+    second, the particle is faster after the step than before. The step is v' = v + (f / m) h, where
+    f is the drag of Eq. 5.1 at the speed before the step. Without drag both limits are math.inf.
 
-    Raises ValueError where the mass is not positive, another of them is negative, or one of them is
-    not finite.
+    Raises:
+        ValueError: if the mass is not positive, another argument is negative, or an argument is not
+            finite.
     """
-    raise NotImplementedError("Exercise B5.8: Frames that are too long for drag")
+    raise NotImplementedError("Exercise B5.8: Time steps that are too long for drag")

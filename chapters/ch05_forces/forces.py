@@ -1,9 +1,9 @@
-"""Force generators, and the registry that asks them for their forces once a frame (book 5.2, 5.3).
+"""Force generators, and the registry that applies them in each time step (book 5.2 and 5.3).
 
-A generator adds a force to a particle, and knows nothing of the other forces that act on it. What
-one is made with is looked at and, where it is a vector, copied: ValueError names what is not
-finite. Its attributes may be changed later, and are then yours to keep finite. What is no number,
-or no Vector3, is a TypeError everywhere.
+A generator adds a force to a particle and knows nothing about the other forces on it. Constructors
+copy vectors, and raise ValueError for a number or component that is not finite. You may change the
+attributes later, and then it is up to you to keep them finite. Everything here raises TypeError for
+an argument that is not a number, or not a Vector3 where one is expected.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from ch05_forces.particle import Particle
 
 
 class ForceGenerator(Protocol):
-    """Whatever has this method is a force generator: no class needs to derive from this one."""
+    """Any object with this method is a force generator. No class has to inherit from this one."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add this generator's force on a particle, for a frame of a duration in s (5.2.1)."""
+        """Add this generator's force to a particle, for a time step of a duration in s (5.2.1)."""
 
 
 class ForceRegistry:
     """Pairs of a particle and a generator that acts on it, in the order in which they were added.
 
-    The constructor makes ``_pairs``, an empty list for tuples (particle, generator). You may keep
+    The constructor makes ``_pairs``, an empty list for tuples (particle, generator). You may store
     the pairs in another way. If you do, change ``pairs`` to match.
     """
 
@@ -33,54 +33,65 @@ class ForceRegistry:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
 
     def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
-        """Return the pairs in their order, in a list of its own. Later chapters ask for them."""
+        """Return the pairs in order, in a new list. Later chapters use it."""
         return [*self._pairs]
 
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Let a generator act on a particle from now on (5.2.2); a pair added twice acts twice.
+        """Let a generator act on a particle from now on (5.2.2).
 
-        Raises TypeError for a particle without add_force, or a generator without update_force.
+        A pair that is added twice acts twice.
+
+        Raises:
+            TypeError: if the particle has no add_force, or the generator has no update_force.
         """
         raise NotImplementedError("Exercise B5.3: The force registry")
 
     def remove(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Take back one call of add for this very particle and generator; none is no error."""
+        """Undo one call of add for this particle and this generator.
+
+        Only the very same objects count, not equal ones. If there is no such pair, do nothing.
+        """
         raise NotImplementedError("Exercise B5.3: The force registry")
 
     def clear(self) -> None:
-        """Take back every call of add; particles and generators stay as they are."""
+        """Undo all calls of add. The particles and generators do not change."""
         raise NotImplementedError("Exercise B5.3: The force registry")
 
     def update_forces(self, duration: float) -> None:
-        """Ask every generator for its force on its particle, for a frame of a duration in s.
+        """Let every generator add its force to its particle, for a time step of this duration in s.
 
-        Immovable particles are skipped. A generator may add and remove pairs meanwhile: that counts
-        from the next call on. What a generator raises comes out, and the pairs after it are not
-        asked.
+        Immovable particles are skipped. A generator may add and remove pairs during the call, which
+        has an effect from the next call on. If a generator raises an exception, it is passed on,
+        and the pairs after it are not updated.
 
-        Raises ValueError where the duration is not positive and finite; nothing is asked then.
+        Raises:
+            ValueError: if the duration is not positive and finite. No generator is called then.
         """
         raise NotImplementedError("Exercise B5.3: The force registry")
 
 
 class Gravity:
-    """The weight of a particle, m g (Eq. 3.4), for an acceleration g in m/s^2: a vector.
+    """The weight of a particle, m g (Eq. 3.4). The acceleration g is a vector in m/s^2.
 
-    Particle.acceleration does the same for less, where g is the same at all places and times (5.3).
+    If g is the same everywhere and always, Particle.acceleration does the same at a lower cost
+    (5.3).
     """
 
     def __init__(self, acceleration: Vector3) -> None:
         self.acceleration = finite_vector("acceleration", acceleration)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add m g. An immovable particle is left alone: its weight would be infinite (5.2.3)."""
+        """Add m g, unless the particle is immovable. Its weight would be infinite (5.2.3)."""
         raise NotImplementedError("Exercise B5.4: Gravity as a force")
 
 
 class Drag:
-    """Drag against the motion (Eq. 5.1): a part that grows with the speed, and one with its square.
+    """Drag against the motion (Eq. 5.1). One part grows with the speed, the other with its square.
 
-    k1 is in N s/m, k2 in N s^2/m^2. Raises ValueError where one is negative or not finite.
+    k1 is in N s/m and k2 in N s^2/m^2.
+
+    Raises:
+        ValueError: if a coefficient is negative or not finite.
     """
 
     def __init__(self, k1: float, k2: float) -> None:
@@ -88,25 +99,27 @@ class Drag:
         self.k2 = not_negative("k2", k2)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the drag_force of the particle's velocity."""
+        """Add the drag_force at the particle's velocity."""
         raise NotImplementedError("Exercise B5.5: Drag")
 
 
 def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
-    """Return the drag in N at a velocity in m/s, as new: -v^ (k1 |v| + k2 |v|^2) (Eq. 5.1).
+    """Return the drag in N at a velocity in m/s as a new vector (Eq. 5.1).
 
-    v^ is the direction of the velocity; where there is none, there is no drag. k1 is in N s/m, and
-    k2 in N s^2/m^2.
+    It is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. At rest there is
+    no drag. k1 is in N s/m and k2 in N s^2/m^2.
     """
     raise NotImplementedError("Exercise B5.5: Drag")
 
 
 class Uplift:
-    """Exercise 5.1: a column of rising air, upright and without an end.
+    """Exercise 5.1: a vertical column of rising air that has no upper or lower end.
 
-    ``force`` is a vector in N; the column's middle runs through ``origin``, its ``radius`` is in m.
+    ``force`` is a vector in N. The axis of the column goes through ``origin``, and its ``radius``
+    is in m.
 
-    Raises ValueError where the radius is negative or not finite.
+    Raises:
+        ValueError: if the radius is negative or not finite.
     """
 
     def __init__(self, origin: Vector3, radius: float, force: Vector3) -> None:
@@ -115,17 +128,20 @@ class Uplift:
         self.force = finite_vector("force", force)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.1: add the force where the particle is in the column, at whatever height.
+        """Exercise 5.1: add the force if the particle is inside the column, at any height.
 
-        It is where its distance from the origin in X and Z is at most the radius.
+        It is inside if its distance from the origin in X and Z is at most the radius.
         """
         raise NotImplementedError("Exercise 5.1: An uplift column")
 
 
 class Airbrake:
-    """Exercise 5.2: a large drag, -k v with k in N s/m, that is switched on and off.
+    """Exercise 5.2: a large drag, -k v with k in N s/m, that can be switched on and off.
 
-    ``on`` is the switch; a new brake is off. Raises ValueError where k is negative or not finite.
+    ``on`` is the switch. A new brake is off.
+
+    Raises:
+        ValueError: if k is negative or not finite.
     """
 
     # The share of a full stop that the brake takes at most: rounding cannot make it more than all.
@@ -136,21 +152,25 @@ class Airbrake:
         self.on = False
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.2: where the brake is on, add -k v, but nothing that turns the motion round.
+        """Exercise 5.2: if the brake is on, add -k v, but never so much that the motion reverses.
 
-        A force f changes the velocity of a frame by f h / m. So the brake alone never takes more
-        than FULL of the velocity, however large k is, and however long the frame. What is immovable
-        is not stopped by it, and that is no error.
+        In a time step, a force f changes the velocity by f h / m. So the brake alone takes at most
+        the fraction FULL of the velocity, however large k is and however long the step. It does not
+        stop an immovable particle, which is not an error.
 
-        Raises ValueError where the duration is not positive and finite.
+        Raises:
+            ValueError: if the duration is not positive and finite.
         """
         raise NotImplementedError("Exercise 5.2: An airbrake")
 
 
 class PointGravity:
-    """Exercise 5.3: gravity towards a point, of the same strength in m/s^2 at every distance.
+    """Exercise 5.3: gravity toward a point, with the same strength in m/s^2 at every distance.
 
-    Raises ValueError where the strength is not finite; a negative one pushes away.
+    A negative strength pushes away from the point.
+
+    Raises:
+        ValueError: if the strength is not finite.
     """
 
     def __init__(self, center: Vector3, strength: float) -> None:
@@ -158,18 +178,20 @@ class PointGravity:
         self.strength = finite("strength", strength)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.3: add m g towards the center; at the center there is no force.
+        """Exercise 5.3: add a force of m times the strength, toward the center.
 
-        An immovable particle is left alone.
+        At the center the force is zero. Skip an immovable particle.
         """
-        raise NotImplementedError("Exercise 5.3: Gravity towards a point")
+        raise NotImplementedError("Exercise 5.3: Gravity toward a point")
 
 
 class InverseSquareGravity:
-    """Exercise 5.4: gravity towards a point that weakens with the square of the distance (Eq. 3.3).
+    """Exercise 5.4: gravity toward a point, proportional to 1 / r^2 (Eq. 3.3).
 
-    ``mu`` is G times the mass that attracts, in m^3/s^2. Raises ValueError where it is not finite;
-    a negative one pushes away.
+    ``mu`` is G times the attracting mass, in m^3/s^2. If it is negative, the force pushes away.
+
+    Raises:
+        ValueError: if mu is not finite.
     """
 
     def __init__(self, center: Vector3, mu: float) -> None:
@@ -177,9 +199,12 @@ class InverseSquareGravity:
         self.mu = finite("mu", mu)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.4: add the force m mu / r^2 towards the center, r the distance in m.
+        """Exercise 5.4: add the force m mu / r^2 toward the center, where r is the distance in m.
 
-        An immovable particle is left alone. Raises ArithmeticError at the center, and so near to it
-        that the force is not finite; nothing is added then.
+        Skip an immovable particle.
+
+        Raises:
+            ArithmeticError: at the center, and so close to it that the force is not finite. No
+                force is added then.
         """
-        raise NotImplementedError("Exercise 5.4: Gravity that weakens with the distance")
+        raise NotImplementedError("Exercise 5.4: Gravity that decreases with the distance")

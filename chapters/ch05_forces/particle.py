@@ -1,6 +1,7 @@
-"""A particle on which forces act: chapter 3's, with a force accumulator (book 5.1).
+"""A particle that forces act on: chapter 3's particle with a force accumulator (book 5.1).
 
-Units are SI: forces are in N. What is no number, or no Vector3, is a TypeError everywhere.
+Units are SI, so forces are in N. Everything here raises TypeError for an argument that is not a
+number, or not a Vector3 where one is expected.
 """
 
 from __future__ import annotations
@@ -14,11 +15,11 @@ NO_FORCE: Numbers = (0.0, 0.0, 0.0)
 
 
 class Particle(particle.Particle):
-    """A particle of chapter 3 that adds up the forces of a frame until its next step uses them.
+    """A particle of chapter 3 that adds up the forces on it until its next step uses them.
 
-    Where the forces are kept is your choice. Here ``_forces`` is a list with two entries: the sum
-    since the last step, and the sum that the last step used. Each is three numbers, or None while
-    no force was added. If you keep them in another way, change ``__slots__``, the constructor,
+    You choose how to store the forces. Here ``_forces`` is a list with two entries: the sum since
+    the last step, and the sum that the last step used. Each is a tuple of three numbers, or None if
+    no force was added. If you store them in another way, change ``__slots__``, the constructor,
     ``__copy__``, ``take_forces`` and ``add_force_pair`` to match.
     """
 
@@ -39,7 +40,7 @@ class Particle(particle.Particle):
         self._forces = [None, None]
 
     def __copy__(self) -> Particle:
-        """Return a copy with the same forces, which no longer change with the original's."""
+        """Return a copy with the same forces. They change independently of the original's."""
         other = Particle(self.position, self.velocity, self.acceleration, damping=self.damping)
         other.inverse_mass = self.inverse_mass
         other._forces = [*self._forces]
@@ -48,8 +49,8 @@ class Particle(particle.Particle):
     def take_forces(self) -> Numbers:
         """Return the sum of the forces in N as three numbers, and clear it.
 
-        For integrators that evaluate the forces several times in a step. It does what
-        force_accumulator and clear_forces do, in a third of the time.
+        It is for integrators that evaluate the forces several times in a step. It does the same as
+        force_accumulator and clear_forces in a third of the time.
         """
         forces = self._forces
         force = forces[0]
@@ -59,11 +60,12 @@ class Particle(particle.Particle):
     def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
         """Add a force in N to this particle, and the opposite force to another one.
 
-        This is Newton's third law for a force with the components x, y and z. It does what two
-        calls of add_force do, in half of the time: a cloth needs it for hundreds of springs.
+        This is Newton's third law for a force with the components x, y and z. It does the same as
+        two calls of add_force in half the time, which a cloth with hundreds of springs needs.
 
-        Raises ValueError where a component, or one of the two sums, is not finite; both sums are
-        then as they were.
+        Raises:
+            ValueError: if a component, or one of the two sums, is not finite. Both sums stay as
+                they were.
         """
         mine, others = self._forces, other._forces
         ax, ay, az = mine[0] or NO_FORCE
@@ -83,38 +85,46 @@ class Particle(particle.Particle):
 
     @property
     def force_accumulator(self) -> Vector3:
-        """The sum in N of the forces since the last step, as new; add_force is what changes it."""
+        """The sum of the forces in N since the last step, as a new vector.
+
+        Only add_force changes the sum.
+        """
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     def add_force(self, force: Vector3) -> None:
-        """Add a force in N to the sum, for the next step alone (5.1). The force is only read.
+        """Add a force in N to the sum for the next step (5.1). The vector itself does not change.
 
-        Raises ValueError where a component of it, or of the sum, is not finite; the sum is then as
-        it was.
+        Raises:
+            ValueError: if a component of the force, or of the sum, is not finite. The sum stays as
+                it was.
         """
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     def clear_forces(self) -> None:
-        """Drop the forces that were added since the last step; what that step used stays (5.1)."""
+        """Forget the forces that were added since the last step (5.1).
+
+        last_acceleration does not change.
+        """
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     @property
     def last_acceleration(self) -> Vector3:
-        """All of the acceleration of the last step, as new: the constant one, and f / m (Eq. 3.2).
+        """The total acceleration in the last step, as a new vector (Eq. 3.2).
 
-        It is worked out when it is asked for: from the forces that the last step used, and from
-        the mass and the constant acceleration of now. Before the first step, and for an immovable
-        particle, it is the constant acceleration.
+        It is the constant acceleration plus f / m, computed from the forces that the last step
+        used, and from the current mass and constant acceleration. Before the first step, and for an
+        immovable particle, it is the constant acceleration.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")
 
     def kick(self, duration: float) -> None:
-        """Change the velocity as chapter 3's kick does, with the forces: v' = (v + a h) d^h.
+        """Change the velocity as in chapter 3, now with the forces too: v' = (v + a h) d^h.
 
-        Here a is the constant acceleration plus f / m, and f is the sum of the forces since the
-        last kick. The sum is cleared, for an immovable particle too, and kept as what the last
-        step used. integrate needs no body here: chapter 3's drifts, and then calls this kick.
+        Here a is the constant acceleration plus f / m, where f is the sum of the forces since the
+        last kick. The kick clears the sum, also for an immovable particle, and remembers it for
+        last_acceleration. integrate needs no new body: chapter 3's integrate drifts and then calls
+        this kick.
 
-        The duration is not checked, as in chapter 3.
+        As in chapter 3, the duration is not checked.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")

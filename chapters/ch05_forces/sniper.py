@@ -1,8 +1,9 @@
-"""A sniper range (project 4.2): targets of one size, and a wind that changes between the shots.
+"""A sniper range (project 4.2): targets of one size, and a wind that changes between shots.
 
-The rules need no screen. Z points down the range, Y up and X to the left of one who looks along Z.
-A shot is aimed by two angles in radians: azimuth from Z towards X, elevation above the level. What
-is no number is a TypeError everywhere.
+The rules do not need a screen. Z points down the range, Y points up, and X points left for someone
+who looks along Z. A shot is aimed with two angles in radians: the azimuth from Z toward X, and the
+elevation above the horizontal. Everything here raises TypeError for an argument that is not a
+number.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ SHOTS = 10
 
 @dataclass(frozen=True)
 class Target:
-    """A disc that faces the rifle: its middle in m, and a factor for the points of its rings."""
+    """A disc that faces the rifle: its center in m, and a factor for the points of its rings."""
 
     x: float
     y: float
@@ -47,7 +48,7 @@ RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # radius in m and points, from the inn
 
 @dataclass(frozen=True)
 class Hole:
-    """Where a target was hit, in m from its middle, and the points that it brought."""
+    """The position of a hit, in m from the center of the target, and the points it earned."""
 
     target: Target
     x: float
@@ -56,9 +57,12 @@ class Hole:
 
 
 class Wind:
-    """A force generator: the drag of Eq. 5.1 in air that moves with ``velocity``, in m/s.
+    """A force generator for the drag of Eq. 5.1 in air that moves with ``velocity``, in m/s.
 
-    k1 is in N s/m, k2 in N s^2/m^2. Raises ValueError where one is negative or not finite.
+    k1 is in N s/m and k2 in N s^2/m^2.
+
+    Raises:
+        ValueError: if a coefficient is negative or not finite.
     """
 
     def __init__(self, k1: float, k2: float) -> None:
@@ -69,13 +73,13 @@ class Wind:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Project 4.2: add the drag_force at the particle's velocity relative to the air.
 
-        What moves with the air feels nothing; in still air this is Drag.
+        A particle that moves with the air feels no force. In still air this is Drag.
         """
         raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
 
 
 class SniperRange:
-    """A round of SHOTS shots: what is in flight, the wind, the holes and the score."""
+    """A round of SHOTS shots: the bullet in flight, the wind, the holes and the score."""
 
     def __init__(self, seed: int) -> None:
         self.random = Random(seed)
@@ -88,54 +92,57 @@ class SniperRange:
         self.change_wind()
 
     def is_over(self) -> bool:
-        """Say whether the last shot has been fired and has landed."""
+        """Return whether the last shot has been fired and has landed."""
         return self.shots_left == 0 and self.bullet is None
 
     def change_wind(self) -> None:
-        """Project 4.2: let the wind blow anew, level, as self.random draws it.
+        """Project 4.2: draw a new horizontal wind from self.random.
 
-        Its parts along X and along Z are drawn each from -STRONGEST_WIND to STRONGEST_WIND.
+        Its components along X and Z are drawn in this order, each from -STRONGEST_WIND to
+        STRONGEST_WIND.
         """
         raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
 
     def shoot(self, azimuth: float, elevation: float) -> bool:
-        """Project 4.2: fire a bullet, and say whether one was fired.
+        """Project 4.2: fire a bullet, and return whether one was fired.
 
-        None is fired while one is in flight, or when no shots are left. The bullet starts at MUZZLE
-        with MUZZLE_SPEED; gravity is its acceleration, and the wind acts on it by self.forces. A
-        shot is taken off shots_left.
+        No bullet is fired while another one is in flight, or if no shots are left. The bullet
+        starts at MUZZLE with MUZZLE_SPEED. Gravity is its own acceleration, and the wind acts on it
+        through self.forces. The shot is subtracted from shots_left.
 
-        Raises ValueError where an angle is beyond SWING to either side, or not finite; nothing is
-        fired then.
+        Raises:
+            ValueError: if an angle is not finite, or more than SWING to either side. No bullet is
+                fired then.
         """
         raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
 
     def update(self, duration: float) -> None:
-        """Project 4.2: let a frame in s pass for the bullet in flight, if there is one.
+        """Project 4.2: let a time step of a duration in s pass for the bullet in flight.
 
-        The forces are added up, the bullet moves, and a target that it has passed through on its
-        way is hit: hit_on_the_way tells. That adds the hole to holes and its points to the score.
-        The shot has landed when it has hit, when the bullet is below the ground (y < 0) or past
-        END_OF_RANGE in z. Then no force is registered any more, bullet is None, and the wind
-        changes.
+        If there is none, do nothing. Update the forces, move the bullet, and use hit_on_the_way to
+        find out whether it has passed through a target. A hit adds the hole to holes and its points
+        to the score. The shot has landed after a hit, or when the bullet is below the ground (y <
+        0) or beyond END_OF_RANGE in z. Then no force is registered any more, bullet is None, and
+        the wind changes.
 
-        Raises ValueError where the duration is not positive and finite; nothing has moved then.
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing has moved then.
         """
         raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
 
 
 def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
-    """Project 4.2: return the first hole that the straight way from start to end makes, or None.
+    """Project 4.2: return the first hole that the straight path from start to end makes, or None.
 
-    The way passes a target's plane where start.z < distance <= end.z. There it makes a hole in the
-    target if that brings any points: those of the ring, times the target's factor.
+    The path crosses the plane of a target if start.z < distance <= end.z. It makes a hole there if
+    the point where it crosses earns any points: the ring's points times the target's factor.
     """
     raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")
 
 
 def ring_points(x: float, y: float) -> int:
-    """Project 4.2: return the points of the smallest of the RINGS in which a point lies, or 0.
+    """Project 4.2: return the points of the smallest ring in RINGS that contains a point, or 0.
 
-    The point is in m from the middle of a target. One on the edge of a ring lies in it.
+    The point is in m from the center of a target. A point on the edge of a ring is inside it.
     """
     raise NotImplementedError("Exercise P4.2b: Sniper range: the rules")

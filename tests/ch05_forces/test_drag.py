@@ -181,7 +181,9 @@ def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) 
 def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_frames() -> None:
     about("Drag(0, 0.05), 2 kg, g = 9.81, a fall of 3 s by drag.update_force(), ", read=READ)
     about.call += "p.integrate()"
-    about.cause = "The exact speed is v_t tanh(g t / v_t), the distance v_t^2 / g ln cosh(g t / v_t)."
+    about.cause = (
+        "The exact speed is v_t tanh(g t / v_t), the distance v_t^2 / g ln cosh(g t / v_t)."
+    )
     states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
     speed, distance = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
     speeds = [-velocity[1] - speed for _, velocity in states]

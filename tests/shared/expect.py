@@ -239,8 +239,14 @@ def cause_of(
 
 
 def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) -> str:
-    """Return the cause, after the name of the slip if one gives exactly the numbers in got."""
-    mistakes = [(gives, f"This is {name}. {cause}") for name, gives in slips.items()]
+    """Return the cause, after the slip that gives exactly the numbers in got, if one does.
+
+    A slip is a sentence, or a name that "This is" makes one.
+    """
+    mistakes = [
+        (gives, f"{slip if slip.endswith('.') else f'This is {slip}.'} {cause}")
+        for slip, gives in slips.items()
+    ]
     return cause_of(got, mistakes, cause)
 
 

@@ -42,11 +42,11 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     about.call = f"p = Particle(velocity=Vector3{v}, mass=2.0); brake = Airbrake({k})"
     p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k)
     for on, wanted, cause in (
-        (None, ZERO, "a new brake is off, and then it adds nothing"),
-        (True, pulled, "where the brake is on it adds -k v: a full stop, m / h = 4, would be more"),
-        (None, pulled, "it is on until somebody switches it off"),
-        (False, ZERO, "where the brake is off it adds nothing: look at self.on each time"),
-        (True, pulled, "where the brake is on it adds -k v"),
+        (None, ZERO, "A new brake is off and adds no force."),
+        (True, pulled, "A brake that is on adds -k v. A full stop would take more: m / h is 4."),
+        (None, pulled, "The brake stays on until it is switched off."),
+        (False, ZERO, "A brake that is off adds no force. Check self.on in every call."),
+        (True, pulled, "A brake that is on adds -k v."),
     ):
         about.cause = cause
         if on is not None:
@@ -57,11 +57,15 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         if wanted is pulled:
             slips = {
-                "k v, a push along the motion": [-part for part in pulled],
-                "-v m / h, a full stop, which is the larger of the two": [
+                "This pushes along the motion. The minus sign is missing.": [
+                    -part for part in pulled
+                ],
+                "This is -v m / h, a full stop. Use the smaller of the two forces.": [
                     -4.0 * part for part in v
                 ],
-                "-k |v| v, which is quadratic drag": [part * math.hypot(*v) for part in pulled],
+                "This is -k |v| v, which is quadratic drag.": [
+                    part * math.hypot(*v) for part in pulled
+                ],
             }
             blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator")
@@ -75,7 +79,7 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
     about.read = READ
     v, f = components(rng), components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    about.cause = "while k h / m is below 1 the force is -k v, and nothing is cut off"
+    about.cause = "While k h / m is below 1, the force is -k v without a limit."
     for share in (0.01, 0.5, 0.98):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
@@ -87,14 +91,14 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
         wanted = tuple(f[i] - k * v[i] for i in range(3))
         got = xyz(p.force_accumulator)
         slips = {
-            "a brake cut off at -v / h, without the mass": [f[i] - v[i] / h for i in range(3)],
-            "a brake cut off at -v m, without the duration": [f[i] - v[i] * mass for i in range(3)],
-            "a brake cut off at -v m h, a product where -v m / h is a full stop": [
+            "This limit is -v / h. The mass is missing.": [f[i] - v[i] / h for i in range(3)],
+            "This limit is -v m. Divide it by the duration.": [
+                f[i] - v[i] * mass for i in range(3)
+            ],
+            "This limit is -v m h. Divide by the duration instead of multiplying.": [
                 f[i] - v[i] * mass * h for i in range(3)
             ],
-            "a brake cut off at half of a full stop": [
-                f[i] - 0.5 * v[i] * mass / h for i in range(3)
-            ],
+            "This limit is half of a full stop.": [f[i] - 0.5 * v[i] * mass / h for i in range(3)],
         }
         why = named(got, about.cause, slips)
         # A few roundings of numbers up to 900.
@@ -106,8 +110,7 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
     about.read = READ
     v = components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    about.cause = "in a frame a force f changes the velocity by f h / m: never add more than -v m "
-    about.cause += "/ h"
+    about.cause = "A step changes the velocity by f h / m, so never add more than -v m / h."
     for share in (1.02, 2.02, 1e3, 1e12):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = Airbrake({k!r}), "
@@ -115,15 +118,15 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
         p = Particle(velocity=Vector3(*v), mass=mass)
         brake_of(k, on=True).update_force(p, h)
         got = xyz(p.velocity)
-        adds = "a generator adds a force, and leaves the velocity to the step"
+        adds = "A generator only adds a force. The step changes the velocity."
         expect_unchanged("p.velocity before the step", got, v, cause=adds)
         p.integrate(h)
         got = xyz(p.velocity)
         slips = {
-            "v - k v h / m, turned round by -k v without a limit": [
+            "The brake has reversed the motion. Limit the force.": [
                 part * (1.0 - share) for part in v
             ],
-            "the velocity as it was, as where too hard a brake is let go": v,
+            "The velocity has not changed. A brake that is too strong must stop the motion.": v,
         }
         why = named(got, about.cause, slips)
         # What FULL, or rounding, leaves of 10 m/s.
@@ -139,7 +142,7 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
     vectors = {"velocity": Vector3(*v), "acceleration": Vector3(1, 2, 3)}
     p, brake = Particle(**vectors, mass=mass), brake_of(1e6, on=True)
     for h in (0.5, 0.25):
-        about.cause = "at its limit the brake adds -v m / h, and leaves the forces that are there"
+        about.cause = "At its limit the brake adds -v m / h to the other forces."
         p.clear_forces()
         p.add_force(Vector3(*f))
         brake.update_force(p, h)
@@ -147,12 +150,12 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
         wanted = tuple(f[i] - v[i] * mass / h for i in range(3))
         # Up to a part in 1e12 of 400 N, as FULL says.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-9)
-        about.cause = "the next frame asks anew: brake.on and brake.k are the player's"
+        about.cause = "Do not change brake.on or brake.k. They belong to the player."
         expect_exactly((brake.on, brake.k), (True, 1e6), then="; (brake.on, brake.k)")
         about.call += "; in another frame, brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
     about.call += "p.integrate(0.5)"
-    about.cause = "what is immovable is not stopped by any force, and that is no error"
+    about.cause = "No force stops an immovable particle, and this is not an error."
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)
@@ -162,20 +165,20 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
 @pytest.mark.exercise("5.2")
 def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     about.read = READ
-    about.cause = "-v m / h can be a rounding too much: stay a little below it, as FULL says"
+    about.cause = "Rounding can make -v m / h slightly too large. Stay below it by the factor FULL."
     tries = 400
-    about.call = f"brake.update_force(p, h) in {tries} frames with k above m / h, each with "
-    about.call += "another k, mass, h and speed: the smallest share that is left of the velocity, "
-    about.call += "from 0 to 1e-9"
+    about.call = f"brake.update_force(p, h) in {tries} steps with k above m / h, each with "
+    about.call += "another k, mass, h and speed: the smallest fraction of the velocity that is "
+    about.call += "left, from 0 to 1e-9"
     shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
-    # A share from 0 to 1e-9: between 0 and twice the half of that.
+    # A fraction from 0 to 1e-9: the middle, within half of the range.
     expect_close(least, 5e-10, tolerance=5e-10)
-    about.cause = "a brake of this strength leaves nothing but a rounding"
+    about.cause = "A brake of this strength leaves only a rounding error."
     name = about.call.replace("smallest", "largest")
     expect_close(most, 5e-10, call=name, tolerance=5e-10)
-    expect_close(len(shares), tries, call="how many frames", cause="one for each try")
+    expect_close(len(shares), tries, call="how many steps", cause="One for each try.")
 
 
 @pytest.mark.exercise("5.2")
@@ -185,8 +188,7 @@ def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
     about.read = READ
     for on in (True, False):
         about.call = f"brake = Airbrake(2.0); brake.on = {on}; brake.update_force(p, {duration!r})"
-        about.cause = "positive of arguments.py raises the errors for you, whether the brake is on "
-        about.cause += "or off"
+        about.cause = "Check the duration with positive() of arguments.py, even with the brake off."
         p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=on)
         expect_error(
             lambda brake=brake, p=p: brake.update_force(p, duration),
@@ -194,5 +196,5 @@ def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
             allowed=lambda brake=brake: brake.update_force(Particle(), 0.5),
         )
         got = xyz(p.force_accumulator)
-        about.cause = "look at the duration before a force is added"
+        about.cause = "Check the duration before you add a force."
         expect_close(got, ZERO, then="; p.force_accumulator")

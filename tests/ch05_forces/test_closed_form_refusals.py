@@ -1,4 +1,4 @@
-"""What the formulas of B5.6 and B5.7 refuse."""
+"""Arguments that the formulas of B5.6 and B5.7 reject."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ pytestmark = pytest.mark.robust
 
 
 def bad_numbers(good: tuple[float, ...]) -> list[tuple[float, ...]]:
-    """Return these arguments with NaN, and with infinity, in each place in turn."""
+    """Return these arguments with each one in turn replaced by NaN and by infinity."""
     return [
         (*good[:i], bad, *good[i + 1 :]) for i in range(len(good)) for bad in (math.nan, math.inf)
     ]
@@ -30,8 +30,7 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
         (9.81, 0.0, 0.0),
         *bad_numbers((9.81, 0.3, 0.05)),
     ):
-        about.cause = "refuse what means nothing with ValueError; without any drag there is no "
-        about.cause += "such speed"
+        about.cause = "Raise ValueError. Without drag there is no terminal speed."
         expect_error(
             lambda bad=bad: terminal_speed(*bad),
             ValueError,
@@ -43,8 +42,7 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of quadratic_fall"
-    about.cause = "refuse it with ValueError: the functions of arguments.py do, one for each "
-    about.cause += "argument"
+    about.cause = "Raise ValueError. The functions of arguments.py do this, one for each argument."
     for bad in (
         (0.0, 9.81, 0.05, 3.0),
         (2.0, 0.0, 0.05, 3.0),
@@ -65,8 +63,7 @@ def test_a_fall_needs_numbers_that_mean_something() -> None:
 @pytest.mark.exercise("B5.7")
 def test_coasting_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of coasting_speed"
-    about.cause = "refuse it with ValueError: the functions of arguments.py do, one for each "
-    about.cause += "argument"
+    about.cause = "Raise ValueError. The functions of arguments.py do this, one for each argument."
     for bad in (
         (-20.0, 0.3, 0.05, 2.0, 1.5),
         (20.0, -0.3, 0.05, 2.0, 1.5),

@@ -1,4 +1,4 @@
-"""Frames that are too long for drag, build task B5.8."""
+"""Time steps that are too long for drag, build task B5.8."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         positive_number(rng),
         positive_number(rng, 1.0, 90.0),
     )
-    about.cause = "v' = v (1 - (k1 + k2 |v|) h / m): the bracket is 0 at the first limit, -1 at "
-    about.cause += "the second"
+    about.cause = "v' = v (1 - (k1 + k2 |v|) h / m). The bracket is 0 at the first limit and -1 at "
+    about.cause += "the second."
     for one, two, rate in (
         (k1, 0.0, k1 / mass),
         (0.0, k2, k2 * speed / mass),
@@ -34,22 +34,22 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         about.call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
-            "k1 + k2 |v|, without the mass": rate * mass,
-            "(k1 + k2 |v|) m, where the mass divides": rate * mass**2,
-            "(k1 + k2) / m, without the speed": (one + two) / mass,
-            "(k1 + k2) |v| / m, with the speed in the part with k1 too": (one + two) * speed / mass,
-            "(k1 + 2 k2 |v|) / m, the slope of the drag": (one + 2.0 * two * speed) / mass,
+            "The mass is missing.": rate * mass,
+            "The mass is on the wrong side of the fraction.": rate * mass**2,
+            "This uses k1 + k2. Multiply k2 by the speed.": (one + two) / mass,
+            "Multiply only k2 by the speed, not k1.": (one + two) * speed / mass,
+            "This uses k1 + 2 k2 |v|, the slope of the drag.": (one + 2.0 * two * speed) / mass,
         }
-        slips = {f"1 and 2 over {name}": (1.0 / a, 2.0 / a) for name, a in wrong.items()}
-        slips["the second limit first"] = (2.0 / rate, 1.0 / rate)
-        slips["the first limit twice"] = (1.0 / rate, 1.0 / rate)
-        slips["1 / rate and 1 / rate^2, where the second is 2 / rate"] = (1.0 / rate, rate**-2)
+        slips = {name: (1.0 / a, 2.0 / a) for name, a in wrong.items()}
+        slips["The two limits are in the wrong order."] = (2.0 / rate, 1.0 / rate)
+        slips["This is the first limit twice."] = (1.0 / rate, 1.0 / rate)
+        slips["The second limit is twice the first, not its square."] = (1.0 / rate, rate**-2)
         why = named(got, about.cause, slips)
         expect_close(got, (1.0 / rate, 2.0 / rate), cause=why)
-    about.cause = "a little drag has limits too: after a long time, and not never"
+    about.cause = "Even a small drag has finite limits."
     got = drag_limits(1e-12, 0.0, 1.0, 1.0)
     expect_close(got, (1e12, 2e12), call="drag_limits(1e-12, 0.0, 1.0, 1.0)")
-    about(f"drag_limits({k1}, {k2}, {mass}, 0.0)", cause="slow motion has the limits of k1 alone")
+    about(f"drag_limits({k1}, {k2}, {mass}, 0.0)", cause="At speed 0 only k1 counts.")
     got = drag_limits(k1, k2, mass, 0.0)
     expect_close(got, (mass / k1, 2.0 * mass / k1))
 
@@ -57,13 +57,12 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
 @pytest.mark.exercise("B5.8")
 def test_without_drag_no_frame_is_too_long() -> None:
     about.read = LIMITS
-    about.cause = "where nothing drags there is no limit: math.inf for both, and nothing to divide "
-    about.cause += "by"
+    about.cause = "Without drag there is no limit. Return math.inf twice. Do not divide by 0."
     for arguments in ((0.0, 0.0, 2.0, 5.0), (0.0, 0.5, 2.0, 0.0)):
         about.call = f"[*drag_limits{arguments}]"
         got = [*drag_limits(*arguments)]
         expect_exactly(got, [math.inf, math.inf])
-    about.cause = "(k1 + k2 v) / m is 1 here"
+    about.cause = "Here (k1 + k2 v) / m is 1."
     got = drag_limits(1.0, 0.5, 2.0, 2.0)
     expect_close(got, (1.0, 2.0), call="drag_limits(1.0, 0.5, 2.0, 2.0)")
 
@@ -74,18 +73,18 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
     k1, mass, speed = positive_number(rng), positive_number(rng), positive_number(rng, 5.0, 90.0)
     k2 = round(positive_number(rng, 0.3, 3.0) * k1 / speed, 6)  # both parts of the drag count
     about.call = f"drag_limits({k1}, {k2}, {mass}, {speed})"
-    about.cause = "the limits are where 1 - (k1 + k2 |v|) h / m is 0, and where it is -1"
+    about.cause = "At the limits, 1 - (k1 + k2 |v|) h / m is 0 and -1."
     first, second = drag_limits(k1, k2, mass, speed)
     for limit, share, wanted, cause in (
-        (first, 0.98, 1, "in a frame a little below the first limit the drag only slows down"),
-        (first, 1.02, -1, "in a frame a little above the first limit the drag turns round"),
-        (second, 0.98, -1, "below the second limit it is turned round, and slower than it was"),
-        (second, 1.02, -2, "above the second limit it is turned round, and faster than it was"),
+        (first, 0.98, 1, "Just below the first limit, a step only slows the motion down."),
+        (first, 1.02, -1, "Just above the first limit, a step reverses the motion."),
+        (second, 0.98, -1, "Just below the second limit, the reversed motion is slower."),
+        (second, 1.02, -2, "Just above the second limit, the reversed motion is faster."),
     ):
         about.cause = cause
         h = limit * share
-        name = f"{about.call} = (a, b); a frame of {h!r} s with Drag({k1}, {k2}) at {speed} m/s"
-        name += ": 1 slower, -1 turned round and slower, -2 turned round and faster"
+        name = f"{about.call} = (a, b); a step of {h!r} s with Drag({k1}, {k2}) at {speed} m/s"
+        name += ": 1 slower, -1 reversed and slower, -2 reversed and faster"
         _, velocity = with_drag((speed, 0.0, 0.0), k1, k2, mass, h, 1)
         v = velocity[0] / speed
         kind = 1 if 0.0 <= v < 1.0 else -1 if -1.0 <= v < 0.0 else -2 if v < -1.0 else 0
@@ -96,8 +95,7 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
 @pytest.mark.robust
 def test_limits_need_numbers_that_mean_something() -> None:
     about.read = LIMITS
-    about.cause = "refuse it with ValueError: the functions of arguments.py do, one for each "
-    about.cause += "argument"
+    about.cause = "Raise ValueError. The functions of arguments.py do this, one for each argument."
     for bad in (
         (-0.3, 0.05, 2.0, 5.0),
         (0.3, -0.05, 2.0, 5.0),

@@ -1,4 +1,4 @@
-"""Gravity that weakens with the square of the distance: exercise 5.4."""
+"""Gravity that decreases with the square of the distance, exercise 5.4."""
 
 from __future__ import annotations
 
@@ -31,8 +31,7 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
     center, way = components(rng), direction(rng)
     mass, mu = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.5, 1.0, 20.0, 4000.0, 1e6):
-        about.cause = "m mu / r^2 along the unit vector to the center; m mu d / r^3 with d, the "
-        about.cause += "way there"
+        about.cause = "The force is m mu / r^2, along the unit vector toward the center."
         place = away_from(center, way, distance)
         about.call = f"p = Particle({distance} m from the center, mass={mass}); "
         about.call += f"InverseSquareGravity(Vector3{center}, {mu}).update_force(p, 0.5)"
@@ -44,20 +43,20 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         x, y, z = xyz(place)
         reach = math.hypot(x, y, z)
         slips = {
-            "m mu / r: r for r^2, or the vector to the center where its unit vector is meant": [
+            "This decreases with r, not r^2. Check the power, and normalize the direction.": [
                 part * distance for part in wanted
             ],
-            "m mu / r^3 along the unit vector": [part / distance for part in wanted],
-            "a push away from the center": [-part for part in wanted],
-            "mu / r^2, without the mass": [part / mass for part in wanted],
-            "gravity towards (0, 0, 0), not towards the center": [
+            "This decreases with r^3.": [part / distance for part in wanted],
+            "This pushes away from the center.": [-part for part in wanted],
+            "The mass is missing.": [part / mass for part in wanted],
+            "This pulls toward (0, 0, 0) instead of the center.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],
         }
         blame(got, slips)
         # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12 * size)
-        about.cause = "position and center are only read: -= and normalize work in place"
+        about.cause = "Do not change position or center. -= and normalize work in place."
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
@@ -74,8 +73,7 @@ def test_at_the_center_there_is_no_finite_force() -> None:
     ):
         about.call = f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3(1, 2, 3)); "
         about.call += f"InverseSquareGravity(Vector3(), {mu}).update_force(p, 0.5)"
-        about.cause = "where r is 0, whatever mu, or m mu / r^2 too large for a float, there is no "
-        about.cause += "force to add: raise ArithmeticError before anything is added"
+        about.cause = "Raise ArithmeticError if r is 0 or if m mu / r^2 is too large for a float."
         p = Particle(Vector3(x, 0, 0), mass=mass)
         p.add_force(Vector3(1, 2, 3))
         expect_error(
@@ -85,7 +83,7 @@ def test_at_the_center_there_is_no_finite_force() -> None:
                 Particle(Vector3(0, 1, 0)), 0.5
             ),
         )
-        about.cause = "ask whether the force is finite before it is added"
+        about.cause = "Check that the force is finite before you add it."
         got = xyz(p.force_accumulator)
         expect_close(got, (1, 2, 3), then="; p.force_accumulator")
 
@@ -94,8 +92,7 @@ def test_at_the_center_there_is_no_finite_force() -> None:
 @pytest.mark.robust
 def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
     about.read = READ
-    about.cause = "1e-120 squared fits in a float, cubed it is 0; 1e200 squared does not fit, and "
-    about.cause += "the force is as good as 0: take (m / r) (mu / r), and a unit vector"
+    about.cause = "r^3 or r^2 can underflow or overflow. Use (m / r) (mu / r) and a unit vector."
     for y, mu, force in (
         (1e-120, 2.0, -3e240),
         (1e-150, 2e-50, -3e250),
@@ -116,18 +113,17 @@ def test_inverse_square_gravity_leaves_an_immovable_particle_alone() -> None:
     about.read = READ
     about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); InverseSquareGravity(Vector3(), "
     about.call += "10.0).update_force(p, 0.5); p.force_accumulator"
-    about.cause = "ask has_finite_mass: infinity times 0 is NaN"
+    about.cause = "Check has_finite_mass first. Infinity times 0 is NaN."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
     p.position = Vector3()
-    about.cause = "at the center an immovable particle is left alone as well: ask for the mass "
-    about.cause += "first"
+    about.cause = "Skip an immovable particle at the center too. Check the mass first."
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     name = about.call.replace("(0, 2, 0)", "()")
     expect_close(xyz(p.force_accumulator), ZERO, call=name)
     about.call = about.call.replace("math.inf", "4.0")
-    about.cause = "a finite mass has a weight"
+    about.cause = "A particle of finite mass must still feel the force."
     p = Particle(Vector3(0, 2, 0), mass=4.0)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), (0, -10.0, 0))
@@ -139,19 +135,19 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     force = components(rng)
     about.call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= InverseSquareGravity(Vector3(), -6.0); gravity.update_force(p, 0.5)"
-    about.cause = "a negative mu pushes away; the force is added to what is there"
+    about.cause = "A negative mu pushes away. Add the force to the other forces."
     p, gravity = Particle(Vector3(2, 0, 0), mass=2.0), InverseSquareGravity(Vector3(), -6.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 3.0, force[1], force[2])
     got = xyz(p.force_accumulator)
     expect_close(got, wanted, then="; p.force_accumulator")
-    about.cause = "the center and the position are only read"
+    about.cause = "Do not change the center or the position."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
     about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "read self.center and self.mu each time"
+    about.cause = "Read self.center and self.mu in every call."
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)
@@ -165,42 +161,43 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
     mass, center = round(rng.uniform(2.0, 9.0), 3), components(rng)
     about.call = "p at (0.4, 0, 0) from the center with (0, 2, 0) m/s, mu = 1; a second of "
     about.call += "gravity.update_force(), p.integrate()"
-    about.cause = "every mass moves on Kepler's ellipse, and half the frame has half the error: is "
-    about.cause += "it m mu / r^2, towards the center?"
+    about.cause = "Is the force m mu / r^2 toward the center? Then every mass follows Kepler's "
+    about.cause += "ellipse, and half the step gives half the error."
     exact = (-0.62894818, 0.79966473, 0.0)
     ends = [orbit(ELLIPSE, 1.0, mass, 1.0 / n, n, center)[0] for n in (1000, 2000)]
     errors = [math.dist(end, exact) for end in ends]
     # Explicit Euler is off by 7.1 h here, and its next term is 0.3 % of that.
     expect_close(
-        errors[0], 0.0, then=" in frames of 1/1000 s: how far off p.position is", tolerance=0.008
+        errors[0], 0.0, then=" in steps of 1/1000 s: the error of p.position", tolerance=0.008
     )
     expect_close(
         errors[0] / errors[1],
         2.0,
-        then=": that over how far off it is in frames of 1/2000 s",
+        then=": this error divided by the error in steps of 1/2000 s",
         tolerance=0.02,
     )
 
 
 @pytest.mark.exercise("5.4")
 def test_the_orbit_closes() -> None:
-    about("p at (0.4, 0, 0) with (0, 2, 0) m/s, mu = 1; a turn, 2 pi s, of ", read=READ)
+    about("p at (0.4, 0, 0) with (0, 2, 0) m/s, mu = 1; one orbit, 2 pi s, of ", read=READ)
     about.call += "gravity.update_force(), p.integrate()"
-    about.cause = "with 1 / r^2 the ellipse closes: as the frames get shorter, so does the gap "
-    about.cause += "after a turn"
+    about.cause = "With 1 / r^2 the orbit closes: shorter steps leave a smaller gap."
     counts = (10_000, 20_000)
     ends = [orbit(ELLIPSE, 1.0, 1.0, PERIOD / n, n, ZERO)[0] for n in counts]
     gaps = [math.dist(end, ELLIPSE[0]) for end in ends]
     # 1.973 for explicit Euler: 2, and a term of the order of h.
     expect_close(
-        gaps[0] / gaps[1], 2.0, then=": the gap in 10000 frames over that in 20000", tolerance=0.05
+        gaps[0] / gaps[1],
+        2.0,
+        then=": the gap in 10000 steps divided by the gap in 20000",
+        tolerance=0.05,
     )
-    # Of what is off with h and with h / 2, twice the second minus the first is left: that is of
-    # second order, 0.0265 m with these.
+    # Richardson's rule removes the error of first order. The rest is of second order, 0.0265 m.
     left = math.dist([2.0 * b - a for a, b in zip(*ends, strict=True)], ELLIPSE[0])
     expect_close(
         left,
         0.0,
-        then=": the gap for frames without any length, by Richardson's rule",
+        then=": the gap extrapolated to a step of 0 s by Richardson's rule",
         tolerance=0.03,
     )

@@ -1,4 +1,4 @@
-"""Gravity towards a point, of one strength: exercise 5.3."""
+"""Gravity of constant strength toward a point, exercise 5.3."""
 
 from __future__ import annotations
 
@@ -30,8 +30,7 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
     mass, strength = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.1, 1.0, 25.0, 4000.0):
         place = away_from(center, way, distance)
-        about.cause = "m times the strength, along the unit vector from the particle to the "
-        about.cause += "center: the distance does not matter, its direction does"
+        about.cause = "The force is m g toward the center at any distance. Normalize the direction."
         about.call = f"p = Particle({distance} m from the center, mass={mass}); "
         about.call += f"PointGravity(Vector3{center}, {strength}).update_force(p, 0.5)"
         p = Particle(place, Vector3(5, 6, 7), mass=mass)
@@ -40,21 +39,19 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         got = xyz(p.force_accumulator)
         reach = math.hypot(*xyz(place))
         slips = {
-            "a push away from the center": [-part for part in wanted],
-            "m g times the vector to the center, which is no unit vector": [
+            "This pushes away from the center.": [-part for part in wanted],
+            "This grows with the distance. Normalize the vector to the center.": [
                 part * distance for part in wanted
             ],
-            "g, without the mass": [part / mass for part in wanted],
-            "a force that weakens with r^2, which is exercise 5.4": [
-                part / distance**2 for part in wanted
-            ],
-            "gravity towards (0, 0, 0), not towards the center": [
+            "The mass is missing.": [part / mass for part in wanted],
+            "This decreases with r^2, as in exercise 5.4.": [part / distance**2 for part in wanted],
+            "This pulls toward (0, 0, 0) instead of the center.": [
                 -mass * strength * part / reach for part in xyz(place)
             ],
         }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=ROUNDED)
-        about.cause = "position and center are only read: -= and normalize work in place"
+        about.cause = "Do not change position or center. -= and normalize work in place."
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
@@ -76,20 +73,18 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
     center = components(rng)
     about.call = f"p = Particle(Vector3{center}); PointGravity(Vector3{center}, "
     about.call += "10.0).update_force(p, 0.5)"
-    about.cause = "at the center every direction is as good: there is no force, and nothing to "
-    about.cause += "divide by"
+    about.cause = "At the center there is no direction, so add no force. Do not divide by 0."
     p = Particle(Vector3(*center))
     PointGravity(Vector3(*center), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator")
-    expect_full_strength(1e-9, "near the center the force is as strong as anywhere")
+    expect_full_strength(1e-9, "The force has its full strength near the center too.")
 
 
 @pytest.mark.exercise("5.3")
 @pytest.mark.robust
 def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
-    about.cause = "near the center the force is as strong as anywhere: the square of 1e-170 is 0 "
-    about.cause += "in a float, and the distance is not"
+    about.cause = "The square of 1e-170 rounds to 0, but the distance is not 0. Use the magnitude."
     expect_full_strength(1e-170, about.cause)
 
 
@@ -97,12 +92,12 @@ def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
 def test_point_gravity_leaves_an_immovable_particle_alone() -> None:
     about("p = Particle(Vector3(0, 2, 0), mass=math.inf); PointGravity(Vector3(), ", read=READ)
     about.call += "10.0).update_force(p, 0.5); p.force_accumulator"
-    about.cause = "ask has_finite_mass: infinity times 0 is NaN"
+    about.cause = "Check has_finite_mass first. Infinity times 0 is NaN."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
     about.call = about.call.replace("math.inf", "4.0")
-    about.cause = "a finite mass has a weight"
+    about.cause = "A particle of finite mass must still feel the force."
     p = Particle(Vector3(0, 2, 0), mass=4.0)
     PointGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), (0, -40.0, 0))
@@ -114,19 +109,19 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     force, center = components(rng), (7.0, 0.0, 0.0)
     about.call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= PointGravity(Vector3(), -5.0); gravity.update_force(p, 0.5)"
-    about.cause = "a negative strength pushes away; the force is added to what is there"
+    about.cause = "A negative strength pushes away. Add the force to the other forces."
     p, gravity = Particle(Vector3(3, 0, 0), mass=2.0), PointGravity(Vector3(), -5.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 10.0, force[1], force[2])
     got = xyz(p.force_accumulator)
     expect_close(got, wanted, then="; p.force_accumulator")
-    about.cause = "the center and the position are only read"
+    about.cause = "Do not change the center or the position."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
     expect_unchanged("p.position", xyz(p.position), (3, 0, 0))
     about.call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "read self.center and self.strength each time"
+    about.cause = "Read self.center and self.strength in every call."
     gravity.center, gravity.strength = Vector3(*center), 1.5
     p.clear_forces()
     gravity.update_force(p, 0.5)

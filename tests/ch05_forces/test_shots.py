@@ -1,4 +1,4 @@
-"""How a shot of the sniper range is fired, and what it hits: project 4.2b."""
+"""Firing a shot on the sniper range and finding what it hits, project 4.2b."""
 
 from __future__ import annotations
 
@@ -46,13 +46,13 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
     for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
         about.call = f"range = SniperRange(1); range.shoot({azimuth}, {elevation})"
         at = SniperRange(1)
-        about.cause = "a bullet was fired: True"
+        about.cause = "Return True when a bullet was fired."
         fired = at.shoot(azimuth, elevation)
         expect_exactly(fired, True)
         expect_exactly(at.bullet is None, False, then="; range.bullet is None")
         bullet: Any = at.bullet
-        about.cause = "sin(elevation) goes to y, cos(elevation) is left along the ground; the "
-        about.cause += "azimuth turns that from Z to X"
+        about.cause = "y is sin(elevation). The horizontal part is cos(elevation), and the azimuth "
+        about.cause += "rotates it from Z toward X."
         wanted = (
             120.0 * math.cos(elevation) * math.sin(azimuth),
             120.0 * math.sin(elevation),
@@ -60,22 +60,22 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         )
         got = xyz(bullet.velocity)
         slips = {
-            "a shot with azimuth and elevation exchanged": (
+            "Azimuth and elevation are swapped.": (
                 120.0 * math.cos(azimuth) * math.sin(elevation),
                 120.0 * math.sin(azimuth),
                 wanted[2],
             ),
-            "a shot with an azimuth that turns the other way, away from X": (
+            "The azimuth turns the wrong way, away from X.": (
                 -wanted[0],
                 *wanted[1:],
             ),
-            "a shot with sine and cosine of the azimuth exchanged": wanted[::-1],
-            "a shot with all of the speed along the ground, without cos(elevation)": (
+            "The sine and the cosine of the azimuth are swapped.": wanted[::-1],
+            "The horizontal part is not multiplied by cos(elevation).": (
                 120.0 * math.sin(azimuth),
                 wanted[1],
                 120.0 * math.cos(azimuth),
             ),
-            "a shot whose angles are taken for degrees, and not for radians": (
+            "The angles are in radians. Do not convert them from degrees.": (
                 120.0 * math.cos(math.radians(elevation)) * math.sin(math.radians(azimuth)),
                 120.0 * math.sin(math.radians(elevation)),
                 120.0 * math.cos(math.radians(elevation)) * math.cos(math.radians(azimuth)),
@@ -83,14 +83,14 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         }
         blame(got, slips)
         expect_close(got, wanted, then="; range.bullet.velocity")
-        about.cause = "MUZZLE, GRAVITY and BULLET_MASS stand at the head of the file; damping is 1"
+        about.cause = "Use MUZZLE, GRAVITY and BULLET_MASS from the top of the file, and damping 1."
         got = xyz(bullet.position)
         expect_close(got, (0, 1.5, 0), then="; range.bullet.position")
         got = xyz(bullet.acceleration)
         expect_close(got, (0, -2, 0), then="; range.bullet.acceleration")
         numbers = (bullet.mass, bullet.damping)
         expect_close(numbers, (1.0, 1.0), then="; mass and damping of range.bullet")
-        about.cause = "each shot is taken off"
+        about.cause = "Each shot reduces shots_left by 1."
         expect_exactly(at.shots_left, 9, then="; range.shots_left")
 
 
@@ -99,7 +99,7 @@ def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
     about.call += "range.bullet.force_accumulator"
-    about.cause = "shoot registers the bullet and the wind with self.forces, once"
+    about.cause = "Add the bullet and the wind to self.forces once."
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)
     at.shoot(0.0, 0.0)
@@ -115,9 +115,9 @@ def test_the_wind_acts_on_the_bullet() -> None:
 def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     about.read = SHOOT
     a, e = draw_angles(rng)
-    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); a frame of 1/60 s later"
+    about.call = f"range = SniperRange(1); range.shoot({a}, {e}); a step of 1/60 s later"
     at = SniperRange(1)
-    about.cause = "a frame moves the bullet on by v h, once"
+    about.cause = "One step moves the bullet by v h once."
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
@@ -127,7 +127,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     way = "the docstring of update"
     expect_close(place[:2], wanted, call=name, read=way, tolerance=1e-12)
     about.call += "; range.shoot(0.0, 0.0)"
-    about.cause = "while a bullet is in flight none is fired, and the shot is not taken off"
+    about.cause = "While a bullet is in flight, return False and change nothing."
     expect_exactly(at.shoot(0.0, 0.0), False)
     expect_exactly(at.shots_left, 9, then="; range.shots_left")
     bullet = at.bullet
@@ -138,12 +138,12 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
 def test_without_shots_left_none_is_fired() -> None:
     about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
     about.call += "range.bullet = None; range.shoot(0.0, 0.0)"
-    about.cause = "when no shots are left, False comes back and nothing is fired"
+    about.cause = "When no shots are left, return False and fire nothing."
     at = SniperRange(1)
     at.shots_left = 1
     fired = at.shoot(0.0, 0.0)
     expect_exactly(
-        fired, True, call="range.shots_left = 1; range.shoot(0.0, 0.0)", cause="one is left"
+        fired, True, call="range.shots_left = 1; range.shoot(0.0, 0.0)", cause="One shot is left."
     )
     at.bullet = None
     expect_exactly(at.shoot(0.0, 0.0), False)
@@ -158,8 +158,7 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
     about.read = SHOOT
     for angles in ((bad, 0.0), (0.0, bad)):
         about.call = f"range.shoot{angles}"
-        about.cause = "refuse an angle beyond SWING, 0.2, to either side with ValueError; 0.2 is "
-        about.cause += "allowed"
+        about.cause = "Raise ValueError for an angle beyond +-SWING (0.2). Exactly 0.2 is allowed."
         at = SniperRange(1)
 
         def allowed() -> None:
@@ -167,12 +166,11 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
                 SniperRange(1).shoot(*good)
 
         expect_error(lambda at=at, angles=angles: at.shoot(*angles), ValueError, allowed=allowed)
-        about.cause = "look at both angles before a shot is taken off"
+        about.cause = "Check both angles before you change shots_left."
         expect_exactly(at.shots_left, 10, then="; range.shots_left")
         expect_exactly(at.bullet is None, True, then="; range.bullet is None")
         at.shoot(0.0, 0.0)
-        about.cause = "a wrong angle is refused while a bullet is in flight, too: look at the "
-        about.cause += "angles first"
+        about.cause = "Check the angles first, so that a bad angle is rejected during a flight too."
         expect_error(
             lambda at=at, angles=angles: at.shoot(*angles),
             ValueError,
@@ -187,8 +185,10 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
 @pytest.mark.exercise("P4.2b")
 def test_the_innermost_ring_counts(rng: Random) -> None:
     about.read = "the docstring of ring_points"
-    about.cause = "the rings are 0.1, 0.25 and 0.5 m for 10, 5 and 2 points, by the distance from "
-    about.cause += "the middle"
+    about.cause = (
+        "The rings have radii of 0.1, 0.25 and 0.5 m and give 10, 5 and 2 points. Use the "
+    )
+    about.cause += "distance from the center."
     turn = rng.uniform(0.1, 1.4)
     for away, points in (
         (0.0, 10),
@@ -201,17 +201,17 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
     ):
         for angle in (turn, turn + math.pi):
             x, y = away * math.cos(angle), away * math.sin(angle)
-            about.call = f"ring_points({x!r}, {y!r}), {away} m from the middle"
+            about.call = f"ring_points({x!r}, {y!r}), {away} m from the center"
             got = ring_points(x, y)
             slips = {
-                "the points of all rings that it lies in": sum(
+                "This adds the points of all rings. Only the smallest ring counts.": sum(
                     points for radius, points in RINGS if away <= radius
                 ),
-                "the largest ring's points, where the smallest counts": RINGS[-1][1],
+                "These are the points of the largest ring. Check the smallest first.": RINGS[-1][1],
             }
             why = named(got, about.cause, slips)
             expect_exactly(got, points, cause=why)
-    about.cause = "one on the edge of a ring lies in it"
+    about.cause = "A point on the edge of a ring is inside it."
     for x, y, points in ((0.1, 0.0, 10), (0.0, -0.25, 5), (-0.5, 0.0, 2), (0.3, 0.4, 2)):
         about.call = f"ring_points({x}, {y})"
         expect_exactly(ring_points(x, y), points)
@@ -219,7 +219,7 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
 
 @scoped
 def way_of(start: tuple[float, float, float], end: tuple[float, float, float]) -> tuple[str, Any]:
-    """Return the words and the hole that a way makes, as numbers, or None."""
+    """Return the call and the hole that a path makes, as numbers, or None."""
     about(f"hit_on_the_way(Vector3{start}, Vector3{end})", read=WAY)
     first, last = Vector3(*start), Vector3(*end)
     hole = hit_on_the_way(first, last)
@@ -253,8 +253,13 @@ def expect_hole(
     x, y, points = hole
     middle, height, _, factor = TARGETS[distance]
     slips = {
-        "a hole without the target's factor": (*TARGETS[distance], x, y, points / factor),
-        "a hole where it is in the world, not from the target's middle": (
+        "The points are not multiplied by the target's factor.": (
+            *TARGETS[distance],
+            x,
+            y,
+            points / factor,
+        ),
+        "This is the hole's position in the world. Subtract the target's center.": (
             *TARGETS[distance],
             x + middle,
             y + height,
@@ -281,14 +286,16 @@ def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, f
 @pytest.mark.exercise("P4.2b")
 def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
-    about.cause = "each target on the way is asked: x and y are seen from its middle, and its "
-    about.cause += "rings' points are multiplied by its factor"
+    about.cause = (
+        "Check every target on the path. Measure x and y from its center, and multiply the "
+    )
+    about.cause += "points by its factor."
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)
             end = (middle + x, height + y, distance + 1.0)
             expect_hole(start, end, (distance, x, y, 10 * factor))
-    about.cause = "a way that slants: x and y have come as far as z has, here a quarter of the way"
+    about.cause = "This path is oblique. Interpolate x and y at the plane, here a quarter along."
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
@@ -298,32 +305,36 @@ def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> 
 @pytest.mark.exercise("P4.2b")
 def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
     for start, end, cause in (
-        ((-2.1, 1.5, 49.0), (-2.1, 1.5, 51.0), "it passes beside the target"),
-        ((-1.5, 1.5, 40.0), (-1.5, 1.5, 49.9), "it ends before the target"),
-        ((-1.5, 1.5, 50.1), (-1.5, 1.5, 60.0), "it begins behind the target"),
-        ((-1.5, 1.5, 51.0), (-1.5, 1.5, 49.0), "it comes from behind"),
+        ((-2.1, 1.5, 49.0), (-2.1, 1.5, 51.0), "This path passes beside the target."),
+        ((-1.5, 1.5, 40.0), (-1.5, 1.5, 49.9), "This path ends before the target."),
+        ((-1.5, 1.5, 50.1), (-1.5, 1.5, 60.0), "This path begins behind the target."),
+        ((-1.5, 1.5, 51.0), (-1.5, 1.5, 49.0), "This path comes from behind."),
         (
             (-1.5, 1.5, 50.0),
             (-1.5, 1.5, 50.0),
-            "it goes nowhere: ask for start.z < distance before you divide",
+            "This path has no length. Check start.z < distance before you divide.",
         ),
         (
             (3.5, 1.5, 49.0),
             (-1.5, 1.5, 51.0),
-            "at the plane it is at x = 1, and only later at -1.5",
+            "At the plane x is 1. It is -1.5 only at the end of the path.",
         ),
-        ((-1.5, 1.5, 50.0), (-1.5, 1.5, 52.0), "start.z < distance: that plane was passed before"),
+        (
+            (-1.5, 1.5, 50.0),
+            (-1.5, 1.5, 52.0),
+            "The step before has already passed this plane. Use start.z < distance.",
+        ),
     ):
         about.cause = cause
         expect_no_hole(start, end)
-    about.cause = "distance <= end.z: this frame still passes the plane, and the next one does not"
+    about.cause = "A path that ends on the plane hits it. Use distance <= end.z."
     expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10))
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_long_way_hits_the_first_target_that_it_meets() -> None:
-    about.cause = "of two targets on the way the nearer stops the bullet"
+    about.cause = "The nearer of two targets stops the bullet."
     expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10))
-    about.cause = "the nearer target is missed, so the next on the way is asked"
+    about.cause = "The path misses the nearer target. Continue with the next one."
     expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20))
     expect_hole((2.0, 1.5, 25.0), (2.0, 1.5, 175.0), (150.0, 0.0, 0.0, 30))

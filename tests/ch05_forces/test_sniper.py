@@ -1,4 +1,4 @@
-"""How a round of the sniper range goes on, without a screen: project 4.2b."""
+"""A round of the sniper range without a screen, project 4.2b."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ FRAME = 1.0 / 60.0
 
 
 def fallen(frames: float) -> float:
-    """Return how far a bullet without drag has fallen after so many frames.
+    """Return how far a bullet without drag has fallen after this number of steps.
 
-    Explicit Euler falls g h^2 n (n - 1) / 2 in n frames; within a frame the way is straight.
+    Explicit Euler falls g h^2 n (n - 1) / 2 in n steps. Within a step the path is straight.
     """
     n = math.floor(frames)
     before, after = (FRAME**2 * k * (k - 1) for k in (n, n + 1))  # g is 2 m/s^2
@@ -38,7 +38,7 @@ def fallen(frames: float) -> float:
 
 
 def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
-    """Fire a bullet of a range, put it there, let no force act on it, and return it."""
+    """Fire a bullet, give it this position and velocity, and let no force act on it."""
     at.shoot(0.0, 0.0)
     at.forces.clear()
     bullet: Any = at.bullet
@@ -50,8 +50,10 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
 @pytest.mark.exercise("P4.2b")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
     about.read = UPDATE
-    about.cause = "in each frame: a copy of the position, the forces, the step, and then what the "
-    about.cause += "way from that copy to the new position has hit"
+    about.cause = (
+        "In each step: copy the position, update the forces, integrate, and check what the "
+    )
+    about.cause += "path from the copy to the new position has hit."
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
         azimuth, elevation = math.atan2(x, distance), distance * 0.00007
         level = 120.0 * math.cos(elevation) * math.cos(azimuth)
@@ -60,43 +62,43 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         about.call += "range.update(1/60) until it has landed"
         came = play([(azimuth, elevation)], FRAME)
         holes = [tuple(hole) for hole in came["holes"]]
-        expect_exactly(len(holes), 1, then="; how many holes")
+        expect_exactly(len(holes), 1, then="; number of holes")
         frames = math.floor(distance / (level * FRAME))
-        about.cause = "the target stops the bullet: it has landed then, and range.bullet is None"
-        expect_exactly(len(came["positions"]), frames, then="; frames in flight before")
+        about.cause = "The target stops the bullet. Set range.bullet to None."
+        expect_exactly(len(came["positions"]), frames, then="; steps in flight before")
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
         # A hundred roundings of positions up to 150 m.
         wanted = (distance, 0.0, y, points)
         expect_close(
             holes[0], wanted, then="; distance, x, y and points of the hole", tolerance=1e-10
         )
-        about.cause = "its points are added to the score; they hold the target's factor already"
+        about.cause = "Add the points to the score. They already include the target's factor."
         expect_exactly(came["score"], points, then="; range.score")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_the_wind_carries_the_bullet_away() -> None:
     about.call = "range with a wind of 10 m/s along X; range.shoot(0.0, 0.02); range.update(1/60)"
-    asks = "every frame asks the registry for the forces, once, and then moves the bullet"
-    about(cause=f"{asks}; past END_OF_RANGE, 210 m along Z, it has landed", read=UPDATE)
+    once = "In each step, update the forces once and then integrate."
+    about(cause=f"{once} The shot has landed beyond END_OF_RANGE, z > 210 m.", read=UPDATE)
     still = play([(0.0, 0.02)], FRAME, wind=(0.0, 0.0, 0.0), k1=0.05)["positions"]
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
     frames = (len(blown), len(still))
-    # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in frame 109.
-    blame(frames, {"a flight without drag": (105, 105)})
-    expect_exactly(frames, (109, 109), then=": frames in flight, and in still air")
+    # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in step 109.
+    blame(frames, {"This is a flight without drag.": (105, 105)})
+    expect_exactly(frames, (109, 109), then=": steps in flight, and in still air")
     # x' of the book's step with dv/dt = (w - v) k: in units of w, the velocity is 1 - (1 - k h)^n.
     keep = 1.0 - 0.05 * FRAME
     x = 10.0 * FRAME * (109 - (1.0 - keep**109) / (1.0 - keep))
     wanted = (x, 0.0)
     got = (blown[-1][0], still[-1][0])
-    about.cause = asks
+    about.cause = once
     if got[1] != 0.0:
-        about.cause = "in still air nothing pushes along X: the wind changes when the shot has "
-        about.cause += "landed, and not before"
+        about.cause = "The wind changes only after the shot has landed."
     expect_close(got, wanted, then=": x at the end, and in still air", tolerance=1e-10)
     z = 120.0 * math.cos(0.02) * FRAME * (1.0 - keep**109) / (1.0 - keep)
-    expect_close(blown[-1][2], z, then=": z at the end", cause="drag slows it down", tolerance=1e-9)
+    about.cause = "Drag slows the bullet down."
+    expect_close(blown[-1][2], z, then=": z at the end", tolerance=1e-9)
 
 
 @pytest.mark.exercise("P4.2b")
@@ -105,8 +107,7 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
     h = round(rng.uniform(0.1, 0.3), 3)
     about.call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); a Drag(0.5, 0.0) "
     about.call += f"of the bullet added to range.forces; range.update({h})"
-    about.cause = "the duration goes to update_forces and to integrate; all forces of the registry "
-    about.cause += "act"
+    about.cause = "Pass the duration to update_forces and to integrate. All registered forces act."
     at = SniperRange(1)
     at.wind.k1, at.wind.k2, at.wind.velocity = 0.25, 0.0, Vector3(5, 0, 0)
     at.shoot(0.0, 0.1)
@@ -127,7 +128,7 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
 def test_what_is_exactly_at_the_edge_flies_on() -> None:
     about("a bullet without forces from (20, 1, 178) with (0, -2, 64) m/s; ", read=UPDATE)
     about.call += "range.update(0.5): the bullet is at (20, 0, 210); range.bullet is None"
-    about.cause = "landed is below the ground, y < 0, and past END_OF_RANGE, z > 210"
+    about.cause = "A shot has landed where y < 0 or z > 210. Use < and >, not <= and >=."
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
@@ -135,9 +136,9 @@ def test_what_is_exactly_at_the_edge_flies_on() -> None:
     got = xyz(bullet.position)
     expect_close(got, (20, 0, 210), then="; its position")
     about.call = "a bullet without forces from (5, 1.5, 190) with (0, 0, 60) m/s; "
-    about.call += "range.update(0.5): it passes the target at 200 m and ends at 220 m; how many "
+    about.call += "range.update(0.5): it passes the target at 200 m and ends at 220 m; number of "
     about.call += "holes"
-    about.cause = "what is hit on the way is hit, wherever the frame ends"
+    about.cause = "Check for a hit before you check for the end of the range."
     at = SniperRange(1)
     thrown(at, (5.0, 1.5, 190.0), (0.0, 0.0, 60.0))
     at.update(0.5)
@@ -148,8 +149,8 @@ def test_what_is_exactly_at_the_edge_flies_on() -> None:
 def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
     about.read = UPDATE
     for (azimuth, elevation), cause in (
-        ((0.1, -0.1), "below the ground, y < 0, the shot has landed"),
-        ((0.15, 0.19), "past END_OF_RANGE, 210 m, the shot has landed"),
+        ((0.1, -0.1), "A shot below the ground, y < 0, has landed."),
+        ((0.15, 0.19), "A shot beyond END_OF_RANGE, z > 210 m, has landed."),
     ):
         about.cause = cause
         about.call = f"range without drag; range.shoot({azimuth}, {elevation}); range.update(1/60) "
@@ -160,9 +161,9 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
         while 1.5 + rises * (n + 1) >= fallen(n + 1) and along * (n + 1) <= 210.0:
             n += 1
         came = play([(azimuth, elevation)], FRAME)
-        expect_exactly(len(came["positions"]), n, then="; frames in flight")
+        expect_exactly(len(came["positions"]), n, then="; steps in flight")
         got = (len(came["holes"]), came["score"], came["shots_left"])
-        about.cause = "a miss makes no hole and scores nothing"
+        about.cause = "A miss makes no hole and scores nothing."
         expect_exactly(got, (0, 0, 9), then="; holes, score and shots left")
 
 
@@ -175,12 +176,12 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
     for aim, what in (((0.1, -0.1), "misses"), ((math.atan2(-1.5, 50.0), 0.0035), "hits")):
         about.call = f"range.wind.velocity = Vector3{wind}; range.shoot{aim}, which {what}; "
         about.call += "range.update(1/60)"
-        about.cause = "during the flight the wind stays as it is"
+        about.cause = "The wind must not change during a flight."
         came = play([aim], FRAME, wind=wind)
         blown = [tuple(one) for one in came["winds"]]
         during = [*dict.fromkeys(blown[:-1])]
         expect_exactly(during, [wind], then="; winds during the flight")
-        about.cause = "a shot that has landed, hit or not, changes the wind once: change_wind()"
+        about.cause = "Call change_wind() once after every shot, hit or miss."
         expect_exactly(blown[-1], drawn, then="; the wind afterwards")
 
 
@@ -189,7 +190,7 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     about("range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; ", read=UPDATE)
     about.call += "range.update(1/60) 20 times; range.forces.update_forces(0.5); "
     about.call += "bullet.force_accumulator"
-    about.cause = "take the bullet and the wind out of the registry: self.forces.remove, or clear"
+    about.cause = "Remove the bullet and the wind with self.forces.remove, or clear the registry."
     at = SniperRange(1)
     at.shoot(0.1, -0.1)
     bullet: Any = at.bullet
@@ -198,19 +199,19 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     expect_exactly(
         at.bullet is None,
         True,
-        call="range.bullet is None, after 20 frames",
-        cause="y was below 0 after 8 frames",
+        call="range.bullet is None, after 20 steps",
+        cause="y is below 0 after 8 steps, so the shot has landed.",
     )
     at.forces.update_forces(0.5)
     expect_close(xyz(bullet.force_accumulator), (0, 0, 0))
-    about.cause = "a bullet that has landed does not move any more"
+    about.cause = "A bullet that has landed must not move."
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
     expect_unchanged("bullet.position", xyz(bullet.position), place, call="range.update(1/60)")
-    about.cause = "without a bullet nothing happens: the wind of the next shot can be looked at"
+    about.cause = "Without a bullet, update must change nothing, not even the wind."
     got = xyz(at.wind.velocity)
     expect_unchanged("the wind", got, wind, call="range.update(1/60)")
-    about.cause = "once the shot has landed the next one may be fired"
+    about.cause = "The next shot can be fired as soon as this one has landed."
     expect_exactly(at.shoot(0.0, 0.0), True, call="range.shoot(0.0, 0.0)")
 
 
@@ -222,11 +223,11 @@ def test_a_whole_round_is_ten_shots() -> None:
     aims = [near, miss, far, miss, far, miss] * 2
     about.call = "twelve times range.shoot() and range.update(1/60) until it has landed, every "
     about.call += "other a hit"
-    about.cause = "ten are fired, the other two are refused"
+    about.cause = "Ten shots are fired. The other two must be rejected."
     came = play(aims, FRAME)
     expect_exactly(came["shots_left"], 0, then="; range.shots_left")
     points = [hole[3] for hole in came["holes"]]
-    about.cause = "each hit has its hole, in the order of the shots, and the score is their sum"
+    about.cause = "Append one hole per hit, in the order of the shots. The score is their sum."
     wanted = [10, 30, 30, 10, 30]
     expect_exactly(points, wanted, then="; points of the holes")
     expect_exactly(came["score"], 110, then="; range.score")
@@ -237,7 +238,7 @@ def test_a_whole_round_is_ten_shots() -> None:
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: float) -> None:
     about.read = UPDATE
-    about.cause = "positive of arguments.py raises the errors for you, before anything has moved"
+    about.cause = "Check the duration with positive() of arguments.py before anything moves."
     error = TypeError if isinstance(duration, str) else ValueError
     about.call = f"range.shoot(0.0, 0.1); range.update({duration!r})"
     flying = SniperRange(1)

@@ -32,8 +32,7 @@ def lifted(origin: tuple, radius: float, force: tuple, place: tuple) -> tuple[st
 def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -> None:
     about.read = READ
     origin, force, radius = components(rng), components(rng), round(rng.uniform(2.0, 5.0), 3)
-    about.cause = "in the column is where the distance in X and Z, sqrt(dx^2 + dz^2), is at most "
-    about.cause += "the radius; the force is that of the generator, as it is"
+    about.cause = "Add self.force, unchanged, where sqrt(dx^2 + dz^2) is at most the radius."
     # 0.6 and 0.8: the distance is the radius times the share.
     ways = [
         (dx * share * radius, dz * share * radius)
@@ -46,33 +45,35 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     ]
     inside = [math.hypot(dx, dz) <= radius for dx, dz in ways]
     rules = {
-        "the column about (0, 0), not about the origin": [
+        "This column stands at (0, 0). Measure from self.origin.": [
             math.hypot(origin[0] + dx, origin[2] + dz) <= radius for dx, dz in ways
         ],
-        "the distance in X and Y": [abs(dx) <= radius for dx, _ in ways],
-        "a square column, with dx and dz each below the radius": [
+        "This is the distance in X and Y. Use X and Z.": [abs(dx) <= radius for dx, _ in ways],
+        "This column is square: dx and dz are each compared with the radius.": [
             max(abs(dx), abs(dz)) <= radius for dx, dz in ways
         ],
-        "dx + dz compared with the radius": [abs(dx) + abs(dz) <= radius for dx, dz in ways],
-        "dx^2 + dz^2, the square of the distance, compared with the radius": [
+        "This compares |dx| + |dz| with the radius.": [
+            abs(dx) + abs(dz) <= radius for dx, dz in ways
+        ],
+        "This compares the squared distance with the radius. Square the radius too.": [
             dx * dx + dz * dz <= radius for dx, dz in ways
         ],
-        "the force outside the column, and none in it": [not acts for acts in inside],
-        "the force everywhere": [True for _ in ways],
-        "no force anywhere": [False for _ in ways],
+        "The force acts outside the column instead of inside.": [not acts for acts in inside],
+        "The force acts everywhere.": [True for _ in ways],
+        "The force acts nowhere.": [False for _ in ways],
     }
     acted = [got != ZERO for _, got in came]
     if acted != inside:
         about.cause = next(
-            (f"this is {rule}: {about.cause}" for rule in rules if rules[rule] == acted),
+            (f"{rule} {about.cause}" for rule in rules if rules[rule] == acted),
             about.cause,
         )
     for (call, got), acts in zip(came, inside, strict=True):
         about.call = call
         x, y, z = force
         slips = {
-            "the force times the mass of 4 kg": (4.0 * x, 4.0 * y, 4.0 * z),
-            "a force straight up, where the generator's has a direction": (
+            "The force is multiplied by the mass of 4 kg.": (4.0 * x, 4.0 * y, 4.0 * z),
+            "This force points straight up. Keep the direction of self.force.": (
                 0.0,
                 math.hypot(x, y, z),
                 0.0,
@@ -86,8 +87,7 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
 def test_the_column_has_no_end_upwards_or_downwards(rng: Random) -> None:
     about.read = READ
     origin, force = components(rng), components(rng)
-    about.cause = "only X and Z count: the height of the particle and that of the origin do not "
-    about.cause += "matter"
+    about.cause = "Only X and Z count. Ignore the heights of the particle and the origin."
     for height in (-500.0, 0.0, 500.0):
         place = (origin[0] + 1.0, height, origin[2] - 1.0)
         about.call, got = lifted(origin, 2.0, force, place)
@@ -101,12 +101,11 @@ def test_the_column_has_no_end_upwards_or_downwards(rng: Random) -> None:
 def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     about.read = READ
     force = components(rng)
-    about.cause = "at exactly the radius the particle is still in the column: at most, and not "
-    about.cause += "below"
+    about.cause = "A particle at exactly the radius is still in the column. Use <=, not <."
     for place in ((4.0, 7.0, 6.0), (1.0, 7.0, -3.0), (-4.0, 7.0, 2.0)):  # 3, 4, 5 and along an axis
         about.call, got = lifted((1.0, 0.0, 2.0), 5.0, force, place)
         expect_close(got, force)
-    about.cause = "a column with a radius of 0 is its middle alone"
+    about.cause = "A column of radius 0 is a line, and a particle on it is inside."
     about.call, got = lifted((1.0, 0.0, 2.0), 0.0, force, (1.0, 7.0, 2.0))
     expect_close(got, force)
 
@@ -117,7 +116,7 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     first, force, moved = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(Vector3(1, 2, 1)); p.add_force(Vector3{first}); uplift = "
     about.call += f"Uplift(Vector3(0, 1, 0), 3.0, Vector3{force}); uplift.update_force(p, 0.5)"
-    about.cause = "add_force adds; what is there already stays"
+    about.cause = "Add the force with add_force, which keeps the other forces."
     p, uplift = Particle(Vector3(1, 2, 1)), Uplift(Vector3(0, 1, 0), 3.0, Vector3(*force))
     p.add_force(Vector3(*first))
     uplift.update_force(p, 0.5)
@@ -125,20 +124,19 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     # One rounding of numbers up to 20.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-13)
-    about.cause = "the force, the position and the origin are only read"
+    about.cause = "Do not change the force, the position or the origin."
     expect_unchanged("uplift.force", xyz(uplift.force), force)
     expect_unchanged("uplift.origin", xyz(uplift.origin), (0, 1, 0))
     expect_unchanged("p.position", xyz(p.position), (1, 2, 1))
     about.call = "uplift.origin = Vector3(9, 0, 9); p.clear_forces(); uplift.update_force(p, 0.5); "
     about.call += f"then uplift.radius = 20.0, uplift.force = Vector3{moved}, and again"
-    about.cause = "the column has moved away: read self.origin, self.radius and self.force each "
-    about.cause += "time"
+    about.cause = "The column has moved away. Read self.origin in every call."
     uplift.origin = Vector3(9, 0, 9)
     p.clear_forces()
     uplift.update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO, then="; the first force")
     uplift.radius, uplift.force = 20.0, Vector3(*moved)
     uplift.update_force(p, 0.5)
-    about.cause = "read self.radius and self.force each time"
+    about.cause = "Read self.radius and self.force in every call."
     got = xyz(p.force_accumulator)
     expect_close(got, moved, then="; the second force")

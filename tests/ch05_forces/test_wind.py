@@ -37,7 +37,7 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
     about.read = READ
     v, w = components(rng), components(rng)
     k1, k2 = round(rng.uniform(0.2, 0.9), 3), round(rng.uniform(0.2, 0.9), 3)
-    about.cause = "Eq. 5.1 with u = v - w, the velocity relative to the air: -u (k1 + k2 |u|)"
+    about.cause = "The force is -u (k1 + k2 |u|) with u = v - w, the velocity relative to the air."
     u = [v[i] - w[i] for i in range(3)]
 
     def drag(a: Sequence[float], one: float, two: float) -> list[float]:
@@ -48,12 +48,16 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         wanted = drag(u, one, two)
         still, blown = drag(v, one, two), drag(w, one, two)
         slips = {
-            "the drag at v, as in still air": still,
-            "the force on a particle at rest, as if v were 0": [-part for part in blown],
-            "the drag at v + w": drag([v[i] + w[i] for i in range(3)], one, two),
-            "the drag at w - v, the other way round": [-part for part in wanted],
-            "Eq. 5.1 with k1 and k2 exchanged": drag(u, two, one),
-            "the drag at v and the push at w, each for itself": [
+            "This is the drag in still air. Subtract the velocity of the wind first.": still,
+            "This is the force on a particle at rest. Use its velocity too.": [
+                -part for part in blown
+            ],
+            "This uses v + w. Subtract the wind instead.": drag(
+                [v[i] + w[i] for i in range(3)], one, two
+            ),
+            "This uses w - v, so the force points the wrong way.": [-part for part in wanted],
+            "k1 and k2 are swapped.": drag(u, two, one),
+            "This adds two drags, one for v and one for w. Subtract first, then use |v - w|.": [
                 still[i] - blown[i] for i in range(3)
             ],
         }
@@ -66,14 +70,13 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
 def test_what_moves_with_the_air_feels_nothing(rng: Random) -> None:
     about.read = READ
     v = components(rng)
-    about.cause = "the wind blows things along until they are as fast as it is; then there is no "
-    about.cause += "force"
+    about.cause = "A particle that moves with the wind feels no force, because v - w is 0."
     about.call, got = blow(v, v, 0.5, 0.25)
     expect_close(got, ZERO)
-    about.cause = "the wind pushes what is at rest along its own way: u is v - w, and not w - v"
+    about.cause = "The wind pushes a particle at rest along w. Use v - w, not w - v."
     about.call, got = blow(ZERO, (2.0, 0.0, 0.0), 0.5, 0.25)
     expect_close(got, (2.0, 0.0, 0.0))
-    about.cause = "in still air the wind is the drag of the bullet"
+    about.cause = "In still air this is the usual drag on the bullet."
     about.call, got = blow((0.0, 0.0, 2.0), ZERO, 0.5, 0.25)
     expect_close(got, (0.0, 0.0, -2.0))
 
@@ -84,7 +87,7 @@ def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
     f, v, w = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(0.5, "
     about.call += f"0.0); wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
-    about.cause = "add_force adds; velocities are only read"
+    about.cause = "Add the force with add_force, and do not change any velocity."
     p, wind = Particle(velocity=Vector3(*v)), Wind(0.5, 0.0)
     p.add_force(Vector3(*f))
     wind.velocity = Vector3(*w)
@@ -102,15 +105,14 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
     about.call = f"range = SniperRange({seed}); range.change_wind() 400 times; range.wind.velocity"
-    about.cause = "self.random.uniform draws a number"
+    about.cause = "Draw the numbers with self.random.uniform."
     (seen,) = winds([seed], 400)
-    expect_exactly(len(seen), 401, call=f"how many: {about.call}", cause="one each time")
-    about.cause = "the wind is level: its y is 0"
+    expect_exactly(len(seen), 401, call=f"how many: {about.call}", cause="One wind per call.")
+    about.cause = "The wind is horizontal, so its y component is 0."
     highest = max(abs(y) for _, y, _ in seen)
     expect_close(highest, 0.0, then=": the largest |y|")
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
-        about.cause = f"{name} is uniform from -STRONGEST_WIND to STRONGEST_WIND, 10 m/s, anew "
-        about.cause += "each time"
+        about.cause = f"Draw {name} uniformly from -STRONGEST_WIND to STRONGEST_WIND (10 m/s)."
         # Of 401 uniform numbers in 20 none lies in the last of either side once in 10^8 runs, and
         # their mean is beyond 2 more seldom: 7 times its deviation.
         for what, got, low, high in (
@@ -119,18 +121,19 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
             ("mean", sum(blown) / len(blown), -2.0, 2.0),
         ):
             middle, reach = (low + high) / 2.0, (high - low) / 2.0
-            why = "beyond 10 m/s, as where what is drawn is added to the old wind: " + about.cause
-            why = why if abs(got) > 10.0 else about.cause
+            why = about.cause
+            if abs(got) > 10.0:
+                why = f"This exceeds 10 m/s. Do not add the new wind to the old one. {why}"
             expect_close(got, middle, then=f": the {what} {name}", cause=why, tolerance=reach)
-    about.cause = "x and z are drawn each for itself, so the wind is weak at times"
+    about.cause = "Draw x and z independently. Then the wind is weak now and then."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
     expect_close(weak, 79, then=": how often it is below 5 m/s", tolerance=52)
     # x z > 0 for half of all: 200 of 401, and beyond these bounds once in 10^11 runs.
-    about.cause = "x and z are drawn each for itself: the wind comes from every side"
+    about.cause = "Draw x and z independently. Then the wind comes from all directions."
     same = sum(x * z > 0.0 for x, _, z in seen)
     expect_close(same, 200, then=": how often x and z have the same sign", tolerance=70)
-    about.cause = "x and z are drawn each for itself, so they are the same as good as never"
+    about.cause = "Draw x and z independently. Then they are almost never equal."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then=": how often |x| is |z|")
 
@@ -139,7 +142,7 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
 def test_the_wind_stays_the_same_generator() -> None:
     about.read = CHANGE
     about.call = "range = SniperRange(1); wind = range.wind; wind.k1 = 0.5; range.change_wind()"
-    about.cause = "only the velocity changes: the registry knows this very wind"
+    about.cause = "Change the velocity of self.wind. Keep the object: the registry holds it."
     at = SniperRange(1)
     wind = at.wind
     before = xyz(wind.velocity)
@@ -150,7 +153,7 @@ def test_the_wind_stays_the_same_generator() -> None:
     now = xyz(at.wind.velocity)
     gap = tuple(now[i] - after[i] for i in range(3))
     expect_close(gap, ZERO, then="; range.wind.velocity minus wind.velocity")
-    about.cause = "a new wind was drawn"
+    about.cause = "Draw a new velocity."
     expect_exactly(after == before, False, then="; is it the same as before")
 
 
@@ -159,14 +162,13 @@ def test_the_wind_follows_the_seed_of_its_range(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
     about.call = f"ranges of the seeds {seed}, {seed} and {seed + 1}; change_wind() of each in turn"
-    about.cause = "draw with self.random: the same seed gives the same winds, whatever else is "
-    about.cause += "drawn"
+    about.cause = "Draw with self.random, so that the same seed always gives the same winds."
     first, second, other = winds([seed, seed, seed + 1], 6)
     same = sum(a == b for a, b in zip(first, second, strict=True))
     expect_exactly(same, 7, then=": winds that are the same for one seed")
-    about.cause = "another seed gives other winds"
+    about.cause = "A different seed must give different winds."
     same = sum(a == b for a, b in zip(first, other, strict=True))
     expect_exactly(same, 0, then=": winds that are the same for two seeds")
-    about.cause = "each change draws a new wind"
+    about.cause = "Draw a new wind in every call."
     kinds = len({tuple(w) for w in first})
     expect_exactly(kinds, 7, then=": how many winds the first has seen")

@@ -1,4 +1,4 @@
-"""What must run beside the student's code: loops of steps, and generators that keep a record.
+"""Code that runs in the student's process: loops of steps, and generators that record their calls.
 
 Each function takes and returns plain numbers.
 """
@@ -34,7 +34,7 @@ def state_of(particle: Particle) -> State:
 
 
 def pushed(force: Components, mass: float, damping: float, duration: float, frames: int) -> State:
-    """Push a particle from rest at the origin, by the same force in every frame."""
+    """Push a particle from rest at the origin with the same force in every step."""
     particle = Particle(mass=mass, damping=damping)
     for _ in range(frames):
         particle.add_force(Vector3(*force))
@@ -43,7 +43,7 @@ def pushed(force: Components, mass: float, damping: float, duration: float, fram
 
 
 class Recorder:
-    """A generator that writes down whom it was asked for. To == they are all alike."""
+    """A generator that records its calls. All recorders are equal under ==."""
 
     def __init__(self, index: int, calls: list[Call], particles: Sequence[Particle]) -> None:
         self.index = index
@@ -64,11 +64,13 @@ class Recorder:
 
 
 def asked(immovable: Sequence[int], acts: Sequence[tuple]) -> list[Call]:
-    """Do to a registry of three particles and three generators what ``acts`` say.
+    """Carry out ``acts`` on a registry of three particles and three generators.
 
-    They are ("add", 0, 2), ("remove", 0, 2), ("clear",), ("update", 0.5) and ("free", 0), which
-    makes a particle movable. Return each call of update_force: its particle, its generator and its
-    duration.
+    An act is ("add", 0, 2), ("remove", 0, 2), ("clear",), ("update", 0.5), or ("free", 0), which
+    makes a particle movable.
+
+    Returns:
+        The particle, the generator and the duration of each call of update_force.
     """
     calls: list[Call] = []
     particles = [Particle(mass=2.0) for _ in range(3)]
@@ -100,9 +102,10 @@ class Push:
 
 
 def gathered(by_hand: Components, pushes: Sequence[Components]) -> list[Components]:
-    """Add a force by hand, and one by a generator for each push.
+    """Add one force directly, and one force per push by a generator.
 
-    Return the sum after the registry was filled, after an update, and after it was emptied.
+    Returns:
+        The sum when the registry is full, after an update, and when it is empty again.
     """
     particle = Particle(mass=2.0)
     particle.add_force(Vector3(*by_hand))
@@ -131,7 +134,7 @@ def failing() -> ForceRegistry:
 
 
 def asked_after_a_refusal(duration: float, immovable: bool) -> int:
-    """Let an update be refused, then make one of 0.5 s; return how many were asked in all."""
+    """Update with a bad duration, then for 0.5 s, and return the number of generator calls."""
     calls: list[Call] = []
     particle = Particle(mass=2.0)
     if immovable:
@@ -150,10 +153,12 @@ def asked_after_a_refusal(duration: float, immovable: bool) -> int:
 
 
 def asked_while_it_changes(what: str) -> list[int]:
-    """Let the first of three generators change the registry when it is asked; update twice.
+    """Update twice while the first of three generators changes the registry.
 
-    It removes or adds itself, removes the second, or clears all. Return how many calls each update
-    made.
+    It removes or adds itself, removes the second, or clears the registry.
+
+    Returns:
+        The number of generator calls in each update.
     """
     counts = [0]
     particle = Particle()
@@ -185,7 +190,7 @@ def asked_while_it_changes(what: str) -> list[int]:
 def fall(
     gravity: Components, mass: float, damping: float, duration: float, frames: int
 ) -> tuple[State, State]:
-    """Let two particles fall from rest: by the generator, and by the constant acceleration."""
+    """Let two particles fall, one by the generator and one by its constant acceleration."""
     by_force = Particle(mass=mass, damping=damping)
     built_in = Particle(acceleration=Vector3(*gravity), mass=mass, damping=damping)
     generator = Gravity(Vector3(*gravity))
@@ -205,7 +210,7 @@ def with_drag(
     frames: int,
     gravity: float = 0.0,
 ) -> State:
-    """Move a particle from the origin under drag, and under gravity along -Y as acceleration."""
+    """Move a particle from the origin with drag, and with gravity as an acceleration along -Y."""
     particle = Particle(
         velocity=Vector3(*velocity), acceleration=Vector3(0.0, -gravity, 0.0), mass=mass
     )
@@ -217,9 +222,12 @@ def with_drag(
 
 
 def braked(seed: int, tries: int) -> list[float]:
-    """Brake particles in one frame each, with a k above m / h; return what is left of each speed.
+    """Brake particles for one step each with k above m / h.
 
-    It is a share of what it was. Each moves along X, with another k, mass, speed and h.
+    Each particle moves along X and has its own k, mass, speed and h.
+
+    Returns:
+        The fraction of each speed that is left.
     """
     rng = Random(seed)
     shares = []
@@ -238,7 +246,7 @@ def braked(seed: int, tries: int) -> list[float]:
 def orbit(
     start: State, mu: float, mass: float, duration: float, frames: int, center: Components
 ) -> State:
-    """Move a particle under inverse square gravity; return its state relative to the center."""
+    """Move a particle by inverse-square gravity and return its state relative to the center."""
     position = Vector3(*center) + Vector3(*start[0])
     particle = Particle(position, Vector3(*start[1]), mass=mass)
     gravity = InverseSquareGravity(Vector3(*center), mu)
@@ -249,7 +257,7 @@ def orbit(
 
 
 def winds(seeds: Sequence[int], changes: int) -> list[list[Components]]:
-    """Let the wind of ranges with these seeds change in turn; return the winds of each."""
+    """Change the winds of ranges with these seeds in turn and return the winds of each range."""
     ranges = [SniperRange(seed) for seed in seeds]
     seen = [[xyz(one.wind.velocity)] for one in ranges]
     for _ in range(changes):
@@ -268,11 +276,13 @@ def play(
     k2: float = 0.0,
     seed: int = 1,
 ) -> dict[str, Any]:
-    """Fire at these azimuths and elevations, one after the other; each lands within 8 seconds.
+    """Fire at these azimuths and elevations in turn. Each shot must land within 8 seconds.
 
-    The air that the first shot meets moves with ``wind``, where one is given. Return what came of
-    it: the position of the bullet after each frame after which it was still in flight, the wind
-    after each frame, the holes as (distance of the target, x, y, points), score and shots left.
+    The first shot flies in the wind ``wind`` if it is given.
+
+    Returns:
+        The positions of the bullet in flight and the winds, one per step, the holes as (distance
+        of the target, x, y, points), the score, and the number of shots left.
     """
     at = SniperRange(seed)
     at.wind.k1, at.wind.k2 = k1, k2

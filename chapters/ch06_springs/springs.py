@@ -190,7 +190,7 @@ class ElasticLimitSpring:
 
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.1: add the force; at the limit itself there is no jump in it."""
-        raise NotImplementedError("Exercise 6.1: A spring with a limit of elasticity")
+        raise NotImplementedError("Exercise 6.1: A spring with an elastic limit")
 
 
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:

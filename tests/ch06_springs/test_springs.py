@@ -1,4 +1,4 @@
-"""Springs with two ends, build task B6.1: the force, and who gets it."""
+"""Springs with two ends, build task B6.1: the force, and the particle that it acts on."""
 
 from __future__ import annotations
 
@@ -40,23 +40,27 @@ def spring_slips(
         return [size * part for part in d]
 
     return {
-        "the listing's abs(l - l0), with which a compressed spring pulls (E-3)": along(
+        "This uses abs(l - l0), so a compressed spring pulls. Remove abs (E-3).": along(
             -abs(pull) - c * rate
         ),
-        "damping that pushes with the motion": along(c * rate - pull),
-        "a force along the offset, with the minus forgotten": along(pull + c * rate),
-        "-k l d^, without the rest length": along(-k * length - c * rate),
-        "the right size times the offset, which is no unit vector": along(
+        "The damping pushes along the motion. Check its sign.": along(c * rate - pull),
+        "This force points along the offset. The minus sign is missing.": along(pull + c * rate),
+        "This is -k l d^. Subtract the rest length from the length.": along(-k * length - c * rate),
+        "This is multiplied by the offset. Normalize the offset first.": along(
             -(pull + c * rate) * length
         ),
-        "l^2 in the place of the length": along(-k * (length**2 - rest) - c * rate),
-        "a spring without its damping": along(-pull),
-        "no force, as of a rope, which is slack where it is short": along(0.0 * pull),
-        "damping of all of the velocity, -c v": [
+        "This uses the squared length. Take the magnitude.": along(
+            -k * (length**2 - rest) - c * rate
+        ),
+        "The damping is missing.": along(-pull),
+        "There is no force, as if this were a slack rope.": along(0.0 * pull),
+        "The damping is -c v. Use only the part of v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
         ],
-        "damping by the speed |v|": along(-pull - c * math.hypot(*velocity)),
-        "damping by v . offset, and the offset is no unit vector": along(-pull - c * rate * length),
+        "The damping uses the speed |v|. Use v . d^.": along(-pull - c * math.hypot(*velocity)),
+        "The damping uses v . offset. Normalize the offset first.": along(
+            -pull - c * rate * length
+        ),
     }
 
 
@@ -65,9 +69,9 @@ def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> No
     about.read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
     for share, cause in (
-        (1.5, "a spring that is longer than at rest pulls this end back: against the offset"),
-        (0.5, "a spring that is shorter than at rest pushes this end away"),
-        (1e-3, "a spring that is shorter than at rest pushes this end away"),
+        (1.5, "A stretched spring pulls this end back, against the offset."),
+        (0.5, "A compressed spring pushes this end away, along the offset."),
+        (1e-3, "A compressed spring pushes this end away, along the offset."),
     ):
         about.cause = cause
         offset = tuple(share * rest * part for part in d)
@@ -78,7 +82,8 @@ def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> No
         # A few roundings of numbers up to 60.
         expect_close(got, wanted, tolerance=1e-12)
     about.call = "spring_force(Vector3(1, 0, 0), Vector3(), 10, 2)"
-    about.cause = "length 1, at rest 2: it pushes with 10 N; printed is a pull of 10 N (E-3)"
+    about.cause = "The length is 1 m and the rest length 2 m, so the spring pushes with 10 N. The "
+    about.cause += "printed formula gives a pull (E-3)."
     got = xyz(spring_force(Vector3(1.0, 0.0, 0.0), Vector3(), 10.0, 2.0))
     expect_close(got, (10.0, 0.0, 0.0))
 
@@ -88,7 +93,7 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
     k, rest, c = positive_number(rng), positive_number(rng, 1.0, 5.0), positive_number(rng)
-    about.cause = "damping is -c l' d^, with l' = v . d^, the part of the velocity along the spring"
+    about.cause = "The damping is -c (v . d^) d^, where d^ is the unit vector along the spring."
     for v, stiffness in ((velocity, 0.0), (velocity, k)):
         about.call = f"spring_force(Vector3{offset}, Vector3{v}, {stiffness}, {rest}, {c})"
         got = xyz(spring_force(Vector3(*offset), Vector3(*v), stiffness, rest, c))
@@ -98,14 +103,14 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=1e-11)
     across = (-offset[1], offset[0], 0.0)
     about.call = f"spring_force(Vector3{offset}, Vector3{across}, 0.0, {rest}, {c})"
-    about.cause = "motion straight across the spring does not change its length: no damping"
+    about.cause = "Motion across the spring does not change its length, so it is not damped."
     got = xyz(spring_force(Vector3(*offset), Vector3(*across), 0.0, rest, c))
     expect_close(got, ZERO, tolerance=1e-11)
     about.call = "spring_force(Vector3(0, 2, 0), Vector3(0, 3, 0), 0.0, 2.0, 5.0)"
-    about.cause = "a spring that grows longer is held back: against the velocity, c times it"
+    about.cause = "The damping acts against the velocity along the spring."
     got = xyz(spring_force(Vector3(0.0, 2.0, 0.0), Vector3(0.0, 3.0, 0.0), 0.0, 2.0, 5.0))
     expect_close(got, (0.0, -15.0, 0.0))
-    about.cause = "a compressed spring has its damping too, even where that is more than its push"
+    about.cause = "A compressed spring is damped too, even if the damping exceeds the push."
     for speed, wanted in ((-5.0, 25.0), (5.0, -5.0)):
         about.call = f"spring_force(Vector3(0, 1, 0), Vector3(0, {speed}, 0), 10, 2, 3)"
         got = xyz(spring_force(Vector3(0.0, 1.0, 0.0), Vector3(0.0, speed, 0.0), 10.0, 2.0, 3.0))
@@ -117,12 +122,11 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     about.read = READ
     v = components(rng)
     about.call = f"spring_force(Vector3(), Vector3{v}, 100.0, 2.0, 3.0)"
-    about.cause = "without an offset there is no direction, and no force: normalized() keeps zero "
-    about.cause += "as zero"
+    about.cause = "A zero offset has no direction, so there is no force. normalized() returns zero."
     got = xyz(spring_force(Vector3(), Vector3(*v), 100.0, 2.0, 3.0))
     expect_close(got, ZERO)
     about.call = "spring_force(Vector3(0, 1e-9, 0), Vector3(), 100.0, 2.0)"
-    about.cause = "ends that are near each other are not at one place: the spring pushes with k l0"
+    about.cause = "The ends are close but not at the same point, so the spring pushes with k l0."
     got = xyz(spring_force(Vector3(0.0, 1e-9, 0.0), Vector3(), 100.0, 2.0))
     expect_close(got, (0.0, 200.0 - 1e-7, 0.0), tolerance=1e-10)
     about.call = f"p at the anchor with velocity {v}; AnchoredSpring(Vector3{v}, 100.0, 2.0, "
@@ -130,11 +134,13 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     p = Particle(Vector3(*v), Vector3(*v))
     AnchoredSpring(Vector3(*v), 100.0, 2.0, 3.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
-    about.cause = "the offset is p.position minus the anchor, here zero: no direction, no force"
-    slips = {"the spring of (0, 0, 0), with no anchor taken off": hooke(v, v, 100.0, 2.0, 3.0)}
+    about.cause = (
+        "The offset is p.position minus the anchor. Here it is zero, so there is no force."
+    )
+    slips = {"This spring hangs at (0, 0, 0). Subtract self.anchor.": hooke(v, v, 100.0, 2.0, 3.0)}
     expect_close(got, ZERO, cause=named(got, about.cause, slips))
     about.call = "spring_force(Vector3(2, 0, 0), Vector3(), 100.0, 1.0)"
-    about.cause = "where there is a direction there is a force"
+    about.cause = "This offset has a direction, so there is a force."
     got = xyz(spring_force(Vector3(2.0, 0.0, 0.0), Vector3(), 100.0, 1.0))
     expect_close(got, (-100.0, 0.0, 0.0))
 
@@ -144,17 +150,17 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
     about.call = f"o, v = Vector3{offset}, Vector3{velocity}; spring_force(o, v, 3.0, 1.0, 2.0)"
-    about.cause = "normalize and *= work in place: use normalized and *"
+    about.cause = "normalize and *= change the vector. Use normalized and *."
     o, v = Vector3(*offset), Vector3(*velocity)
     force = spring_force(o, v, 3.0, 1.0, 2.0)
     expect_unchanged("o", xyz(o), offset)
     expect_unchanged("v", xyz(v), velocity)
     wanted = hooke(offset, velocity, 3.0, 1.0, 2.0)
-    about.cause = "-(k (l - l0) + c l') d^"
+    about.cause = "The force is -(k (l - l0) + c l') d^."
     expect_close(xyz(force), wanted, tolerance=1e-11)
     about.call = f"p at {offset}, velocity {velocity}; q at {velocity}, velocity {offset}; "
     about.call += "Spring(q, 3.0, 1.0, 2.0).update_force(p, 0.5)"
-    about.cause = "-= and normalize work in place: use - and normalized"
+    about.cause = "-= and normalize change the vector. Use - and normalized."
     p = Particle(Vector3(*offset), Vector3(*velocity))
     q = Particle(Vector3(*velocity), Vector3(*offset))
     Spring(q, 3.0, 1.0, 2.0).update_force(p, 0.5)
@@ -173,7 +179,7 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     expect_unchanged("spring.anchor", xyz(spring.anchor), offset)
     expect_unchanged("p.position", xyz(p.position), velocity)
     about.call = "o = Vector3(); f = spring_force(o, Vector3(), 3.0, 1.0); f.x = 99.0"
-    about.cause = "what comes back is new, where there is no direction too"
+    about.cause = "Always return a new vector, even if there is no direction."
     o = Vector3()
     f = spring_force(o, Vector3(), 3.0, 1.0)
     f.x = 99.0
@@ -185,14 +191,16 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     about.read = "book 6.2.1 and the docstring of Spring"
     here, there, v, w, f = (components(rng) for _ in range(5))
     k, c = positive_number(rng), positive_number(rng)
-    rest = round(2.0 * math.dist(here, there), 3)  # it is too short, and below too long
+    rest = round(2.0 * math.dist(here, there), 3)  # compressed here, and stretched below
     about.call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; p.add_force(Vector3{f}); "
     about.call += f"p has 2 kg, q 3 kg; s = Spring(q, {k}, {rest}, {c}); s.update_force(p, 0.5)"
     p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
     q = Particle(Vector3(*there), Vector3(*w), mass=3.0)
     p.add_force(Vector3(*f))
-    about.cause = "offset and velocity are the particle's minus the other's, damping counts, and "
-    about.cause += "the force is added to p's; no mass is in it"
+    about.cause = (
+        "Subtract the other particle's position and velocity from p's. Add the force to p. "
+    )
+    about.cause += "The masses do not matter."
     s = Spring(q, k, rest, c)
     s.update_force(p, 0.5)
     offset = tuple(a - b for a, b in zip(here, there, strict=True))
@@ -202,28 +210,28 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     back = tuple(-part for part in offset)
     forces = {
-        "a spring with q's place minus p's, the other way round": hooke(back, relative, k, rest, c),
-        "a spring with q's velocity minus p's, the other way round": hooke(
+        "The offset is q - p. Use p - q.": hooke(back, relative, k, rest, c),
+        "The velocity is q's minus p's. Use p's minus q's.": hooke(
             offset, tuple(-part for part in relative), k, rest, c
         ),
-        "a spring with p's velocity alone, and q's is not taken off": hooke(offset, v, k, rest, c),
-        "a spring without its damping": hooke(offset, relative, k, rest, 0.0),
-        "a push, the opposite of the force": tuple(-part for part in pull),
-        "the force divided by the mass of p": tuple(part / 2.0 for part in pull),
-        "the force divided by the mass of q": tuple(part / 3.0 for part in pull),
-        "no force on p, the particle that it is asked for": ZERO,
+        "The velocity is p's alone. Subtract q's velocity.": hooke(offset, v, k, rest, c),
+        "The damping is missing.": hooke(offset, relative, k, rest, 0.0),
+        "The force points the wrong way.": tuple(-part for part in pull),
+        "The force is divided by the mass of p.": tuple(part / 2.0 for part in pull),
+        "The force is divided by the mass of q.": tuple(part / 3.0 for part in pull),
+        "There is no force on p, the particle that was passed.": ZERO,
     }
     slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
-    slips["the pull alone, and what was there is lost"] = [*pull]
+    slips["The other force on p is gone. Use add_force."] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
-    about.cause = "one Spring acts on one end; q gets its force from a Spring of its own"
+    about.cause = "A Spring acts only on p. Another Spring acts on q."
     expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = "s = Spring(q, 1, 1, 1) has acted; s.stiffness, s.rest_length, s.damping = 5, 2, "
     about.call += "3; p at (0, 3, 0), velocity (0, 1, 0), q at rest at (0, 0, 0); "
     about.call += "s.update_force(p, 0.5)"
-    about.cause = "read the attributes each time: -(5 (3 - 2) + 3 * 1)"
+    about.cause = "Read the attributes in every call. The force is -(5 (3 - 2) + 3 * 1)."
     s.stiffness, s.rest_length, s.damping = 5.0, 2.0, 3.0
     p, q.position, q.velocity = Particle(Vector3(0, 3, 0), Vector3(0, 1, 0)), Vector3(), Vector3()
     s.update_force(p, 0.5)
@@ -236,7 +244,7 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     about.read = "book 6.2.2 and the docstring of AnchoredSpring"
     here, v = components(rng), components(rng)
     first, second = components(rng), components(rng)
-    # It is too long at the first anchor, and too short at the second.
+    # The spring is stretched at the first anchor and compressed at the second.
     rest, longer = round(0.5 * math.dist(here, first), 3), round(2.0 * math.dist(here, second), 3)
     k, c = positive_number(rng), positive_number(rng)
     about.call = f"p at {here}, velocity {v}; s = AnchoredSpring(Vector3{first}, {k}, {rest}, "
@@ -244,28 +252,29 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     p = Particle(Vector3(*here), Vector3(*v), mass=2.0)
     s = AnchoredSpring(Vector3(*first), k, rest, c)
     about.call += "s.update_force(p, 0.5)"
-    about.cause = "the offset is the particle's position minus the anchor, the velocity its own; "
-    about.cause += "stiffness, rest length and damping are the spring's, and no mass is in the "
-    about.cause += "force"
+    about.cause = (
+        "The offset is p.position minus the anchor, and the velocity is p.velocity. The mass "
+    )
+    about.cause += "does not matter."
     s.update_force(p, 0.5)
     offset = tuple(a - b for a, b in zip(here, first, strict=True))
     wanted = hooke(offset, v, k, rest, c)
     got = xyz(p.force_accumulator)
     slips = {
-        "a spring with anchor minus position, the other way round": hooke(
+        "The offset is anchor - position. Use position - anchor.": hooke(
             tuple(-part for part in offset), v, k, rest, c
         ),
-        "a spring without its damping": hooke(offset, v, k, rest, 0.0),
-        "a spring with a rest length of 0": hooke(offset, v, k, 0.0, c),
-        "the spring of (0, 0, 0), with no anchor taken off": hooke(here, v, k, rest, c),
-        "a push, the opposite of the force": tuple(-part for part in wanted),
+        "The damping is missing.": hooke(offset, v, k, rest, 0.0),
+        "This uses a rest length of 0.": hooke(offset, v, k, 0.0, c),
+        "This spring hangs at (0, 0, 0). Subtract self.anchor.": hooke(here, v, k, rest, c),
+        "The force points the wrong way.": tuple(-part for part in wanted),
     }
     blame(got, slips)
     expect_close(got, wanted, tolerance=1e-11)
     about.call += f"; p.clear_forces(); s.anchor = Vector3{second}; s.stiffness, s.rest_length, "
     about.call += "s.damping = "
     about.call += f"{2 * k}, {longer}, {4 * c}; s.update_force(p, 0.5)"
-    about.cause = "read the attributes each time: a camera's anchor moves"
+    about.cause = "Read the attributes in every call. An anchor may move."
     p.clear_forces()
     s.anchor, s.stiffness, s.rest_length, s.damping = Vector3(*second), 2 * k, longer, 4 * c
     s.update_force(p, 0.5)
@@ -279,15 +288,15 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
 def test_a_particle_between_two_springs_swings_with_its_period() -> None:
     about.read = "book 6.3.2, Eq. 6.3"
     about.call = "p of 2 kg, AnchoredSpring(Vector3(), 50, 0), released 0.5 m away; "
-    about.call += "spring.update_force(p, h), p.integrate(h) in frames of 1/4000 s, to the third "
+    about.call += "spring.update_force(p, h), p.integrate(h) in steps of 1/4000 s, to the third "
     about.call += "return"
-    about.cause = "chi^2 = k / m: a period of 2 pi / 5 s, whatever the direction"
+    about.cause = "The period is 2 pi sqrt(m / k), here 2 pi / 5 s, in every direction."
     for axis in range(3):
         start = [0.0, 0.0, 0.0]
         start[axis] = 0.5
         period = swinging((start[0], start[1], start[2]), 50.0, 2.0, 1.0 / 4000.0, 12000)
-        # Explicit Euler's own error in the period is k h^2 / m / 3, some 5e-7 of it, and a
-        # crossing lies between two frames.
+        # Explicit Euler has a relative error of k h^2 / m / 3 in the period, about 5e-7, and a
+        # crossing lies between two steps.
         wanted = 2.0 * math.pi / 5.0
         expect_close(period, wanted, then=": period", tolerance=1e-4)
 
@@ -298,11 +307,11 @@ def test_a_spring_of_its_length_at_rest_does_nothing(rng: Random) -> None:
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
     offset = tuple(rest * part for part in d)
     about.call = f"spring_force(Vector3{offset}, Vector3(), {k}, {rest})"
-    about.cause = "k (l - l0) is 0 where l is l0"
+    about.cause = "k (l - l0) is 0 at the rest length."
     got = xyz(spring_force(Vector3(*offset), Vector3(), k, rest))
     expect_close(got, ZERO, tolerance=1e-13)
     about.call = f"spring_force(Vector3{offset}, Vector3(), {k}, 0.0)"
-    about.cause = "a spring without a rest length pulls with k times the offset"
+    about.cause = "With a rest length of 0 the force is -k times the offset."
     got = xyz(spring_force(Vector3(*offset), Vector3(), k, 0.0))
     wanted = tuple(-k * part for part in offset)
     expect_close(got, wanted)

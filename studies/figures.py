@@ -21,23 +21,43 @@ from studies.engine import use_engine
 from studies.reason import shown
 
 PLOTS = (
+    "ch02_vectors/addition",
+    "ch02_vectors/projection",
     "ch02_vectors/cross_product",
+    "ch03_laws_of_motion/trajectories",
+    "ch03_laws_of_motion/integration_error",
     "ch03_laws_of_motion/damping_comparison",
+    "ch04_particle_engine/shots",
     "ch04_particle_engine/fireworks",
+    "ch04_particle_engine/step_error",
+    "ch05_forces/terminal_speeds",
+    "ch05_forces/fall_with_drag",
     "ch05_forces/orbit",
+    "ch06_springs/force_against_length",
+    "ch06_springs/three_regimes",
+    "ch06_springs/energy_over_time",
+    "ch06_springs/error_against_work",
     "ch06_springs/stability_map",
     "ch07_constraints/bounce_heights",
+    "ch07_constraints/stack_height",
+    "ch07_constraints/rope_by_method",
     "ch08_mass_aggregate/mass_ratios",
+    "ch08_mass_aggregate/wheel_deformation",
+    "ch08_mass_aggregate/trebuchet_range",
+    "ch09_rotations/order_of_turns",
+    "ch09_rotations/turning_motion",
     "ch09_rotations/drift_of_first_order",
+    "ch09_rotations/gimbal_lock",
 )
-# For how many seconds each scene is played.
+# For how many seconds each scene is played, and when its still picture is taken. Pages show the
+# still picture and link to the animation, so that nothing moves unless the reader wants it to.
 ANIMATIONS = {
-    "ch04_particle_engine/fireworks": 6.0,
-    "ch05_forces/sniper": 11.0,
-    "ch06_springs/cloth": 7.0,
-    "ch07_constraints/ropes": 6.0,
-    "ch08_mass_aggregate/trebuchet": 5.5,
-    "ch09_rotations/spin": 4.5,
+    "ch04_particle_engine/fireworks": (6.0, 2.5),
+    "ch05_forces/sniper": (11.0, 3.0),
+    "ch06_springs/cloth": (7.0, 4.0),
+    "ch07_constraints/ropes": (6.0, 1.0),
+    "ch08_mass_aggregate/trebuchet": (5.5, 2.0),
+    "ch09_rotations/spin": (4.5, 2.0),
 }
 COLORS_OF_PLOT, COLORS_OF_ANIMATION = 256, 48
 WIDTH = 480  # px, of an animation
@@ -66,9 +86,11 @@ def main(arguments: list[str]) -> int:
                     [_palette(drawn.convert("RGB"), COLORS_OF_PLOT)], options.out / f"{name}.png"
                 )
         pyplot.close("all")
-    for name, seconds in ANIMATIONS.items():
+    for name, (seconds, still) in ANIMATIONS.items():
         animation, _, _ = record(load(Path(name).name)(), work / Path(name).parent, seconds)
-        _write(_shrunk(animation), options.out / f"{name}.gif")
+        pictures = _shrunk(animation)
+        _write(pictures, options.out / f"{name}.gif")
+        _write([pictures[round(1000 * still / PICTURE_TIME)]], options.out / f"{name}_still.png")
         done.append(True)
     print(f"{sum(done)} of {len(done)} pictures drawn by {options.engine}")
     return 0 if all(done) else 1

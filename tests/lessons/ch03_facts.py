@@ -1,0 +1,98 @@
+"""The numbers of chapter 3's lesson, by the reference."""
+
+from __future__ import annotations
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.damping import damp_per_frame
+from ch03_laws_of_motion.exercises import gravity_between, stepping_error
+from ch03_laws_of_motion.particle import Particle
+
+
+def pushed(mass: float) -> float:
+    """Return the speed that 6 N give a mass in half a second."""
+    particle = Particle(acceleration=Vector3(6) * Particle(mass=mass).inverse_mass)
+    particle.kick(0.5)
+    return particle.velocity.x
+
+
+def masses() -> dict[str, float]:
+    particle = Particle()
+    particle.inverse_mass = 0.1
+    return {"1.5": pushed(2), "0.75": pushed(4), "10": particle.mass}
+
+
+def skaters() -> dict[str, float]:
+    momentum = Particle(velocity=Vector3(1.6), mass=50).momentum()
+    return {"80": momentum.x}
+
+
+def damped(steps: int) -> float:
+    velocity = Vector3(1)
+    for _ in range(steps):
+        velocity = damp_per_frame(velocity, Vector3(), 0.99, 1 / 60)
+    return velocity.x
+
+
+def damping() -> dict[str, float]:
+    puck = Particle(velocity=Vector3(1), damping=0.25)
+    puck.kick(0.5)
+    return {"0.547": damped(60), "0.299": damped(120), "0.5": puck.velocity.x}
+
+
+def steps() -> dict[str, float]:
+    ball = Particle(velocity=Vector3(0, 20), acceleration=Vector3(0, -10))
+    heights, speeds = [], []
+    for _ in range(4):
+        ball.integrate(0.5)
+        heights.append(ball.position.y)
+        speeds.append(ball.velocity.y)
+    assert heights[0] == 10
+    return {
+        "17.5": heights[1],
+        "22.5": heights[2],
+        "25": heights[3],
+        "15": speeds[0],
+        "10": speeds[1],
+        "5": speeds[2],
+        "1.5": 3 * 0.5,
+        "20": 20 * 2 - 10 * 2**2 / 2,  # the school formula
+    }
+
+
+def forces() -> dict[str, float]:
+    slow, fast = (Particle(velocity=Vector3(speed), mass=2) for speed in (3, 6))
+    return {
+        "6.67e-7": gravity_between(100, 100, 1),
+        "9": slow.kinetic_energy(),
+        "36": fast.kinetic_energy(),
+    }
+
+
+def error(acceleration: float, rate: float, steps: int) -> float:
+    start = Vector3(), Vector3(), Vector3(acceleration)
+    return stepping_error(*start, 1 / rate, steps).x
+
+
+def errors() -> dict[str, float]:
+    p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
+    rate = 9.81 / 0.01  # steps per second, for an error of 9.81 * 2 * h / 2 = 0.01 m
+    return {
+        "1.4": 1000 * error(9.81, 60, 1),  # mm
+        "5": stepping_error(p, v, a, 1, 5).x,
+        "0.167": error(10, 60, 120),
+        "0.083": error(10, 120, 240),
+        "0.00102": 1 / rate,
+        "981": rate,
+    }
+
+
+SECTIONS = {
+    "A game that never sees the whole motion": ("60", dict),
+    "Mass: how hard it is to change a velocity": ("6 0.1 0.5 0.25", masses),
+    "Momentum: what stays": ("50 1.6", skaters),
+    "Damping: slowing down at any frame rate": ("99 0.99 60 120 0.25 15", damping),
+    "The step": ("0.5 60", steps),
+    "Three short exercises about forces": ("6.67428e-11 100 9.81 6", forces),
+    "How wrong is a step?": ("10 0.5 60 120 9.81 0.01", errors),
+    "Frames that do not arrive on time": ("10 60", dict),
+}

@@ -1,0 +1,59 @@
+"""Read a lesson: its sections, its commands, and the numbers in it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+from autograder.manifest import ROOT
+
+# What a section is about, as numbers that it may name, and the numbers that the reference computes.
+Section = tuple[str, Callable[[], dict[str, float]]]
+
+NUMBER = re.compile(r"(?<![\w.,])\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?(?![\w])")
+ALWAYS = {"0", "1", "2", "3", "4"}  # small numbers are words
+# Numbers that name something: exercises, sections, chapters, equations, errata.
+NAMES = re.compile(
+    r"(?:[Ee]xercises?|[Ss]ections?|[Cc]hapters?|Eq\.|E-|[BGP]|CH=|EX=)"
+    r"[\s(]*\d[\d.]*[a-d]?(?:(?:,| and| to|,? or) [BGP]?\d[\d.]*[a-d]?)*"
+)
+
+
+def lesson_of(chapter: str) -> str:
+    """Return the text of a chapter's lesson."""
+    return (ROOT / "chapters" / chapter / "README.md").read_text(encoding="utf-8")
+
+
+def sections_of(text: str) -> dict[str, str]:
+    """Return the parts of a lesson below its headings of the second level."""
+    parts = re.split(r"(?m)^## (.+)\n", text)
+    return dict(zip(parts[1::2], parts[2::2], strict=True))
+
+
+def numbers_in(section: str) -> list[str]:
+    """Return the numbers that a reader sees, without those in code, links and names."""
+    text = re.sub(r"(?ms)^```.*?^```", " ", section)
+    text = re.sub(r"`[^`]*`|\]\([^)]*\)|(?m:^\*\*Your turn\*\*.*$)", " ", text)
+    text = NAMES.sub(" ", text)
+    return [token for token in NUMBER.findall(text) if token not in ALWAYS]
+
+
+def agrees(token: str, value: float) -> bool:
+    """Say whether a number as it is printed is a value, rounded to the digits that it has."""
+    digits = token.replace(",", "")
+    mantissa, _, exponent = digits.partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    unit = 10.0 ** (int(exponent or 0) - decimals)
+    return abs(abs(value) - float(digits)) <= 0.5001 * unit
+
+
+def lab_commands(text: str) -> list[tuple[str, dict[str, str]]]:
+    """Return the scene and the settings of each `make lab SCENE=...` in a text."""
+    found = re.findall(r'make lab SCENE=([\w-]+)(?: SET="([^"]*)")?', text)
+    return [(s, dict(word.split("=", 1) for word in settings.split())) for s, settings in found]
+
+
+def facts_of(chapter: str) -> Path:
+    """Return the module that computes a lesson's numbers."""
+    return Path(__file__).with_name(f"{chapter[:4]}_facts.py")

@@ -1,0 +1,108 @@
+"""Each lesson is complete, and every number, command and link in it is right."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+from types import ModuleType
+
+import pytest
+from lessons.lesson import (
+    agrees,
+    facts_of,
+    lab_commands,
+    lesson_of,
+    numbers_in,
+    sections_of,
+)
+
+from autograder.manifest import ROOT, Chapter, load_chapters
+from lab.catalog import find, load
+from lab.parameters import Parameter
+
+CHAPTERS = load_chapters()
+NAMES = [chapter.name for chapter in CHAPTERS]
+by_chapter = pytest.mark.parametrize("chapter", CHAPTERS, ids=NAMES)
+
+
+def facts(chapter: str) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(f"facts_{chapter}", facts_of(chapter))
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@by_chapter
+def test_a_lesson_is_long_enough_to_teach_and_short_enough_to_read(chapter: Chapter) -> None:
+    words = len(re.findall(r"[A-Za-z]{2,}", re.sub(r"(?ms)^```.*?^```", "", lesson_of(chapter.name))))
+    assert 2000 <= words <= 4500
+
+
+@by_chapter
+def test_each_exercise_has_its_turn_a_command_and_a_time(chapter: Chapter) -> None:
+    text = lesson_of(chapter.name)
+    turns = re.findall(r"(?ms)^\*\*Your turn\*\* \((\d+) minutes\): (.+?)^```sh\n(.+?)^```", text)
+    assert turns
+    commands = "\n".join(block for _, _, block in turns)
+    told = " ".join(words for _, words, _ in turns)
+    for exercise in chapter.exercises:
+        assert re.search(rf"(?m)^make check EX={re.escape(exercise.id)}\b(?! *\.)", commands)
+        assert re.search(rf"(?<![\w.]){re.escape(exercise.id)}(?![\w])", told), exercise.id
+    hours = re.search(r"\*\*Time:\*\* about (\d+) hours", text)
+    assert hours
+    reading = 1.3  # an estimate of ours, in hours
+    total = sum(int(minutes) for minutes, _, _ in turns) / 60 + reading
+    assert abs(int(hours[1]) - total) <= 0.6, total
+
+
+@by_chapter
+def test_experiments_are_scenes_that_take_these_parameters(chapter: Chapter) -> None:
+    text = lesson_of(chapter.name)
+    assert text.count("**Experiment: predict, then try.**") >= 3
+    for quoted in re.findall(r"(?m)(?:^> .*\n)*^> \*\*Experiment(?:.*\n(?:>.*\n)*)", text):
+        assert lab_commands(quoted), quoted
+    for name, settings in lab_commands(text):
+        assert find(name).chapter <= chapter.number
+        scene = load(name)
+        for key, value in settings.items():
+            parameter = getattr(scene, key)
+            assert isinstance(parameter, Parameter)
+            parameter.checked(value)
+
+
+@by_chapter
+def test_questions_have_folded_answers(chapter: Chapter) -> None:
+    text = lesson_of(chapter.name)
+    assert text.count("**Check yourself.**") == text.count("<details>") == text.count("</details>") >= 3
+
+
+@by_chapter
+def test_every_number_of_a_lesson_is_given_or_computed(chapter: Chapter) -> None:
+    """A number that a section neither declares as given nor computes by the reference is a slip."""
+    sections = sections_of(lesson_of(chapter.name))
+    known = facts(chapter.name).SECTIONS
+    wrong = [f"there is no section {heading!r}" for heading in known.keys() - sections.keys()]
+    for heading, section in sections.items():
+        given, computed = known.get(heading, ("", dict))
+        values = computed()
+        named = {*given.split(), *values}
+        found = set(numbers_in(section))
+        wrong += [f"{heading}: {number} is not checked" for number in sorted(found - named)]
+        wrong += [f"{heading}: {number} is not in the text" for number in sorted(named - found)]
+        wrong += [
+            f"{heading}: {number} should be {value!r}"
+            for number, value in values.items()
+            if not agrees(number, value)
+        ]
+    assert not wrong, "\n".join(wrong)
+
+
+@by_chapter
+def test_pictures_are_there_and_described(chapter: Chapter) -> None:
+    pictures = re.findall(r"!\[([^\]]*)\]\(([^)]+)\)", lesson_of(chapter.name))
+    assert len(pictures) >= 2
+    for description, target in pictures:
+        assert len(description) > 40
+        assert (ROOT / "chapters" / chapter.name / target).exists(), target

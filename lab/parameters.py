@@ -98,9 +98,12 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Return the option that the value names. Raises ValueError where there is none."""
+        """Return the option that the value names. Raises ValueError where there is none.
+
+        A name may have hyphens in place of spaces, and any case, as a command line needs them.
+        """
         for option in self.options:
-            if value == option or str(value) == str(option):
+            if value == option or _plain(value) == _plain(option):
                 return option
         options = ", ".join(map(str, self.options))
         raise ValueError(f"{self.name} must be one of {options}, got {value!r}")
@@ -108,3 +111,8 @@ class Choice(Parameter):
     def described(self) -> dict[str, Any]:
         """Return what a page needs to show a choice."""
         return super().described() | {"kind": "choice", "options": self.options}
+
+
+def _plain(name: object) -> str:
+    """Return a name as a command line may spell it."""
+    return str(name).lower().replace(" ", "-")

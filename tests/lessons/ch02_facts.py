@@ -95,12 +95,12 @@ def at_work() -> dict[str, float]:
 
 SECTIONS = {
     "One arrow, three numbers": ("7", dict),
-    "How long is it?": ("10 100", lengths),
+    "How long is it?": ("6 10 100", lengths),
     "Longer, shorter, and exactly one": ("5 6 10", unit_vectors),
     "Adding arrows": ("6 10 0.5", sums),
     "Three ways to multiply": ("5 6", component_products),
     "The dot product: how much of one points along the other?": ("60 0.8", dot_products),
-    "The cross product: a direction that both are perpendicular to": ("180 90 9", cross_products),
+    "The cross product: a direction that both are perpendicular to": ("180 90", cross_products),
     "Three perpendicular axes": ("", basis),
     "Bad arguments": ("", dict),
     "Put the vectors to work": ("5 7 10 1.0000000000000002", at_work),

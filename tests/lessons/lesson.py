@@ -11,7 +11,7 @@ from autograder.manifest import ROOT
 # What a section is about, as numbers that it may name, and the numbers that the reference computes.
 Section = tuple[str, Callable[[], dict[str, float]]]
 
-NUMBER = re.compile(r"(?<![\w.,])\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?(?![\w])")
+NUMBER = re.compile(r"(?<![\w.,])\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?(?!\.?\d)(?![A-Za-z_])")
 ALWAYS = {"0", "1", "2", "3", "4"}  # small numbers are words
 # Numbers that name something: exercises, sections, chapters, equations, errata.
 NAMES = re.compile(

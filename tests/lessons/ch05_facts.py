@@ -1,0 +1,101 @@
+"""The numbers of chapter 5's lesson, by the reference."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.closed_form import drag_limits, quadratic_fall, terminal_speed
+from ch05_forces.forces import Drag, Gravity, InverseSquareGravity, drag_force
+from ch05_forces.particle import Particle
+
+
+def accelerated(mass: float, *forces: Vector3) -> Vector3:
+    """Return the acceleration that forces cause in a step of 1 s."""
+    particle = Particle(mass=mass)
+    for force in forces:
+        particle.add_force(force)
+    particle.kick(1.0)
+    return particle.velocity
+
+
+def sums() -> dict[str, float]:
+    jumper = Particle(mass=80)
+    Gravity(Vector3(0, -9.81)).update_force(jumper, 1.0)
+    jumper.add_force(Vector3(60, 500))
+    total = jumper.force_accumulator
+    jumper.kick(1.0)
+    return {
+        "784.8": 80 * 9.81,
+        "284.8": total.y,
+        "0.75": jumper.velocity.x,
+        "3.56": jumper.velocity.y,
+        "2.5": accelerated(20, Vector3(30), Vector3(0, 40)).magnitude(),
+        "50": 20 * accelerated(20, Vector3(30), Vector3(0, 40)).magnitude(),
+    }
+
+
+def drags() -> dict[str, float]:
+    force = drag_force(Vector3(3, 4), 0.1, 0.02)
+    assert abs(force.magnitude() - 1.0) < 1e-12
+    assert abs(drag_force(Vector3(6, 8), 0.1, 0.02).magnitude() - 3.0) < 1e-12
+    speed, _ = quadratic_fall(1, 10, 10 / 20**2, 2)  # k2 = m g / u^2
+    return {
+        "0.6": force.x,
+        "0.8": force.y,
+        "25": Vector3(3, 4).squared_magnitude(),
+        "100": Vector3(6, 8).squared_magnitude(),
+        "5": Vector3(3, 4).magnitude(),
+        "31.6": terminal_speed(2 * 10, 0, 0.02),
+        "0.762": math.tanh(1),
+        "15.2": speed,
+    }
+
+
+def braked(k1: float) -> list[float]:
+    particle = Particle(velocity=Vector3(10))
+    speeds = []
+    for _ in range(3):
+        Drag(k1, 0).update_force(particle, 0.1)
+        particle.kick(0.1)
+        speeds.append(particle.velocity.x)
+    return speeds
+
+
+def explosions() -> dict[str, float]:
+    slows, reverses, explodes = braked(5), braked(15), braked(25)
+    assert reverses[0] == -slows[0] == -5
+    assert explodes[0] == -15
+    return {
+        "0.5": slows[0] / 10,
+        "1.5": explodes[0] / 10,
+        "2.5": slows[1],
+        "1.25": slows[2],
+        "22.5": explodes[1],
+        "33.8": explodes[2],
+        "0.025": drag_limits(20, 0, 0.5, 0)[0],
+        "40": 1 / drag_limits(20, 0, 0.5, 0)[0],
+    }
+
+
+def orbits() -> dict[str, float]:
+    particle = Particle(Vector3(4))
+    InverseSquareGravity(Vector3(), 100).update_force(particle, 1.0)
+    gravity = -particle.force_accumulator.x
+    speed = math.sqrt(gravity * 4)
+    return {
+        "16": 4.0**2,
+        "6.25": gravity,
+        "25": speed**2,
+        "5": speed,
+        "5.03": 2 * math.pi * 4 / speed,
+    }
+
+
+SECTIONS = {
+    "Forces add up": ("9.81 20 30 40 60 80 500", sums),
+    "Drag": ("30 120 10 20 0.1 0.02", drags),
+    "When drag explodes": ("5 10 15 20 25 0.1", explosions),
+    "Four forces of your own": ("100", orbits),
+    "Project: a sniper range": ("10 50 90 100 200", dict),
+}

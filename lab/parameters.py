@@ -114,5 +114,6 @@ class Choice(Parameter):
 
 
 def _plain(name: object) -> str:
-    """Return a name as a command line may spell it."""
-    return str(name).lower().replace(" ", "-")
+    """Return a name or a number as a command line may spell it."""
+    text = f"{name:g}" if isinstance(name, float) else str(name)
+    return text.lower().replace(" ", "-")

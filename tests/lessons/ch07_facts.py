@@ -1,0 +1,112 @@
+"""The numbers of chapter 7's lesson, by the reference."""
+
+from __future__ import annotations
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import Contact, ContactResolver
+from ch07_constraints.detectors import GroundPlane
+from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top_ball_speed
+from ch07_constraints.links import Cable, Rod
+from ch07_constraints.time_division import time_division_step
+
+UP = Vector3(0, 1)
+H = 1 / 60
+
+
+def closing() -> dict[str, float]:
+    ball = Particle(velocity=Vector3(3, -4))
+    fast, slow = Particle(velocity=Vector3(5)), Particle(velocity=Vector3(2))
+    assert Contact(ball, None, UP).separating_velocity() == -4
+    assert Contact(fast, slow, Vector3(-1)).separating_velocity() == -3
+    return {}
+
+
+def bounces() -> dict[str, float]:
+    ball = Particle(acceleration=Vector3(0, -9.81))
+    ball.kick(H)
+    rest = Contact(ball, None, UP, 0.6)
+    assert rest.velocity_after(H) == 0
+    gained = ball.velocity.y
+    ball.velocity.y = -5
+    return {"0.1635": gained, "2.9": rest.velocity_after(H)}
+
+
+def impulses() -> dict[str, float]:
+    a, b = Particle(velocity=Vector3(3), mass=2), Particle(Vector3(1))
+    before = a.kinetic_energy()
+    Contact(a, b, Vector3(-1), 0.5).resolve_velocity()
+    assert b.velocity == Vector3(3)
+    after = a.kinetic_energy() + b.kinetic_energy()
+    light, heavy = Particle(), Particle(mass=2)
+    moves = Contact(light, heavy, UP, penetration=0.3).resolve_penetration()
+    return {
+        "1.5": a.velocity.x,
+        "6": (a.momentum() + b.momentum()).x,
+        "9": before,
+        "6.75": after,
+        "2.25": before - after,
+        "0.2": moves[0].y,
+        "0.1": moves[1].y,
+    }
+
+
+def rows() -> dict[str, float]:
+    a, b, c = (Particle(Vector3(x)) for x in (0, 0.8, 1.7))
+    contacts = [
+        Contact(a, b, Vector3(-1), penetration=0.2),
+        Contact(b, c, Vector3(-1), penetration=0.1),
+    ]
+    ContactResolver().resolve_penetrations(contacts, 1)
+    return {"0.1": b.position.x - 0.8, "0.2": contacts[1].penetration}
+
+
+def links() -> dict[str, float]:
+    a, b = Particle(), Particle(Vector3(2.5))
+    [short] = Rod(a, b, 3).contacts()
+    assert short.normal == Vector3(-1)
+    [long] = Cable(a, b, 2).contacts()
+    excess = long.penetration
+    assert short.penetration == excess
+    long.resolve_penetration()
+    return {"0.5": excess, "0.25": a.position.x, "2.25": b.position.x}
+
+
+def moments() -> dict[str, float]:
+    ball = Particle(Vector3(0, 1.8), acceleration=Vector3(0, -10))
+    ground = GroundPlane([ball], restitution=1.0)
+    impact = ground.next_impact(1)
+    assert impact
+    time_division_step([ball], ground, 1)
+    return {"0.6": impact[0], "6": 10 * impact[0], "0.4": 1 - impact[0], "1.6": ball.position.y}
+
+
+def exercises() -> dict[str, float]:
+    speed = 20**0.5
+    top = top_ball_speed(1, 9, 1, 0.5, 0.75)
+    closed = 1.5 * speed
+    return {
+        "0.8": restitution_of_drop(1, 0.64),
+        "4.472": speed,
+        "2.236": 0.5 * speed,
+        "6.708": closed,
+        "5.031": 0.75 * closed,
+        "11.739": 1.75 * closed,
+        "10.565": 0.9 * 1.75 * closed,
+        "6.093": top,
+        "1.86": top**2 / 20,
+        "0.6": force_for_frame(Vector3(1), 0.01, H).x,
+    }
+
+
+SECTIONS = {
+    "Why not a very stiff spring?": ("60", dict),
+    "How fast do they approach?": ("5", closing),
+    "Bounce or rest?": ("5 60 0.5 0.6 9.81", bounces),
+    "Impulses": ("0.3 0.5", impulses),
+    "Many contacts at once": ("8", rows),
+    "Cables and rods": ("2.5 0.15 12", links),
+    "Finding contacts": ("", lambda: {"499,500": 1000 * 999 / 2}),
+    "The exact moment of an impact": ("0.5 1.8 10", moments),
+    "The book's exercises": ("0.01 0.5 0.64 0.75 9 10 20 60", exercises),
+}

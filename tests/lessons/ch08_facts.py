@@ -1,0 +1,124 @@
+"""The numbers of chapter 8's lesson, by the reference."""
+
+from __future__ import annotations
+
+import math
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch08_mass_aggregate.blob import Bond, spread
+from ch08_mass_aggregate.bridge import Bridge, Deck
+from ch08_mass_aggregate.bridge_plan import make_rows
+from ch08_mass_aggregate.cube import cube_rods, fewest_rods
+from ch08_mass_aggregate.fixed_step import FixedStep
+from ch08_mass_aggregate.tilting_platform import balancing_mass
+from ch08_mass_aggregate.trebuchet import Trebuchet, my_design
+from ch08_mass_aggregate.wheel import Wheel, spin
+from ch08_mass_aggregate.world import mechanical_energy
+
+
+def energy() -> dict[str, float]:
+    ball = Particle(Vector3(0, 3), Vector3(4), Vector3(0, -9.81), mass=2)
+    total = mechanical_energy([ball])
+    return {
+        "16": ball.kinetic_energy(),
+        "58.86": total - ball.kinetic_energy(),
+        "74.86": total,
+        "8.65": math.sqrt(2 * total / 2),
+    }
+
+
+def fixed_steps() -> dict[str, float]:
+    clock = FixedStep(lambda _: None, 0.010)
+    assert clock.advance(0.025) == 2
+    left = clock.left
+    assert clock.advance(0.025) == 3
+    return {"5": 1000 * left, "30": 1000 * (left + 0.025)}
+
+
+def bridge() -> dict[str, float]:
+    ball = Particle(Vector3(0.5, 4.1))
+    rows = make_rows()
+    for end in rows[3]:
+        end.position.y = 3.6
+    deck = Deck(ball, 0.5, rows)
+    found = deck.nearest()
+    assert found
+    assert found[0] == 3
+    return {
+        "28": len(Bridge().links),
+        "12": 2 * len(rows),
+        "10": 2 * (len(rows) - 1),
+        "5": len(rows) - 1,
+        "6": len(rows),
+        "0.75": (0.5 + 1) / 2,
+        "3.7": found[1],
+        "0.1": deck.contacts()[0].penetration,
+    }
+
+
+def balance() -> dict[str, float]:
+    assert balancing_mass([2, 1], [-3, 4], 2) == 1
+    return {"6": 2 * 3}
+
+
+def bonds() -> dict[str, float]:
+    a, b = Particle(), Particle(Vector3(0.5))
+    bond = Bond(a, b, 30, 0.5, 0.7, 0.25, 1.0)
+    held = []
+    for length in (0.5, 0.9, 1.1, 0.8, 0.5):
+        b.position.x = length
+        bond.update_force(a, 1 / 60)
+        held.append(bond.holds)
+    assert held == [True, True, False, False, True]
+    return {"1.73": spread([Particle(mass=3), Particle(Vector3(4))])}
+
+
+def rods() -> dict[str, float]:
+    edges = [(i, j) for i, j in cube_rods() if (i ^ j) in (1, 2, 4)]
+    return {
+        "12": len(edges),
+        "18": fewest_rods(8),
+        "24": 3 * 8,
+        "6": fewest_rods(4),
+    }
+
+
+def wheels() -> dict[str, float]:
+    def spun(rate: int) -> float:
+        wheel = Wheel(10.0)
+        for _ in range(rate):
+            wheel.step(1 / rate)
+        return spin(wheel.hub, wheel.rim)
+
+    return {"8.41": spun(60), "9.87": spun(960)}
+
+
+def throws() -> dict[str, float]:
+    machine = Trebuchet(my_design())
+    machine.throw()
+    stone = machine.projectile
+    fall = machine.design.counterweight * 9.81 * 2
+    return {
+        "400": machine.design.counterweight,
+        "5": stone.mass,
+        "27.7": stone.velocity.x,
+        "14.1": stone.velocity.y,
+        "31.1": stone.velocity.magnitude(),
+        "2,412": stone.kinetic_energy(),
+        "7,848": fall,
+        "56": math.sqrt(2 * fall / stone.mass),
+    }
+
+
+SECTIONS = {
+    "Trust, but measure: energy": ("9.81", energy),
+    "A fixed step": ("10 12 15 18 25 60", fixed_steps),
+    "A rope bridge": ("0.4 0.5 3.6 4.1 50 1,000", bridge),
+    "A platform that tips": ("", balance),
+    "A blob that tears": ("0.5 0.8 0.9 1.1", bonds),
+    "How many rods make a body rigid?": ("8", rods),
+    "A wheel": ("10 60 960", wheels),
+    "Project: a trebuchet": ("45 60 80 9.81", throws),
+    "Going further: let sleeping balls lie": ("30", dict),
+}

@@ -66,7 +66,7 @@ update: stubs ## generate all that is generated: stubs and tables
 stubs: $(READY) ## make chapters/ from solutions/ again
 	@$(RUN) -m autograder stubs
 
-figures: $(READY) ## draw the pictures of the chapters' READMEs again
+figures: $(READY) ## draw the pictures of the lessons again
 	@$(RUN) -m studies figures
 
 # == Measurements ==
@@ -76,7 +76,7 @@ mutants: .venv/extras ## how many changed references the checks notice (CH=6)
 seeds: $(READY) ## check right answers with 1,000 seeds (CH=6 SEEDS=100)
 	@$(RUN) tests/strength seeds $(if $(CH),--chapter "$(CH)") $(if $(SEEDS),--seeds "$(SEEDS)")
 
-table: $(READY) ## put what was measured into the READMEs
+table: $(READY) ## put measured figures into the pages
 	@$(RUN) tests/strength table
 
 bench: $(READY) ## speed, as ratios measured in turn

@@ -82,7 +82,7 @@ def make_handout(
     stubs = make_stubs(root)
     for chapter in [*chapters, *given]:
         source = root / "chapters" / chapter.name
-        complete = [source / name for name in ("README.md", *chapter.complete)]
+        complete = [source / name for name in ("README.md", "reference.md", *chapter.complete)]
         pictures = [*source.glob("*.png"), *source.glob("*.gif")]
         _copy([*complete, *pictures], out / "chapters" / chapter.name)
     for chapter in chapters:

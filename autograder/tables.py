@@ -1,4 +1,4 @@
-"""Put the exercise table that the manifest describes into a chapter's README."""
+"""Put the exercise table that the manifest describes into a chapter's reference.md."""
 
 from __future__ import annotations
 
@@ -41,23 +41,23 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
     return [*written, *(f"`{name}`: your data" for name in exercise.files)]
 
 
-def with_table(readme: str, chapter: Chapter) -> str:
-    """Return a README with its table renewed. Raises ValueError where it has no place for one."""
-    before, begin, rest = readme.partition(BEGIN)
+def with_table(page: str, chapter: Chapter) -> str:
+    """Return a page with its table renewed. Raises ValueError if it has no place for one."""
+    before, begin, rest = page.partition(BEGIN)
     _, end, after = rest.partition(END)
     if not (begin and end):
-        raise ValueError(f"the README of {chapter.name} lacks the lines {BEGIN!r} and {END!r}")
+        raise ValueError(f"reference.md of {chapter.name} lacks the lines {BEGIN!r} and {END!r}")
     return f"{before}{BEGIN}\n{exercise_table(chapter)}\n{END}{after}"
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
-    """Renew the table of every chapter's README; return the paths of those that changed."""
+    """Renew the table in every chapter's reference.md. Return the paths of those that changed."""
     changed = []
     for chapter in chapters:
-        path = root / "chapters" / chapter.name / "README.md"
+        path = root / "chapters" / chapter.name / "reference.md"
         old = path.read_text(encoding="utf-8")
         new = with_table(old, chapter)
         if new != old:
             path.write_text(new, encoding="utf-8", newline="\n")
-            changed.append(f"chapters/{chapter.name}/README.md")
+            changed.append(f"chapters/{chapter.name}/reference.md")
     return changed

@@ -1,4 +1,4 @@
-"""Draw the pictures of the chapters' READMEs anew, with the reference: `make figures`.
+"""Draw the pictures of the lessons again, with the reference: `make figures`.
 
 They are plots of `make plot` and scenes of the lab, in fewer colors. The scenes are smaller and
 have fewer pictures per second, so that a page loads at once.
@@ -28,7 +28,6 @@ PLOTS = (
     "ch03_laws_of_motion/integration_error",
     "ch03_laws_of_motion/damping_comparison",
     "ch04_particle_engine/shots",
-    "ch04_particle_engine/fireworks",
     "ch04_particle_engine/step_error",
     "ch05_forces/terminal_speeds",
     "ch05_forces/fall_with_drag",
@@ -36,16 +35,12 @@ PLOTS = (
     "ch06_springs/force_against_length",
     "ch06_springs/three_regimes",
     "ch06_springs/energy_over_time",
-    "ch06_springs/error_against_work",
     "ch06_springs/stability_map",
     "ch07_constraints/bounce_heights",
     "ch07_constraints/stack_height",
-    "ch07_constraints/rope_by_method",
     "ch08_mass_aggregate/mass_ratios",
     "ch08_mass_aggregate/wheel_deformation",
-    "ch08_mass_aggregate/trebuchet_range",
     "ch09_rotations/order_of_turns",
-    "ch09_rotations/turning_motion",
     "ch09_rotations/drift_of_first_order",
     "ch09_rotations/gimbal_lock",
 )

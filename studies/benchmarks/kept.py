@@ -20,7 +20,7 @@ from autograder.manifest import ROOT
 from studies.timing import Line
 
 FILE = Path(__file__).with_name("figures.json")
-PAGES = ("README.md", "studies/README.md", "chapters/*/README.md")
+PAGES = ("README.md", "studies/README.md", "chapters/*/*.md")
 QUOTATION = re.compile(r"(<!-- bench: ([^>]*?) -->)(.*?)(<!-- end -->)", re.DOTALL)
 
 

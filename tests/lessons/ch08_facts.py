@@ -119,6 +119,7 @@ SECTIONS = {
     "A blob that tears": ("0.5 0.8 0.9 1.1", bonds),
     "How many rods make a body rigid?": ("8", rods),
     "A wheel": ("10 60 960", wheels),
-    "Project: a trebuchet": ("45 60 80 9.81", throws),
+    "Project: a trebuchet": ("45 9.81", throws),
     "Going further: let sleeping balls lie": ("30", dict),
+    "Summary": ("6 18", dict),
 }

@@ -48,6 +48,20 @@ def agrees(token: str, value: float) -> bool:
     return abs(abs(value) - float(digits)) <= 0.5001 * unit
 
 
+def turns_of(text: str) -> list[tuple[str, str, str]]:
+    """Return minutes, words and commands of each *your turn*."""
+    return re.findall(r"(?ms)^\*\*Your turn\*\* \((\d+) minutes\): (.+?)^```sh\n(.+?)^```", text)
+
+
+def minutes_of(text: str) -> list[tuple[str, float]]:
+    """Return the time for each exercise, as its *your turn* estimates it."""
+    times: list[tuple[str, float]] = []
+    for minutes, _, commands in turns_of(text):
+        ids = re.findall(r"(?m)^make check EX=(\S+)", commands)
+        times += [(id, int(minutes) / len(ids)) for id in ids]
+    return times
+
+
 def lab_commands(text: str) -> list[tuple[str, dict[str, str]]]:
     """Return the scene and the settings of each `make lab SCENE=...` in a text."""
     found = re.findall(r'make lab SCENE=([\w-]+)(?: SET="([^"]*)")?', text)

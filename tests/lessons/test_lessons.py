@@ -7,6 +7,10 @@ import re
 from types import ModuleType
 
 import pytest
+
+from autograder.manifest import Chapter, load_chapters
+from lab.catalog import find, load
+from lab.parameters import Parameter
 from lessons.lesson import (
     agrees,
     facts_of,
@@ -14,11 +18,8 @@ from lessons.lesson import (
     lesson_of,
     numbers_in,
     sections_of,
+    turns_of,
 )
-
-from autograder.manifest import ROOT, Chapter, load_chapters
-from lab.catalog import find, load
-from lab.parameters import Parameter
 
 CHAPTERS = load_chapters()
 NAMES = [chapter.name for chapter in CHAPTERS]
@@ -36,14 +37,16 @@ def facts(chapter: str) -> ModuleType:
 
 @by_chapter
 def test_a_lesson_is_long_enough_to_teach_and_short_enough_to_read(chapter: Chapter) -> None:
-    words = len(re.findall(r"[A-Za-z]{2,}", re.sub(r"(?ms)^```.*?^```", "", lesson_of(chapter.name))))
+    words = len(
+        re.findall(r"[A-Za-z]{2,}", re.sub(r"(?ms)^```.*?^```", "", lesson_of(chapter.name)))
+    )
     assert 2000 <= words <= 4500
 
 
 @by_chapter
 def test_each_exercise_has_its_turn_a_command_and_a_time(chapter: Chapter) -> None:
     text = lesson_of(chapter.name)
-    turns = re.findall(r"(?ms)^\*\*Your turn\*\* \((\d+) minutes\): (.+?)^```sh\n(.+?)^```", text)
+    turns = turns_of(text)
     assert turns
     commands = "\n".join(block for _, _, block in turns)
     told = " ".join(words for _, words, _ in turns)
@@ -75,7 +78,12 @@ def test_experiments_are_scenes_that_take_these_parameters(chapter: Chapter) -> 
 @by_chapter
 def test_questions_have_folded_answers(chapter: Chapter) -> None:
     text = lesson_of(chapter.name)
-    assert text.count("**Check yourself.**") == text.count("<details>") == text.count("</details>") >= 3
+    assert (
+        text.count("**Check yourself.**")
+        == text.count("<details>")
+        == text.count("</details>")
+        >= 3
+    )
 
 
 @by_chapter
@@ -97,12 +105,3 @@ def test_every_number_of_a_lesson_is_given_or_computed(chapter: Chapter) -> None
             if not agrees(number, value)
         ]
     assert not wrong, "\n".join(wrong)
-
-
-@by_chapter
-def test_pictures_are_there_and_described(chapter: Chapter) -> None:
-    pictures = re.findall(r"!\[([^\]]*)\]\(([^)]+)\)", lesson_of(chapter.name))
-    assert len(pictures) >= 2
-    for description, target in pictures:
-        assert len(description) > 40
-        assert (ROOT / "chapters" / chapter.name / target).exists(), target

@@ -165,8 +165,8 @@ def test_an_exercise_takes_what_the_page_lists_and_no_more(root: Path) -> None:
     assert f"] {total} of {total} points" in screens["check"]
     pages = {
         "chapters/ch02_vectors/exercises.py": '("Exercise G2.1: The point halfway")',
-        "chapters/ch02_vectors/README.md": f"| The point halfway | exercise | \\* | {POINTS} |",
-        "README.md": f" {total}/{total} ",
+        "chapters/ch02_vectors/reference.md": f"| The point halfway | exercise | \\* | {POINTS} |",
+        "sample_class/README.md": f" {total}/{total} ",
     }
     for path, words in pages.items():
         assert words in (root / path).read_text(encoding="utf-8")

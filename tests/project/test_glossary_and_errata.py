@@ -109,10 +109,14 @@ def test_the_glossary_has_no_term_that_nobody_uses() -> None:
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
-def test_a_readme_links_to_the_glossary_and_to_the_errata(chapter: Chapter) -> None:
-    readme = ROOT / "chapters" / chapter.name / "README.md"
-    links = re.findall(r"\]\(([^)]+)\)", readme.read_text(encoding="utf-8"))
-    assert {"../../glossary.md", "../../errata.md"} <= {*links}
+def test_a_chapter_links_to_the_glossary_and_to_the_errata(chapter: Chapter) -> None:
+    folder = ROOT / "chapters" / chapter.name
+    lesson, reference = (
+        re.findall(r"\]\(([^)]+)\)", (folder / name).read_text(encoding="utf-8"))
+        for name in ("README.md", "reference.md")
+    )
+    assert {"../../glossary.md", "reference.md"} <= {*lesson}
+    assert {"../../glossary.md", "../../errata.md", "README.md"} <= {*reference}
 
 
 # number, section, evidence, what is printed (or what we see), what is right, difference, tests
@@ -189,11 +193,11 @@ def test_the_index_by_chapter_has_each_erratum_once_under_its_chapter() -> None:
     assert index == {number: re.findall(r"[2-9]", of)[0] for number, of in sections.items()}
 
 
-def test_each_readme_names_the_errata_of_its_chapter() -> None:
+def test_each_reference_names_the_errata_of_its_chapter() -> None:
     """The doubtful ones need not be named: they are advice, and may be no mistakes at all."""
     for chapter in CHAPTERS:
-        readme = (ROOT / "chapters" / chapter.name / "README.md").read_text(encoding="utf-8")
-        told = readme.partition("## Where the printed book is wrong")[2]
+        page = (ROOT / "chapters" / chapter.name / "reference.md").read_text(encoding="utf-8")
+        told = page.partition("## Where the printed book is wrong")[2]
         first = rf"[^\d]*{chapter.number}\."  # of the section
         certain = [number_and_section(e) for e, part in errata() if part == "The entries"]
         own = {number for number, section in certain if re.match(first, section)}

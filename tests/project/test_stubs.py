@@ -209,5 +209,5 @@ def test_a_stub_out_of_step_or_missing_is_named(copy: Path) -> None:
 
 def test_the_exercise_tables_are_what_the_manifests_say() -> None:
     for chapter in load_chapters():
-        readme = (ROOT / "chapters" / chapter.name / "README.md").read_text(encoding="utf-8")
-        assert with_table(readme, chapter) == readme
+        page = (ROOT / "chapters" / chapter.name / "reference.md").read_text(encoding="utf-8")
+        assert with_table(page, chapter) == page

@@ -14,7 +14,7 @@ from wrong import read_wrong
 
 PAGE = ROOT / "tests" / "README.md"
 BEGIN, END = "<!-- strength: `make table` writes this -->", "<!-- end of strength -->"
-FRONT = ROOT / "README.md"
+CLASS = ROOT / "sample_class" / "README.md"
 BEGIN_SAMPLE, END_SAMPLE = "<!-- sample: `make table` writes this -->", "<!-- end of sample -->"
 HEAD = [
     "chapter",
@@ -42,12 +42,12 @@ def write_tables(console: Console) -> bool:
     rows = [row(chapter) for chapter in load_chapters()]
     for path, begin, end, text in (
         (PAGE, BEGIN, END, table_of(rows)),
-        (FRONT, BEGIN_SAMPLE, END_SAMPLE, sample),
+        (CLASS, BEGIN_SAMPLE, END_SAMPLE, sample),
     ):
         page = path.read_text(encoding="utf-8")
         path.write_text(with_text(page, begin, end, text), encoding="utf-8", newline="\n")
     write_quotations()
-    console.print(f"the tables are in {PAGE} and {FRONT}", markup=False)
+    console.print(f"the tables are in {PAGE} and {CLASS}", markup=False)
     missing = any("-" in cells for cells in rows)
     if missing:
         console.print("A dash is a figure that was never measured: make mutants, make seeds")

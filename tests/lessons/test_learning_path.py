@@ -1,0 +1,55 @@
+"""The learning path names every exercise once, and its spine is short and complete."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from autograder.manifest import ROOT, load_chapters
+from lessons.lesson import lesson_of, minutes_of
+
+CHAPTERS = load_chapters()
+EXERCISES = {exercise.id: exercise for chapter in CHAPTERS for exercise in chapter.exercises}
+PAGE = (ROOT / "learning_path.md").read_text(encoding="utf-8")
+SHORT, WHOLE = PAGE.split("## The whole course")
+MINUTES = {id: time for chapter in CHAPTERS for id, time in minutes_of(lesson_of(chapter.name))}
+
+
+def ids(cell: str) -> list[str]:
+    return cell.replace(",", " ").split()
+
+
+def rows(table: str) -> list[list[str]]:
+    """Return the cells of the rows that begin with a link to a chapter."""
+    lines = re.findall(r"(?m)^\| \[\d\]\(.+?\) \| (.+) \|$", table)
+    return [[cell.strip() for cell in line.split("|")] for line in lines]
+
+
+SPINE = [id for row in rows(WHOLE) for id in ids(row[0])]
+TEN_HOURS = [id for row in rows(SHORT) for id in ids(row[0])]
+
+
+def test_every_exercise_is_named_once() -> None:
+    named = [id for row in rows(WHOLE) for cell in (row[0], row[2], row[3]) for id in ids(cell)]
+    assert sorted(named) == sorted(EXERCISES)
+    assert f"has {len(EXERCISES)} exercises" in PAGE
+
+
+def test_the_spine_is_at_most_half_of_the_exercises() -> None:
+    assert len(SPINE) <= len(EXERCISES) / 2
+
+
+@pytest.mark.parametrize("path", [SPINE, TEN_HOURS], ids=["spine", "ten hours"])
+def test_what_an_exercise_needs_is_on_the_path_before_it(path: list[str]) -> None:
+    order = list(EXERCISES)
+    for id in path:
+        assert set(EXERCISES[id].needs) <= set(path), id
+    assert all(path.index(n) < path.index(id) for id in path for n in EXERCISES[id].needs)
+    assert sorted(TEN_HOURS, key=order.index) == TEN_HOURS
+
+
+def test_the_hours_are_those_of_the_lessons() -> None:
+    assert sum(MINUTES[id] for id in TEN_HOURS) <= 10 * 60
+    for row in rows(WHOLE):
+        assert abs(sum(MINUTES[id] for id in ids(row[0])) / 60 - int(row[1])) <= 0.5, row

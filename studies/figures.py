@@ -83,9 +83,8 @@ def main(arguments: list[str]) -> int:
         pyplot.close("all")
     for name, (seconds, still) in ANIMATIONS.items():
         animation, _, _ = record(load(Path(name).name)(), work / Path(name).parent, seconds)
-        pictures = _shrunk(animation)
-        _write(pictures, options.out / f"{name}.gif")
-        _write([pictures[round(1000 * still / PICTURE_TIME)]], options.out / f"{name}_still.png")
+        _write(_shrunk(animation), options.out / f"{name}.gif")
+        _write([_still(animation, still)], options.out / f"{name}_still.png")
         done.append(True)
     print(f"{sum(done)} of {len(done)} pictures drawn by {options.engine}")
     return 0 if all(done) else 1
@@ -112,6 +111,17 @@ def _shrunk(animation: Path) -> list[Image.Image]:
     entries[brightest : brightest + 3] = [255, 255, 255]  # as white as the page around it
     few.putpalette(entries)
     return [picture.quantize(palette=few, dither=Image.Dither.NONE) for picture in pictures]
+
+
+def _still(animation: Path, seconds: float) -> Image.Image:
+    """Return the picture that an animation shows at this time, in its full size."""
+    left = 1000.0 * seconds
+    with Image.open(animation) as frames:
+        for frame in ImageSequence.Iterator(frames):
+            left -= frame.info["duration"]
+            if left <= 0.0:
+                break
+        return _palette(frame.convert("RGB"), COLORS_OF_PLOT)
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:

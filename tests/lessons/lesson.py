@@ -58,7 +58,7 @@ def minutes_of(text: str) -> list[tuple[str, float]]:
     times: list[tuple[str, float]] = []
     for minutes, _, commands in turns_of(text):
         ids = re.findall(r"(?m)^make check EX=(\S+)", commands)
-        times += [(id, int(minutes) / len(ids)) for id in ids]
+        times += [(number, int(minutes) / len(ids)) for number in ids]
     return times
 
 

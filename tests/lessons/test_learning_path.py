@@ -13,7 +13,9 @@ CHAPTERS = load_chapters()
 EXERCISES = {exercise.id: exercise for chapter in CHAPTERS for exercise in chapter.exercises}
 PAGE = (ROOT / "learning_path.md").read_text(encoding="utf-8")
 SHORT, WHOLE = PAGE.split("## The whole course")
-MINUTES = {id: time for chapter in CHAPTERS for id, time in minutes_of(lesson_of(chapter.name))}
+MINUTES = {
+    number: time for chapter in CHAPTERS for number, time in minutes_of(lesson_of(chapter.name))
+}
 
 
 def ids(cell: str) -> list[str]:
@@ -26,12 +28,14 @@ def rows(table: str) -> list[list[str]]:
     return [[cell.strip() for cell in line.split("|")] for line in lines]
 
 
-SPINE = [id for row in rows(WHOLE) for id in ids(row[0])]
-TEN_HOURS = [id for row in rows(SHORT) for id in ids(row[0])]
+SPINE = [number for row in rows(WHOLE) for number in ids(row[0])]
+TEN_HOURS = [number for row in rows(SHORT) for number in ids(row[0])]
 
 
 def test_every_exercise_is_named_once() -> None:
-    named = [id for row in rows(WHOLE) for cell in (row[0], row[2], row[3]) for id in ids(cell)]
+    named = [
+        number for row in rows(WHOLE) for cell in (row[0], row[2], row[3]) for number in ids(cell)
+    ]
     assert sorted(named) == sorted(EXERCISES)
     assert f"has {len(EXERCISES)} exercises" in PAGE
 
@@ -43,13 +47,15 @@ def test_the_spine_is_at_most_half_of_the_exercises() -> None:
 @pytest.mark.parametrize("path", [SPINE, TEN_HOURS], ids=["spine", "ten hours"])
 def test_what_an_exercise_needs_is_on_the_path_before_it(path: list[str]) -> None:
     order = list(EXERCISES)
-    for id in path:
-        assert set(EXERCISES[id].needs) <= set(path), id
-    assert all(path.index(n) < path.index(id) for id in path for n in EXERCISES[id].needs)
+    for number in path:
+        assert set(EXERCISES[number].needs) <= set(path), number
+    assert all(
+        path.index(n) < path.index(number) for number in path for n in EXERCISES[number].needs
+    )
     assert sorted(TEN_HOURS, key=order.index) == TEN_HOURS
 
 
 def test_the_hours_are_those_of_the_lessons() -> None:
-    assert sum(MINUTES[id] for id in TEN_HOURS) <= 10 * 60
+    assert sum(MINUTES[number] for number in TEN_HOURS) <= 10 * 60
     for row in rows(WHOLE):
-        assert abs(sum(MINUTES[id] for id in ids(row[0])) / 60 - int(row[1])) <= 0.5, row
+        assert abs(sum(MINUTES[number] for number in ids(row[0])) / 60 - int(row[1])) <= 0.5, row

@@ -78,7 +78,7 @@ def test_make_table_would_write_the_sample_class_that_is_there() -> None:
     import table
     from pages import between
 
-    page = table.FRONT.read_text(encoding="utf-8")
+    page = table.CLASS.read_text(encoding="utf-8")
     assert between(page, table.BEGIN_SAMPLE, table.END_SAMPLE) == table.sample_table()
 
 
@@ -131,13 +131,13 @@ def test_no_table_is_written_while_the_second_solution_loses_a_point(
     import table
 
     monkeypatch.setattr(sample, "grade_submission", lambda *_: report_of("ada"))
-    before = [page.read_bytes() for page in (table.PAGE, table.FRONT)]
+    before = [page.read_bytes() for page in (table.PAGE, table.CLASS)]
     console = Console(file=io.StringIO())
     monkeypatch.setattr(table, "sample_table", lambda: sample.sample_table(["ada"]))
     assert not table.write_tables(console)
     words = "sample_class/ada must pass every check, and test_angle of exercise 2.2 says: "
     assert words in console.file.getvalue()
-    assert before == [page.read_bytes() for page in (table.PAGE, table.FRONT)]
+    assert before == [page.read_bytes() for page in (table.PAGE, table.CLASS)]
 
 
 @pytest.fixture

@@ -87,16 +87,25 @@ mistake = "only b is halved"
 caught_by = "test_halfway_is_the_mean_of_both_points"
 replace = ["(a + b)", "a + b"]
 """
+TURN = """
+**Your turn** (5 minutes): exercise G2.1, `halfway`.
+
+```sh
+make check EX=G2.1
+```
+"""
 TEXTS = {  # what is written by hand, by the file that the page names
     "solutions/chNN_name/module.py": SOLUTION,
     "sample_class/ada/chNN_name/module.py": SECOND,
     "chapters/chNN_name/chapter.toml": ENTRY,
     "tests/chNN_name/test_module.py": CHECKS,
     "tests/chNN_name/wrong.toml": WRONG,
+    "chapters/chNN_name/README.md": TURN,
 }
 # What must hold of the exercise, and of what is generated, among the tests of the project.
 PROOFS = (
     "test_structure.py::test_every_exercise_has_checks_hints_and_a_docstring_or_a_question[ch02_vectors]",
+    "../lessons/test_lessons.py::test_each_exercise_has_its_turn_a_command_and_a_time[ch02_vectors]",
     "test_stubs.py::test_the_lock_has_the_hash_of_every_stub",
     "test_stubs.py::test_the_exercise_tables_are_what_the_manifests_say",
     "test_strength.py::test_every_exercise_has_three_wrong_submissions[ch02_vectors]",

@@ -1,8 +1,8 @@
-"""Where a particle is at any time, without a step.
+"""The state of a particle at any time, without time steps.
 
-Under a constant acceleration a, with damping d as the drag dv/dt = a - k v at every instant,
-k = -ln d, position and velocity have a formula. Whatever moves like that, such as a spark, needs
-no frames: one evaluation gives the state at any time, exactly. Model no more than a scene needs.
+With a constant acceleration a and the damping d as a drag, dv/dt = a - k v with k = -ln d, position
+and velocity have a formula. A body that moves like this, such as a spark, needs no steps: one
+evaluation gives its exact state at any time. Model no more than a scene needs.
 """
 
 from __future__ import annotations
@@ -16,28 +16,29 @@ from ch03_laws_of_motion.particle import Particle
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     """Return the three factors of the closed form: kept, gone and fallen.
 
-    v(t) = v kept + a gone, and p(t) = p + v gone + a fallen, with
+    They give v(t) = v kept + a gone and p(t) = p + v gone + a fallen, with
 
     - kept = d^t, which has no unit,
-    - gone = (1 - d^t) / k in s: how far a speed of 1 m/s carries,
-    - fallen = (t - gone) / k in s^2: how far an acceleration of 1 m/s^2 carries.
+    - gone = (1 - d^t) / k in s, the distance that a speed of 1 m/s covers,
+    - fallen = (t - gone) / k in s^2, the distance that an acceleration of 1 m/s^2 covers.
 
-    As the damping goes to 1 they go to 1, t and t^2 / 2. They are right to 9 digits or more for a
-    damping as near to 1 as a float can be, where the formulas divide almost 0 by almost 0. A
-    damping of 0 stops everything at once: 0, 0, 0, if any time passes.
+    As the damping approaches 1, they approach 1, t and t^2 / 2. The result must have at least 9
+    correct digits even for a damping as close to 1 as a float can be, where the formulas divide
+    almost 0 by almost 0. A damping of 0 stops everything at once: if any time passes, the factors
+    are 0, 0 and 0.
 
-    Raises ValueError where the damping or the time is negative or not finite, OverflowError where a
+    Raises ValueError if the damping or the time is negative or not finite, and OverflowError if a
     factor does not fit in a float.
     """
     raise NotImplementedError("Exercise B4.8: A state without steps")
 
 
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
-    """Return where a particle will be and how fast, after a time in s, as new vectors.
+    """Return the position and velocity of a particle after a time in s, as new vectors.
 
-    The particle stays as it is. An immovable one is found where it is now, with its velocity.
+    The particle does not change. An immovable particle keeps its position and velocity.
 
-    Raises ValueError where the time is negative or not finite, OverflowError as drag_factors does.
+    Raises ValueError if the time is negative or not finite, and OverflowError as drag_factors does.
 
     >>> shell = Particle(Vector3(0, 1.5, 0), Vector3(0, 30, 40), Vector3(0, -20, 0), damping=0.99)
     >>> position, _ = state_after(shell, 3.0347583)
@@ -50,14 +51,15 @@ def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
 def burst_positions(
     start: float, speeds: Sequence[float], acceleration: float, damping: float, time: float
 ) -> list[float]:
-    """Return where the sparks of one burst are along one axis, in m, after a time in s.
+    """Return the positions of the sparks of one burst along one axis, in m, after a time in s.
 
-    All start at one place at one time, under one acceleration and damping; only their speeds along
-    the axis, in m/s, differ. So the factors, and where a spark without a speed would be, are worked
-    out once for all. A screen shows two axes: nobody has to work out the third.
+    All sparks start at the same position and time, with the same acceleration and damping. Only
+    their speeds along the axis, in m/s, differ. So compute the factors, and the position of a spark
+    without speed, once for all of them. A screen shows two axes, and the third one need not be
+    computed.
 
-    The speeds are taken as they are. Raises ValueError where the start or the acceleration is not
-    finite, or the damping or the time is negative or not finite, and OverflowError as drag_factors.
+    The speeds are not checked. Raises ValueError if the start or the acceleration is not finite, or
+    if the damping or the time is negative or not finite, and OverflowError as drag_factors does.
 
     >>> burst_positions(9.0, [-2.0, 0.0, 3.0], -10.0, damping=1.0, time=1.0)
     [2.0, 4.0, 7.0]

@@ -1,21 +1,21 @@
-"""A bullet slow enough to be seen (book 4.1.1): what becomes of its mass and of gravity.
+"""A bullet that is slow enough to be seen (book 4.1.1): how its mass and gravity must change.
 
-``factor`` is how many times slower the shot of the game is: the real speed divided by the speed in
-the game, so 20 for 500 m/s shown as 25. The book divides one way in its text and the other way in
-its footnote (E-19).
+``factor`` says how many times slower the shot is in the game. It is the real speed divided by the
+speed in the game, so 20 for 500 m/s shown as 25. The book divides one way in its text and the other
+way in its footnote (E-19).
 
-What is no number where one is wanted is a TypeError, in every function of this chapter.
+Every function of this chapter raises TypeError for an argument that is not a number where a number
+is expected.
 """
 
 from __future__ import annotations
 
 
 def muzzle_energy(mass: float, speed: float) -> float:
-    """Return the kinetic energy of a shot in J, m v^2 / 2; mass in kg, speed in m/s.
+    """Return the kinetic energy of a shot in J, m v^2 / 2, with the mass in kg and the speed in
+    m/s.
 
-    The book's text leaves out the half (E-18).
-
-    Raises ValueError where the mass is not positive and finite, or the speed is negative or not
+    Raises ValueError if the mass is not positive and finite, or if the speed is negative or not
     finite.
 
     >>> muzzle_energy(0.005, 500.0)
@@ -25,9 +25,9 @@ def muzzle_energy(mass: float, speed: float) -> float:
 
 
 def slowed_mass(mass: float, factor: float) -> float:
-    """Return the mass in kg that keeps the energy of a shot which is slower by a factor.
+    """Return the mass in kg that keeps the energy of a shot that is slower by a factor.
 
-    Raises ValueError where the mass or the factor is not positive and finite.
+    Raises ValueError if the mass or the factor is not positive and finite.
 
     >>> slowed_mass(0.005, 20.0)  # muzzle_energy(2.0, 25.0) is 625 J again
     2.0
@@ -36,12 +36,12 @@ def slowed_mass(mass: float, factor: float) -> float:
 
 
 def slowed_gravity(gravity: float, factor: float) -> float:
-    """Return the gravity in m/s^2 that keeps the arc of a shot which is slower by a factor.
+    """Return the gravity in m/s^2 that keeps the arc of a shot that is slower by a factor.
 
-    The slower shot takes longer over the same ground, and falls for longer: only with this gravity
-    it drops no more than the fast one. The book divides by the factor once (E-2).
+    The slower shot needs more time for the same distance, and so it falls for longer. With this
+    gravity it drops no farther than the fast shot. The book divides by the factor once (E-2).
 
-    Raises ValueError where the gravity is not finite, or the factor not positive and finite.
+    Raises ValueError if the gravity is not finite, or if the factor is not positive and finite.
 
     >>> slowed_gravity(10.0, 20.0)
     0.025

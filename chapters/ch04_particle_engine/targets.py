@@ -1,7 +1,7 @@
-"""Target blocks for the ballistic range (mini-project 4.3), and how a shot hits one.
+"""Target blocks for the ballistic range (mini-project 4.3), and how a shot hits them.
 
-A shot moves more than half a metre in a frame, so asking at the end of each frame whether it is
-inside a block lets it pass through a thin one. The way it went in the frame is asked instead.
+A shot moves more than half a meter in a step. If you only test at the end of each step whether it
+is inside a block, it passes through thin blocks. So test its path during the step instead.
 """
 
 from __future__ import annotations
@@ -14,13 +14,14 @@ from ch03_laws_of_motion.particle import Particle
 
 
 class TargetBlock:
-    """A box with its sides along the axes, which stands on the ground or on a post and can slide.
+    """A box with its sides along the axes that stands on the ground or on a post, and can slide.
 
-    ``particle`` is at the middle of the box; a mass of math.inf makes a block that nothing moves.
-    ``size`` are the lengths of the sides along X, Y and Z in m. ``damping`` stands for friction.
-    ``hits`` counts the shots that have hit it.
+    ``particle`` is at the center of the box. A mass of math.inf makes a block that cannot be moved.
+    ``size`` holds the lengths of the sides along X, Y and Z in m. ``damping`` stands for friction.
+    ``hits`` counts the shots that have hit the block.
 
-    Raises ValueError where a side, the mass or the damping means nothing.
+    Raises ValueError if a side or the mass is not positive, or if the damping is negative or not
+    finite.
     """
 
     def __init__(
@@ -37,10 +38,11 @@ class TargetBlock:
 
 
 def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | None:
-    """Exercise 4.3b: return where the straight way from start to end first touches a block.
+    """Exercise 4.3b: return where the straight path from start to end first touches a block.
 
-    0 is the start and 1 the end, so 0.25 is a quarter of the way. A way that starts inside gives 0,
-    touching counts, and a way that misses gives None. Positions in m, with finite components.
+    0 is the start and 1 is the end, so 0.25 is a quarter of the path. A path that starts inside the
+    block gives 0, touching counts as a hit, and a path that misses gives None. Positions are in m
+    and have finite components.
 
     >>> wall = TargetBlock(Vector3(0, 1, 30), (4, 2, 0.5), mass=100)
     >>> hit_fraction(Vector3(0, 1, 29.5), Vector3(0, 1, 30.5), wall)
@@ -54,10 +56,11 @@ def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | No
 def strike_first(
     start: Vector3, particle: Particle, targets: Sequence[TargetBlock]
 ) -> TargetBlock | None:
-    """Exercise 4.3c: let a shot hit the first target on its way, and return that; None for none.
+    """Exercise 4.3c: let a shot hit the first target on its path, and return it, or None for a
+    miss.
 
-    The shot went from ``start`` to where ``particle`` is. The target gets the momentum that the
-    particle has now, along X and Z (the ground takes what is along Y), and counts the hit. Of two
-    targets that are touched at once the earlier in the list is hit.
+    The shot moved from ``start`` to the position of ``particle``. The target gets the momentum that
+    the particle has now along X and Z (the ground takes the part along Y), and counts the hit. If
+    two targets are touched at once, the earlier one in the list is hit.
     """
     raise NotImplementedError("Exercise 4.3c: Blocks of several masses")

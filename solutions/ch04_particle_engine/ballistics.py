@@ -1,7 +1,7 @@
 """A range on which shots of several types are fired (book 4.1).
 
-Z points down the range, Y up and X to the left of one who looks along Z. Every shot starts at
-MUZZLE. Angles are in radians.
+Z points down the range, Y points up, and X points left for someone who looks along Z. Every shot
+starts at MUZZLE. Angles are in radians.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ END_OF_RANGE = 200.0  # m along Z, as in the book's listing; its text says 100 (
 
 @dataclass(frozen=True)
 class ShotType:
-    """A kind of shot: mass in kg, velocity in m/s, acceleration in m/s^2, damping per second."""
+    """A type of shot: mass in kg, velocity in m/s, acceleration in m/s^2, damping per second."""
 
     name: str
     mass: float
@@ -34,8 +34,8 @@ class ShotType:
     damping: float
 
 
-# The book's four, and a grenade of ours. Their accelerations are what suits a game, such as that of
-# the fireball, which floats upwards; the book's text has it at 5 m/s, its listing at 10 (E-34).
+# The book's four types, and a grenade of ours. Their accelerations are chosen for a game. The
+# fireball, for example, floats upward. The book's text gives it 5 m/s, its listing 10 (E-34).
 _TYPES = (
     ShotType("pistol", 2.0, (0.0, 0.0, 35.0), (0.0, -1.0, 0.0), 0.99),
     ShotType("artillery", 200.0, (0.0, 30.0, 40.0), (0.0, -20.0, 0.0), 0.99),
@@ -47,7 +47,7 @@ SHOT_TYPES = {type.name: type for type in _TYPES}
 
 
 class Shot:
-    """A particle in flight: the name of its ``type``, its ``particle`` and its ``age`` in s."""
+    """A shot in flight: the name of its ``type``, its ``particle`` and its ``age`` in s."""
 
     __slots__ = ("age", "particle", "type")
 
@@ -58,12 +58,12 @@ class Shot:
 
 
 def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
-    """Exercise 4.3a: return the velocity of a shot in m/s, as new.
+    """Exercise 4.3a: return the velocity of a shot in m/s as a new vector.
 
-    Azimuth 0 is along Z, and a quarter of a turn is along X; elevation 0 is level, and a quarter of
-    a turn is straight up.
+    At azimuth 0 the shot flies along Z, and at a quarter turn along X. At elevation 0 it is level,
+    and at a quarter turn it flies straight up.
 
-    Raises ValueError where the speed is negative or not finite, or an angle is not finite.
+    Raises ValueError if the speed is negative or not finite, or if an angle is not finite.
     """
     not_negative("speed", speed)
     finite("azimuth", azimuth)
@@ -75,20 +75,21 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 
 
 def is_spent(shot: Shot) -> bool:
-    """Say whether a shot is to be dropped (4.1.2).
+    """Return whether a shot must be removed (4.1.2).
 
-    It is when it is below the ground (y < 0), older than LONGEST_FLIGHT or past END_OF_RANGE in z.
+    That is the case if it is below the ground (y < 0), older than LONGEST_FLIGHT, or past
+    END_OF_RANGE in z.
     """
     position = shot.particle.position
     return position.y < 0.0 or shot.age > LONGEST_FLIGHT or position.z > END_OF_RANGE
 
 
 def grenade_after(shot: Shot) -> list[Shot]:
-    """Mini-project 4.1: return what is left of a grenade that has just been moved by a frame.
+    """Mini-project 4.1: return what is left of a grenade that has just moved by one step.
 
-    First it bounces, where it is below the ground. Once its age has reached FUSE there are left its
-    fragments, shots of the type "fragment" and of age 0; before that the grenade itself, or nothing
-    where it is spent all the same.
+    First it bounces, if it is below the ground. Once its age has reached FUSE, its fragments are
+    left, as shots of the type "fragment" with an age of 0. Before that the grenade itself is left,
+    or nothing if it is spent.
     """
     bounce(shot.particle)
     if shot.age >= FUSE:
@@ -97,9 +98,10 @@ def grenade_after(shot: Shot) -> list[Shot]:
 
 
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
-    """Return what is left of a shot that a frame has just moved on from ``start``.
+    """Return what is left of a shot that has just moved from ``start`` by one step.
 
-    Nothing, where it has hit a target on its way or is spent; of a grenade what grenade_after says.
+    Nothing is left if it has hit a target on its path or is spent. For a grenade, the result is
+    that of grenade_after.
     """
     if targets and strike_first(start, shot.particle, targets):
         return []
@@ -109,20 +111,20 @@ def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> 
 
 
 class BallisticRange:
-    """Shots in flight, in the order in which they were fired, and target blocks to hit."""
+    """Shots in flight, in the order in which they were fired, and target blocks."""
 
     def __init__(self, targets: Iterable[TargetBlock] = ()) -> None:
         self.targets = list(targets)
         self.shots: list[Shot] = []
 
     def fire(self, name: str, azimuth: float = 0.0, elevation: float | None = None) -> None:
-        """Add a shot of a type to the shots (4.1.2), aimed as in mini-project 4.3.
+        """Fire a shot of a type, aimed as in mini-project 4.3 (4.1.2).
 
-        It starts at MUZZLE with the age 0, and mass, acceleration and damping as in SHOT_TYPES. Its
-        speed is the length of the type's velocity. Without an elevation it has the type's own, the
-        angle of that velocity above the level.
+        It starts at MUZZLE with the age 0, and with the mass, acceleration and damping of
+        SHOT_TYPES. Its speed is the length of the type's velocity. Without an elevation it has the
+        type's own, which is the angle of that velocity above the horizontal.
 
-        Raises ValueError where there is no such type, or an angle is not finite; nothing is fired
+        Raises ValueError if there is no such type, or if an angle is not finite. No shot is fired
         then.
         """
         if name not in SHOT_TYPES:
@@ -141,13 +143,14 @@ class BallisticRange:
         self.shots.append(Shot(name, particle))
 
     def update(self, duration: float) -> None:
-        """Move everything on by a frame in s, and drop the shots that are spent (4.1.2).
+        """Move everything by one step of a duration in s, and remove the shots that are spent
+        (4.1.2).
 
-        First the targets move. Then each shot moves and gets older, and what_is_left of it takes
-        its place. What that wants to know is where the shot was before it moved: a copy, since
-        integrate moves the position itself.
+        First the targets move. Then each shot moves and gets older, and is replaced by what_is_left
+        of it. That function needs the position of the shot before it moved. Pass a copy, because
+        integrate changes the position itself.
 
-        Raises ValueError where the duration is not positive and finite; nothing has moved then.
+        Raises ValueError if the duration is not positive and finite. Nothing has moved then.
         """
         positive("duration", duration)
         for target in self.targets:

@@ -1,7 +1,7 @@
-"""A Catherine wheel (mini-project 4.4): a nozzle on a turning wheel that throws sparks.
+"""A Catherine wheel (mini-project 4.4): a nozzle on a rotating wheel that throws sparks.
 
-It needs no force to stay on its circle: its angle is known at any time, and so are its place and
-its velocity. Only the sparks are particles.
+The wheel needs no force to stay on its circle. Its angle is known at any time, and so are the
+position and velocity of the nozzle. Only the sparks are particles.
 """
 
 from __future__ import annotations
@@ -15,14 +15,15 @@ from ch04_particle_engine.fireworks import FireworksShow
 
 
 class CatherineWheel:
-    """A wheel in the X-Y plane about ``center`` (m), of a ``radius`` in m, turning for ever.
+    """A wheel in the X-Y plane around ``center`` (m), with a ``radius`` in m, that never stops.
 
-    It turns from X towards Y with the ``rate``, in rad/s. From its rim sparks of a type of the show
-    leave, ``sparks_per_second`` of them, thrown back against the motion of the rim with the speed
-    ``jet`` in m/s. ``angle`` is that of the nozzle, from the X axis, and ``thrown``
-    counts the sparks that have left.
+    It rotates from X toward Y with the ``rate`` in rad/s. Sparks of one of the show's types leave
+    the rim, ``sparks_per_second`` of them. They are thrown backward, against the motion of the rim,
+    with the speed ``jet`` in m/s. ``angle`` is the angle of the nozzle from the X axis, and
+    ``thrown`` counts the sparks that have left.
 
-    Raises ValueError where the show has no such type or a number means nothing.
+    Raises ValueError if the show has no such type, the center is not finite, the radius or the rate
+    is not positive, or another number is negative.
     """
 
     def __init__(
@@ -49,10 +50,10 @@ class CatherineWheel:
         self.thrown = 0
 
     def nozzle(self) -> Particle:
-        """Mini-project 4.4: return a particle at the nozzle, as new, to be the parent of sparks.
+        """Mini-project 4.4: return a new particle at the nozzle, to be the parent of sparks.
 
-        It is on the rim at the wheel's angle. Its velocity is that of the rim, rate x radius at
-        right angles to the spoke, less the jet.
+        It is on the rim at the wheel's angle. Its speed is that of the rim, rate times radius,
+        minus the jet, at a right angle to the spoke.
         """
         x, y = math.cos(self.angle), math.sin(self.angle)
         spoke, along = Vector3(x, y, 0.0), Vector3(-y, x, 0.0)
@@ -60,14 +61,15 @@ class CatherineWheel:
         return Particle(self.center + spoke * self.radius, along * speed)
 
     def update(self, duration: float) -> None:
-        """Mini-project 4.4: turn on by a frame in s, and light the sparks that are due by its end.
+        """Mini-project 4.4: rotate by one step of a duration in s, and light the sparks that are
+        due.
 
-        After t seconds in all, the whole part of sparks_per_second x t have left, however long the
-        frames are, up to the rounding of t. Those of a frame leave the nozzle where it is at the
-        end of it, and count as thrown even if the show has no room for them. The show is updated
-        by whoever has it.
+        After t seconds in all, the whole part of sparks_per_second times t have left, however long
+        the steps are, except for the rounding of t. The sparks of a step leave the nozzle where it
+        is at the end of the step. They count as thrown even if the show has no room for them. The
+        show itself is updated elsewhere.
 
-        Raises ValueError where the duration is not positive and finite; nothing has moved then.
+        Raises ValueError if the duration is not positive and finite. Nothing has moved then.
         """
         self.time += positive("duration", duration)
         self.angle += self.rate * duration

@@ -1,8 +1,8 @@
 """Keep the display alive (project 4.1): a game whose rules need no screen.
 
-Rockets burn down. A player who clicks on one before it has burnt out makes it burst, and another
-rocket of its type starts from the ground. The display lives as long as there is a rocket; whoever
-waits until the last moment scores more, and may be too late.
+Rockets burn down. If the player clicks on a rocket before it burns out, it bursts, and another
+rocket of its type starts from the ground. The display lives as long as there is a rocket. A late
+click scores more, but it may come too late.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ MISSES_ALLOWED = 5
 
 @dataclass
 class Display:
-    """A game: its show, the score, the clicks that hit nothing and the time played in s."""
+    """A game: its show, the score, the clicks that missed, and the time played in s."""
 
     show: FireworksShow
     score: int = 0
@@ -28,10 +28,11 @@ class Display:
 
 
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
-    """Project 4.1: return the rocket nearest to a point of the X-Y plane, None for none in REACH.
+    """Project 4.1: return the rocket nearest to a point of the X-Y plane, or None beyond REACH.
 
-    Rockets are the fireworks whose rule has payloads, whatever lit them. One without any fuse left,
-    an age of 0 or less, is past saving and is not found; one at exactly REACH is found.
+    Rockets are the fireworks whose rule has payloads, however they were lit. A rocket without any
+    fuse left, with an age of 0 or less, cannot be saved and is not found. A rocket at exactly REACH
+    is found.
     """
     nearest, distance = None, REACH
     for rocket in _rockets(display):
@@ -43,12 +44,12 @@ def find_rocket(display: Display, x: float, y: float) -> Firework | None:
 
 
 def click(display: Display, x: float, y: float) -> bool:
-    """Project 4.1: click on a point of the X-Y plane, and say whether a rocket was hit.
+    """Project 4.1: click on a point of the X-Y plane, and return whether a rocket was hit.
 
-    The rocket that find_rocket finds gets an age of 0, so that it bursts in the next update, and
-    then another of its type is launched, if the show has room. That scores 1, or 3 where its fuse
-    was shorter than LATE. A click that hits no rocket is a miss. When the game is over a click does
-    nothing and hits nothing.
+    The rocket that find_rocket finds gets an age of 0, so it bursts in the next update. Then
+    another rocket of its type is launched, if the show has room. A hit scores 1 point, or 3 if the
+    fuse was shorter than LATE. A click that hits no rocket is a miss. When the game is over, a
+    click does nothing and returns False.
     """
     if is_over(display):
         return False
@@ -63,18 +64,18 @@ def click(display: Display, x: float, y: float) -> bool:
 
 
 def is_over(display: Display) -> bool:
-    """Project 4.1: say whether the game has ended: no rocket is left, or too many clicks missed.
+    """Project 4.1: return whether the game has ended: no rocket is left, or too many clicks missed.
 
-    MISSES_ALLOWED may miss, the next one ends the game. A rocket that was clicked on counts until
-    it has burst. A game begins when something has been launched.
+    MISSES_ALLOWED clicks may miss, and the next miss ends the game. A rocket that was clicked on
+    counts until it has burst. A game begins when a firework has been launched.
     """
     return display.misses > MISSES_ALLOWED or not _rockets(display)
 
 
 def tick(display: Display, duration: float) -> None:
-    """Let a frame in s pass: the time counts until the game is over, and what burns burns out.
+    """Let a time in s pass: update the show, and count the time until the game is over.
 
-    Raises ValueError where the duration is not positive and finite; nothing has changed then.
+    Raises ValueError if the duration is not positive and finite. Nothing has changed then.
     """
     over = is_over(display)
     display.show.update(duration)
@@ -83,6 +84,6 @@ def tick(display: Display, duration: float) -> None:
 
 
 def _rockets(display: Display) -> list[Firework]:
-    """Return the fireworks whose rule has payloads, with a fuse or without."""
+    """Return the fireworks whose rule has payloads, with or without a fuse."""
     rules = display.show.rules
     return [firework for firework in display.show.fireworks if rules[firework.type].payloads]

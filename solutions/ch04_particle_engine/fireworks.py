@@ -1,6 +1,6 @@
 """Fireworks (book 4.2): particles that burn for a while and leave others behind.
 
-What a type of firework does is data, a rule; the show only reads it.
+What a type of firework does is data, a rule. The show only reads the rules.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ POLICIES = ("keep_old", "drop_oldest")
 class Payload:
     """What a firework leaves behind: ``count`` fireworks of a type.
 
-    Raises ValueError where the count is below 1, TypeError where it is no whole number.
+    Raises ValueError if the count is below 1, and TypeError if it is not a whole number.
     """
 
     type: int
@@ -36,14 +36,14 @@ class Payload:
 
 @dataclass(frozen=True)
 class FireworkRule:
-    """What fireworks of a type do: how long they burn, how they fly and what they leave behind.
+    """What the fireworks of a type do: how long they burn, how they fly and what they leave behind.
 
-    Ages in s and velocities in m/s are drawn between a smallest and a largest one, velocities for
-    each component. ``damping`` is the share of the velocity that is kept per second.
+    Ages in s and velocities in m/s are drawn between a minimum and a maximum, velocities separately
+    for each component. ``damping`` is the fraction of the velocity that is kept per second.
 
-    Raises ValueError where an age or the damping is negative, a number is not finite, a velocity
-    has not three components, or a smallest is above its largest; TypeError for payloads that are no
-    tuple or list.
+    Raises ValueError if an age or the damping is negative, a number is not finite, a velocity does
+    not have three components, or a minimum is above its maximum. Raises TypeError if the payloads
+    are not a tuple or list.
     """
 
     type: int
@@ -78,7 +78,7 @@ class FireworkRule:
 
 
 class Firework:
-    """A burning particle: its ``type``, its ``particle``, and its ``age``: the fuse left in s."""
+    """A burning firework: its ``type``, its ``particle``, and its ``age``, the fuse left in s."""
 
     __slots__ = ("age", "particle", "type")
 
@@ -91,9 +91,10 @@ class Firework:
 def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = None) -> Firework:
     """Return a new firework of a rule, with numbers drawn from ``random`` (4.2.3).
 
-    Its age and each component of its velocity are drawn evenly between the rule's limits. A parent
-    gives it its place, and its velocity on top of the drawn one; without one it starts on the
-    ground, at one of LAUNCH_PLACES. Mass 1, GRAVITY as the acceleration, the damping of the rule.
+    Its age and each component of its velocity are drawn evenly between the rule's limits. With a
+    parent it starts at the parent's position, and the parent's velocity is added to the drawn one.
+    Without a parent it starts on the ground, at one of LAUNCH_PLACES. It has a mass of 1, the
+    acceleration GRAVITY and the damping of the rule.
     """
     velocity = Vector3(*map(random.uniform, rule.min_velocity, rule.max_velocity))
     if parent is None:
@@ -106,10 +107,10 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 
 
 def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
-    """Return the types that lead back to themselves, in ascending order: they never end.
+    """Return the types that lead back to themselves, in ascending order. They never end.
 
-    Type 1 does where it leaves type 2 behind and type 2 leaves type 1, and so does type 2; a type 3
-    that leaves type 1 behind never ends either, but does not come back.
+    If type 1 leaves type 2 behind and type 2 leaves type 1, both lead back to themselves. A type 3
+    that leaves type 1 behind never ends either, but nothing leads back to it.
     """
     leaves = {rule.type: {payload.type for payload in rule.payloads} for rule in rules}
     endless = []
@@ -128,15 +129,14 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 class FireworksShow:
     """Fireworks that burn, in the order in which they were lit, the oldest first.
 
-    At most ``capacity`` burn at a time. When that is full, "keep_old" lights no new ones, as the
-    book's text says, and "drop_oldest" puts out the oldest to make room, as its listing does
-    (E-20). ``dropped`` counts those not lit and those put out. So rules that light each other for
-    ever stay within the capacity, however many sparks they ask for.
+    At most ``capacity`` burn at a time. If the show is full, "keep_old" lights no new fireworks, as
+    the book's text says, and "drop_oldest" puts out the oldest to make room, as its listing does
+    (E-20). ``dropped`` counts the fireworks that were not lit or were put out. So even rules that
+    light each other forever stay within the capacity, however many sparks they ask for. The same
+    seed gives the same show.
 
-    The same seed gives the same show.
-
-    Raises ValueError where two rules have one type, a payload has a type without a rule, the
-    capacity is below 1, or there is no such policy; TypeError for a capacity that is no whole
+    Raises ValueError if two rules have the same type, a payload has a type without a rule, the
+    capacity is below 1, or there is no such policy. Raises TypeError if the capacity is not a whole
     number.
     """
 
@@ -170,20 +170,20 @@ class FireworksShow:
     def launch(self, type: int) -> None:
         """Light one firework of a type on the ground (4.2.3).
 
-        Raises ValueError where there is no rule for the type.
+        Raises ValueError if there is no rule for the type.
         """
         self.light([(type, 1, None)])
 
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
-        """Light fireworks, each birth a (type, count, parent), as far as the policy lets them.
+        """Light fireworks as far as the policy allows. Each birth is a tuple (type, count, parent).
 
-        They come behind those that burn already, in the order of the births. When there is no room
-        for all, "keep_old" lights the first of them, and "drop_oldest" lights those that would be
-        left if the oldest were put out again and again: the last ones. A call never makes more than
-        the capacity, whatever the counts.
+        New fireworks come after those that already burn, in the order of the births. If there is
+        not room for all, "keep_old" lights the first of them. "drop_oldest" lights those that would
+        be left if the oldest were put out again and again, which are the last ones. A call never
+        makes more fireworks than the capacity, whatever the counts are.
 
-        Raises ValueError where there is no rule for a type, or a count is negative; then nothing is
-        lit.
+        Raises ValueError if there is no rule for a type, or if a count is negative. Nothing is lit
+        then.
         """
         for type, count, _ in births:
             if type not in self.rules:
@@ -206,14 +206,15 @@ class FireworksShow:
         self.dropped += burning + asked - len(self.fireworks)
 
     def update(self, duration: float) -> None:
-        """Move every firework on by a frame in s, and light what the burnt-out ones leave (4.2.3).
+        """Move every firework by one step of a duration in s, and light the payloads that are due
+        (4.2.3).
 
-        Each moves, and its age shrinks by the duration. One whose age is below 0, or that is below
-        the ground (y < 0), is burnt out; at 0 it burns on. When all have moved, the burnt-out ones
-        are removed. Then their payloads are lit, with the burnt-out one's particle as the parent,
-        those of the oldest first.
+        Each firework moves, and its age shrinks by the duration. It has burnt out if its age is
+        below 0 or if it is below the ground (y < 0). At an age of 0 it still burns. After all have
+        moved, those that have burnt out are removed. Then their payloads are lit, those of the
+        oldest first, with the particle of the burnt-out firework as the parent.
 
-        Raises ValueError where the duration is not positive and finite; nothing has moved then.
+        Raises ValueError if the duration is not positive and finite. Nothing has moved then.
         """
         positive("duration", duration)
         burning: list[Firework] = []
@@ -232,7 +233,7 @@ class FireworksShow:
 
 
 def _whole(name: str, value: int) -> int:
-    """Return a whole number of 1 or more."""
+    """Return a whole number that is at least 1."""
     if not isinstance(value, int):
         raise TypeError(f"{name} must be a whole number, got {value!r}")
     if value < 1:

@@ -1,6 +1,6 @@
-"""Sparks that turn on the screen at a constant rate: a picture, and no physics (4.2.3, E-35).
+"""Sparks that rotate on the screen at a constant rate: a picture without physics (4.2.3, E-35).
 
-A turn that never changes its rate needs no step: the angle at any time is known.
+A rotation whose rate never changes needs no step, because the angle at any time is known.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ Point = tuple[float, float]
 def screen_angle(start: float, rate: float, time: float) -> float:
     """Going further: return the angle after a time in s, in radians, from -pi to pi.
 
-    It is ``start`` at the time 0 and grows by ``rate`` a second; whole turns are left out.
+    It is ``start`` at time 0 and grows by ``rate`` per second. Whole turns are removed.
 
-    Raises ValueError where one of them is not finite.
+    Raises ValueError if an argument is not finite.
 
     >>> screen_angle(0.5, 2.0, 0.25)
     1.0
@@ -29,11 +29,11 @@ def screen_angle(start: float, rate: float, time: float) -> float:
 def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
     """Going further: return the four corners of a square on the screen, one after the other.
 
-    At the angle 0 its sides, of length ``size``, are level and upright; a positive angle turns it
-    from X towards Y. The first corner is the one that is above and to the right at the angle 0, and
-    the others follow in the sense of the turn.
+    At angle 0 its sides, of length ``size``, are horizontal and vertical. A positive angle rotates
+    it from X toward Y. The first corner is the one that is at the upper right at angle 0, and the
+    others follow in the direction of rotation.
 
-    Raises ValueError where a coordinate or the angle is not finite, or the size not positive.
+    Raises ValueError if a coordinate or the angle is not finite, or if the size is not positive.
 
     >>> screen_corners((10.0, 20.0), 2.0, 0.0)
     [(11.0, 21.0), (9.0, 21.0), (9.0, 19.0), (11.0, 19.0)]

@@ -1,4 +1,4 @@
-"""Where a damped spring takes its end, at any time and without steps (book 6.3)."""
+"""The state of a damped spring at any time, without time steps (book 6.3)."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ def damped_spring_state(
 ) -> tuple[float, float]:
     """Return position in m and velocity in m/s after a time in s: m x'' = -k x - c x' (6.3.2).
 
-    The spring starts at x0 with the velocity v0, and rests at 0; ``stiffness`` k is in N/m,
-    ``damping`` c in N s/m, ``mass`` m in kg. Its end swings through 0 while c^2 < 4 k m
-    (under-damped); it comes to rest the soonest where they are equal (critical); beyond that it
-    creeps (over-damped). The book has the first of these alone (E-23). Without stiffness it is a
-    body that coasts.
+    The spring starts at x0 with the velocity v0, and its rest position is 0. ``stiffness`` k is in
+    N/m, ``damping`` c in N s/m and ``mass`` m in kg. If c^2 < 4 k m, it oscillates through 0
+    (under-damped). If both are equal, it comes to rest the soonest (critically damped). Above that
+    it creeps back (over-damped). The book has only the first case (E-23). Without stiffness the
+    body coasts.
 
-    Raises ValueError where the mass is not positive, stiffness, damping or time is negative, or one
-    of the arguments, k / m, c / m, the angle through which it swings, or the result, is not finite.
-    What is no number is a TypeError.
+    Raises ValueError if the mass is not positive, the stiffness, damping or time is negative, or if
+    an argument, k / m, c / m, the angle of the oscillation or a result is not finite. Raises
+    TypeError for an argument that is not a number.
     """
     raise NotImplementedError("Exercise B6.5: Harmonic motion without steps")

@@ -6,19 +6,22 @@ from ch06_springs.integrators import Integrator
 
 START = 10.0  # m, how far from its anchor the particle is released
 FRAMES = 2000
-STIFFEST = 16.0  # times m / h^2: twice what runge_kutta_4 can bear at d = 1
-SOFTEST = 1e-7  # times m / h^2: softer springs need not be told from none
+STIFFEST = 16.0  # times m / h^2: twice the limit of runge_kutta_4 at d = 1
+SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 
 
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
-    """Exercise 6.5: say whether a spring of a stiffness in N/m makes a particle swing ever wider.
+    """Exercise 6.5: return whether a spring of a stiffness in N/m makes a particle swing wider and
+    wider.
 
-    The particle has 1 kg and this damping, and is released at rest START m away from the anchor of
-    a spring whose rest length is 0. There is no gravity. It makes FRAMES steps by the integrator,
-    each of a duration in s. A swing whose size stays is not wider. Asked for is a stiffness that is
-    1 % off the limit or more, and whose swings take FRAMES / 6 frames or less: others are not told
-    for sure. Nor are swings of nearly 3 or nearly 4 frames, where the damping is 1: their ends are
-    missed for long.
+    The particle has 1 kg and this damping. It is released at rest, START m away from the anchor of
+    a spring with a rest length of 0. There is no gravity. It makes FRAMES steps by the integrator,
+    each of a duration in s. Oscillations that keep their size are not wider.
+
+    The answer must be right for a stiffness that differs from the limit by at least 1 % and whose
+    oscillations take at most FRAMES / 6 steps. If the damping is 1, it need not be right for
+    oscillations of nearly 3 or nearly 4 steps, because then the steps miss the ends of the swings
+    for a long time.
 
     >>> from ch06_springs.integrators import semi_implicit_euler
     >>> swings_wider(semi_implicit_euler, 14_000.0, 1.0, 1.0 / 60.0)
@@ -26,21 +29,21 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
     >>> swings_wider(semi_implicit_euler, 15_000.0, 1.0, 1.0 / 60.0)
     True
 
-    Raises ValueError where stiffness or damping is negative, the duration is not positive, or one
+    Raises ValueError if the stiffness or damping is negative, the duration is not positive, or one
     of them is not finite.
     """
     raise NotImplementedError("Exercise 6.5: How stiff may a spring be? Measured")
 
 
 def largest_stable_stiffness(integrator: Integrator, damping: float, duration: float) -> float:
-    """Exercise 6.5: measure the stiffness in N/m above which the particle swings ever wider.
+    """Exercise 6.5: measure the stiffness in N/m above which the particle swings wider and wider.
 
-    What is measured is 1 % off at most where the damping is between 0.3 and 0.95 and the duration
-    between 1/120 and 1/20 s; nearer to 1 the book's step grows so slowly that FRAMES are too few.
-    Where no spring is safe it is 0, or next to it: nothing below SOFTEST / h^2 is looked at. Where
-    STIFFEST / h^2 is safe, it is that.
+    The error must be at most 1 % for a damping from 0.3 to 0.95 and a duration from 1/120 to 1/20
+    s. For a damping closer to 1 the book's step grows so slowly that FRAMES steps are not enough.
+    If no spring is stable, the result is 0 or almost 0: nothing below SOFTEST / h^2 is tried. If
+    STIFFEST / h^2 is stable, the result is that.
 
-    Raises ValueError where the damping is negative, the duration is not positive, or one of them is
+    Raises ValueError if the damping is negative, the duration is not positive, or one of them is
     not finite.
     """
     raise NotImplementedError("Exercise 6.5: How stiff may a spring be? Measured")

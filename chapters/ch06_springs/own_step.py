@@ -1,7 +1,7 @@
-"""A step of one's own: near to the truth, for few evaluations of the forces.
+"""An integrator of your own: accurate, with few evaluations of the forces.
 
-What a step costs is how often it asks for the forces; what that buys is accuracy. Where a step
-should lie between the two, the scene decides: here it is an orbit.
+The cost of a step is the number of times that it evaluates the forces, and the benefit is its
+accuracy. Which compromise is best depends on the scene. Here it is an orbit.
 """
 
 from __future__ import annotations
@@ -13,15 +13,17 @@ from ch06_springs.integrators import ApplyForces
 
 
 def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    """Step particles by a duration in s, in a way of your own, and of as many parts as it takes.
+    """Move particles by a duration in s, by your own method, in as many parts as you like.
 
-    ``apply_forces(duration)`` adds the forces of the moment to the accumulators: clear them before
-    you ask again, and at the end. A particle's own acceleration counts beside the forces. There is
-    no damping here, no force depends on a velocity, no force is added by hand, and all particles
-    can be moved. Which duration ``apply_forces`` is told makes no difference.
+    ``apply_forces(duration)`` adds the current forces to the accumulators. Clear them before you
+    call it again, and at the end. A particle's own acceleration counts in addition to the forces.
+    In the graded scene there is no damping, no force depends on a velocity, no force is added by
+    hand, and all particles can move. The duration that you pass to ``apply_forces`` makes no
+    difference.
 
-    It is graded on one turn of an orbit of eccentricity 0.5, in 60 frames, by how often it asks for
-    the forces, and by how far at most it is off the true orbit after a frame, in units of the half
-    axis. To 1e-3 with at most 500 evaluations is good, to 1e-4 is better; after 5000 it is stopped.
+    It is graded on one revolution of an orbit of eccentricity 0.5 in 60 frames, by the number of
+    evaluations and by the largest distance from the true orbit after a frame, in units of the half
+    axis. An error of 1e-3 with at most 500 evaluations is good, and 1e-4 is better. After 5000
+    evaluations it is stopped.
     """
     raise NotImplementedError("Exercise G6.3: Going further: a step of your own")

@@ -1,4 +1,4 @@
-"""Going further: collisions by springs, and how they fail (E-36; the book has no such exercise)."""
+"""Going further: collisions by springs, and how they fail (E-36)."""
 
 from __future__ import annotations
 
@@ -7,14 +7,15 @@ from ch05_forces.particle import Particle
 
 
 class PenaltyGround:
-    """A level ground that pushes out by a spring what has sunk into it, and never pulls.
+    """Level ground that pushes particles out like a spring, and never pulls.
 
-    ``height`` is in m, ``stiffness`` in N/m, ``damping`` in N s/m. A soft ground is a sponge: what
-    lies on it has sunk in by m g / k. A hard one needs short frames: it begins to push only when a
-    frame ends below it, and pushes for all of the next one. So without damping it may throw bodies
-    higher than they fell from, unless k h^2 / m is far below 1; beyond 4 it throws even what lies.
+    ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m. Soft ground is like a sponge:
+    a body that rests on it has sunk in by m g / k. Hard ground needs short steps. It begins to push
+    only after a step has ended below it, and then pushes for the whole next step. So without
+    damping it may throw bodies higher than they fell from, unless k h^2 / m is far below 1. Above 4
+    it even throws bodies that rest on it.
 
-    Raises ValueError where the height is not finite, or another one is negative or not finite.
+    Raises ValueError if the height is not finite, or another argument is negative or not finite.
     """
 
     def __init__(self, height: float, stiffness: float, damping: float = 0.0) -> None:
@@ -23,9 +24,9 @@ class PenaltyGround:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add k depth - c v_y upwards where that pushes, for a particle below the ground.
+        """Add the upward force k depth - c v_y to a particle below the ground, if it pushes.
 
-        v_y is the particle's velocity upwards, so a damped ground pushes less on what is on its way
-        out; it does not hold it back.
+        v_y is the upward velocity of the particle. So damped ground pushes less on a particle that
+        is leaving it, but never holds it back.
         """
         raise NotImplementedError("Exercise G6.1: Going further: collisions by a spring")

@@ -1,4 +1,4 @@
-"""Going further: a rope bridge that springs hold up (book 6, exercises)."""
+"""Going further: a rope bridge that hangs on springs (book 6, exercises)."""
 
 from __future__ import annotations
 
@@ -15,24 +15,26 @@ def hang_bridge(
     stiffness: float,
     damping: float,
 ) -> None:
-    """Hang every plank on a spring of its own, and join each to the next one by another.
+    """Hang every plank on a spring of its own, and join each plank to the next one by another
+    spring.
 
-    The anchors are straight above the planks, as high in m as ``height`` says. All springs are as
-    long at rest as they are now, and have the same stiffness in N/m and damping in N s/m.
+    The anchors are straight above the planks, ``height`` m higher. The rest length of each spring
+    is its current length. All springs have the same stiffness in N/m and damping in N s/m.
 
-    Raises ValueError where the height is not positive, stiffness or damping is negative, or one of
-    them is not finite; nothing is registered then.
+    Raises ValueError if the height is not positive, the stiffness or damping is negative, or one of
+    them is not finite. Nothing is registered then.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")
 
 
 def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
-    """Add a walker's weight in N to the two planks between which he stands, at x in m.
+    """Add a walker's weight in N to the two planks between which the walker stands, at x in m.
 
-    The planks are in order along x. Each of the two carries the more the nearer it is, and both
-    carry all of the weight. Before the first plank or after the last, that one carries all.
+    The planks are in order along x. The weight is divided between the two, and the nearer plank
+    carries more of it. Before the first plank or after the last one, that plank carries all of the
+    weight.
 
-    Raises ValueError where there is no plank, x is not finite, or the weight is negative or not
+    Raises ValueError if there are no planks, x is not finite, or the weight is negative or not
     finite.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")

@@ -1,20 +1,19 @@
-"""Steps: ways to move particles on by a frame, and what each is good for.
+"""Integrators: methods that move particles forward by a time step, and what each is good for.
 
 The first five take ``(particles, apply_forces, duration)``. ``apply_forces(duration)`` adds the
-forces of the moment to the accumulators, as ForceRegistry.update_forces does, and may only act on
-these particles. A step asks it once or several times, each time with no other forces in the
-accumulators than those that were added by hand before the step. At its end they are empty, and
-Particle.last_acceleration knows the mean acceleration of the step. Each particle stands in the list
-once.
+current forces to the accumulators, as ForceRegistry.update_forces does. It may act only on these
+particles. An integrator calls it once or several times. At each call the accumulators contain only
+the forces that were added by hand before the step. At the end of the step they are empty, and
+Particle.last_acceleration is the mean acceleration of the step. Each particle is in the list once.
 
-A particle's own damping d multiplies the velocity by d^h, once, at the end of the step: the orders
-below are those at d = 1, and with any other d the order is 1. Immovable particles stay where they
-are. The stability limits are for a spring without damping, in frames of h s, at d = 1: k h^2 / m is
-how stiff it is for that frame.
+A particle's own damping d multiplies the velocity by d^h, once, at the end of the step. The orders
+below are for d = 1. For any other d the order is 1. Immovable particles do not move. The stability
+limits are for a spring without damping, with steps of h s, at d = 1. The number k h^2 / m says how
+stiff the spring is for that step.
 
-Each raises ValueError where the duration is not positive and finite, and TypeError where it is no
-number; all is then as it was. What apply_forces raises comes out of the step, and the particles are
-then somewhere on their way.
+Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
+not a number. Nothing has changed then. Exceptions from apply_forces are passed on, and the
+particles are then somewhere in the middle of the step.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ from typing import Any
 from ch02_vectors.arguments import finite, not_negative, positive
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import NO_FORCE, Particle
-from ch06_springs.adaptive import adaptive as adaptive  # to be found with the others
+from ch06_springs.adaptive import adaptive as adaptive  # so that it is found with the others
 
 ApplyForces = Callable[[float], None]
 Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
@@ -37,9 +36,10 @@ def explicit_euler(
 ) -> None:
     """Drift, then kick, as the book's step does: p' = p + v h, and then v' = (v + a h) d^h.
 
-    Order 1; not symplectic; one evaluation of the forces. Stable for no stiffness, at d = 1; below
-    max_stable_stiffness where d < 1. A damper c in the spring makes it stable for k h < c, while
-    c h / m < 2. Source: book 3.3.2, with its name put right (E-17).
+    Order 1, not symplectic, one evaluation of the forces. At d = 1 it is not stable for any
+    stiffness. For d < 1 it is stable below max_stable_stiffness. A damper c in the spring makes it
+    stable for k h < c, as long as c h / m < 2. Source: book 3.3.2, where it has another name
+    (E-17).
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -53,10 +53,10 @@ def semi_implicit_euler(
 ) -> None:
     """Kick, then drift: v' = (v + a h) d^h, and then p' = p + v' h.
 
-    Order 1; symplectic at d = 1 where no force depends on the velocity, so that energy does not
-    drift; one evaluation of the forces. Stable for k h^2 / m < 4; with damping d for k h^2 / m < 2
-    (1 + d^h) / d^h, with a damper c in the spring for k h^2 / m + 2 c h / m < 4. Source: Hairer,
-    Lubich and Wanner, Geometric Numerical Integration, I.1.2.
+    Order 1, one evaluation of the forces. It is symplectic at d = 1 if no force depends on the
+    velocity, so the energy does not drift. Stable for k h^2 / m < 4. With damping d the limit is k
+    h^2 / m < 2 (1 + d^h) / d^h, and with a damper c in the spring k h^2 / m + 2 c h / m < 4.
+    Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -92,13 +92,13 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step by the acceleration a of now, and by b, that of the position that a leads to.
+    """Step by the accelerations a at the start and b at the new position.
 
     p' = p + v h + a h^2 / 2, and v' = (v + (a + b) h / 2) d^h. Forces that depend on the velocity
-    are asked for b with v + a h.
+    are evaluated for b with v + a h.
 
-    Order 2; symplectic at d = 1 where no force depends on the velocity; two evaluations of the
-    forces. Stable for k h^2 / m < 4, also where d < 1; a damper in the spring takes some of that.
+    Order 2, two evaluations of the forces. It is symplectic at d = 1 if no force depends on the
+    velocity. Stable for k h^2 / m < 4, also if d < 1. A damper in the spring lowers this limit.
     Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
     """
     positive("duration", duration)
@@ -129,20 +129,20 @@ def velocity_verlet(
 def runge_kutta_4(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step by the mean of four rates: at the start, twice in the middle, and at the end.
+    """Step by the weighted mean of four rates: at the start, twice in the middle, and at the end.
 
-    The second and the third count double. The first is taken at the start, each of the others
-    where the rate before it leads from the start: in half of the frame, in half of it again, and in
-    all of it.
+    The second and third rates count double. The first rate is taken at the start. Each of the
+    others is taken at the state to which the rate before it leads from the start: after half of the
+    step, after half of it again, and after the whole step.
 
-    Order 4; not symplectic, but nearly free of drift while its steps are small; four evaluations of
-    the forces. Stable for k h^2 / m < 8, and for more where d < 1. Source: Kutta, Zeitschrift für
-    Mathematik und Physik 46 (1901), 435.
+    Order 4, four evaluations of the forces. It is not symplectic, but its energy drifts very slowly
+    if the steps are short. Stable for k h^2 / m < 8, and for more if d < 1. Source: Kutta,
+    Zeitschrift für Mathematik und Physik 46 (1901), 435.
     """
     positive("duration", duration)
     half, sixth = 0.5 * duration, duration / 6.0
     starts, by_hand = _starts(particles)
-    for ahead in (half, half, duration, 0.0):  # 0: after the fourth rate all is back at the start
+    for ahead in (half, half, duration, 0.0):  # 0: back to the start after the fourth rate
         apply_forces(duration)
         for particle, m, a, p, q, x, y, z, u, v, w, rates in starts:
             fx, fy, fz = force = particle.take_forces()
@@ -178,17 +178,18 @@ def runge_kutta_4(
 def backward_euler(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return position in m and velocity in m/s of one linear spring a frame later.
+    """Return position in m and velocity in m/s of one linear spring after a time step.
 
-    x' = x + v' h and v' = v + a' h, both with what is new: m a' = -k x' - c v', which is solved for
-    v'. The spring rests at 0; k is in N/m, c in N s/m, the mass in kg and the duration in s.
+    x' = x + v' h and v' = v + a' h, both with the new values: m a' = -k x' - c v', which is solved
+    for v'. The rest position of the spring is 0. k is in N/m, c in N s/m, the mass in kg and the
+    duration in s.
 
-    Order 1; not symplectic; nothing to evaluate; stable for every stiffness, and it loses energy
-    all the more the stiffer the spring. Source: Hairer and Wanner, Solving Ordinary Differential
-    Equations II, IV.3.
+    Order 1, not symplectic, no evaluations. Stable for every stiffness. The stiffer the spring, the
+    more energy it loses. Source: Hairer and Wanner, Solving Ordinary Differential Equations II,
+    IV.3.
 
-    Raises ValueError where mass or duration is not positive, stiffness or damping is negative, or
-    an argument or the result is not finite. What is no number is a TypeError.
+    Raises ValueError if the mass or duration is not positive, the stiffness or damping is negative,
+    or an argument or result is not finite. Raises TypeError for an argument that is not a number.
     """
     h, k, c = _per_mass(x, v, stiffness, damping, mass, duration)
     new = (v - h * k * x) / (1.0 + h * c + h * h * k)
@@ -198,13 +199,13 @@ def backward_euler(
 def trapezoidal(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return position in m and velocity in m/s of one linear spring a frame later.
+    """Return position in m and velocity in m/s of one linear spring after a time step.
 
-    x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the mean of old and new, with
-    m a = -k x - c v, which is solved for v'. The arguments are those of backward_euler.
+    x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the mean of old and new values, with m a =
+    -k x - c v, which is solved for v'. The arguments are those of backward_euler.
 
-    Order 2; symplectic for this spring without damping, whose energy it keeps; nothing to evaluate;
-    stable for every stiffness. Source: Hairer and Wanner, Solving Ordinary Differential Equations
+    Order 2, no evaluations. It is symplectic for a spring without damping, whose energy it keeps.
+    Stable for every stiffness. Source: Hairer and Wanner, Solving Ordinary Differential Equations
     II, IV.3.
 
     Raises ValueError and TypeError as backward_euler does.
@@ -216,29 +217,30 @@ def trapezoidal(
 
 
 class SimulationDiverged(ArithmeticError):  # noqa: N818
-    """A particle is faster than anything in its scene should be: the step cannot follow the forces.
+    """Raised when a particle is faster than anything in its scene should be.
 
-    ``particle`` is its place in the list of particles, ``step`` the number of the step after which
-    that was seen, the first being 1, ``speed`` and ``limit`` are in m/s.
+    The step cannot follow the forces then. ``particle`` is the index of the particle, and ``step``
+    is the number of the step after which this was found, counted from 1. ``speed`` and ``limit``
+    are in m/s.
     """
 
     def __init__(self, particle: int, step: int, speed: float, limit: float) -> None:
         super().__init__(
-            f"particle {particle} has {speed:.4g} m/s after step {step}, over the limit of "
-            f"{limit:g} m/s: shorter frames, softer springs or another step would help"
+            f"particle {particle} has {speed:.4g} m/s after step {step}, above the limit of "
+            f"{limit:g} m/s: use shorter steps, softer springs or another integrator"
         )
         self.particle, self.step, self.speed, self.limit = particle, step, speed, limit
 
 
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
-    """Return a step that does what the integrator does, and then looks at every particle's speed.
+    """Return an integrator that does the same and then checks the speed of every particle.
 
-    It takes the same arguments, counts the steps that it has made, and raises SimulationDiverged
-    for the first particle whose speed is over the limit in m/s, or not a number. What the
-    integrator raises comes out, and is no step that was made. Without a watch nothing is looked at,
-    and nothing is paid.
+    It takes the same arguments and counts its steps. It raises SimulationDiverged for the first
+    particle whose speed is above the limit in m/s or not a number. Exceptions of the integrator are
+    passed on, and such a step does not count. An integrator without a watch checks nothing and
+    costs nothing extra.
 
-    Raises ValueError where the limit is not positive and finite.
+    Raises ValueError if the limit is not positive and finite.
     """
     positive("speed_limit", speed_limit)
     steps = 0
@@ -250,7 +252,7 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
         for i, particle in enumerate(particles):
             v = particle.velocity
             speed = math.hypot(v.x, v.y, v.z)
-            if not speed <= speed_limit:  # NaN compares false with everything
+            if not speed <= speed_limit:  # "not <=" is also true for NaN
                 raise SimulationDiverged(i, steps, speed, speed_limit)
 
     return step
@@ -259,10 +261,10 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
 def _starts(
     particles: Iterable[Particle],
 ) -> tuple[list[tuple[Any, ...]], list[tuple[Particle, Vector3]]]:
-    """Return each particle with its start of the step, and the forces that were added by hand.
+    """Return each particle with its state at the start of the step, and the forces added by hand.
 
     A start is the particle, inverse mass, acceleration, position, velocity, the components of these
-    last two, and an empty list for what the step evaluates.
+    last two, and an empty list for the evaluations of the step.
     """
     starts: list[tuple[Any, ...]] = []
     by_hand = []
@@ -279,7 +281,7 @@ def _starts(
 
 
 def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
-    """Add the forces that were added by hand, since each evaluation starts from them."""
+    """Add the forces that were added by hand, because each evaluation starts from them."""
     for particle, force in by_hand:
         particle.add_force(force)
 
@@ -287,7 +289,7 @@ def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
 def _per_mass(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float, float]:
-    """Return the duration, and stiffness and damping for 1 kg, after a look at all arguments."""
+    """Return the duration, and stiffness and damping for 1 kg, after checking all arguments."""
     finite("x", x)
     finite("v", v)
     positive("mass", mass)

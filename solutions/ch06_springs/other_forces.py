@@ -1,7 +1,7 @@
-"""Forces that depend on where a particle is: water, a balloon, a crowd and a homing bullet.
+"""Forces that depend on the position of a particle: water, a balloon, a crowd and a homing bullet.
 
-Units and the checks of arguments are as in springs.py, which passes these classes on: import them
-from either module.
+Units and the checks of arguments are as in springs.py. You can import these classes from either
+module.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from ch05_forces.particle import Particle
 
 
 class Buoyancy:
-    """The lift of water, whose surface is level, on a body that floats or sinks in it (6.2.4).
+    """The lift of water with a level surface on a body that floats or sinks in it (6.2.4).
 
-    ``max_depth`` in m is how deep the middle of the body is when all of it is just under water, and
-    how high when all of it is just out; ``volume`` is in m^3, ``liquid_density`` in kg/m^3 (fresh
-    water has 1000, the sea 1020 to 1030) and ``gravity`` in m/s^2. The lift is in N: the book's
-    text has some of its examples a thousand times too large (E-21).
+    ``max_depth`` in m is the depth of the body's center at which it is just submerged, and the
+    height at which it is just out of the water. ``volume`` is in m^3, ``liquid_density`` in kg/m^3
+    (1000 for fresh water, 1020 to 1030 for the sea) and ``gravity`` in m/s^2. The lift is in N. In
+    the book's text some examples are a thousand times too large (E-21).
 
-    Raises ValueError where ``max_depth``, ``volume`` or ``liquid_density`` is not positive,
+    Raises ValueError if ``max_depth``, ``volume`` or ``liquid_density`` is not positive,
     ``gravity`` is negative, or one of them is not finite.
     """
 
@@ -40,12 +40,12 @@ class Buoyancy:
         self.gravity = not_negative("gravity", gravity)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the weight of the water that is pushed aside, upwards.
+        """Add the weight of the displaced water, upward.
 
-        It is rho V g times the share of the body that is under water: (y_w + s - y) / (2 s), but
-        never less than 0 nor more than 1. Here s is ``max_depth``, y_w the height of the water and
-        y that of the particle. The book's formula has another sign, and its listing loses brackets
-        and g (E-5).
+        It is rho V g times the submerged fraction of the body, (y_w + s - y) / (2 s), limited to
+        the range from 0 to 1. Here s is ``max_depth``, y_w is the height of the water and y is that
+        of the particle. The book's formula has another sign, and its listing lacks brackets and g
+        (E-5).
         """
         depth = self.water_height + self.max_depth - particle.position.y
         share = min(max(depth / (2.0 * self.max_depth), 0.0), 1.0)
@@ -54,13 +54,13 @@ class Buoyancy:
 
 
 class LighterThanAir:
-    """Exercise 6.2: the lift of a balloon, which falls off with the height: F e^(-y / H).
+    """Exercise 6.2: the lift of a balloon, which decreases with the height: F e^(-y / H).
 
-    F is ``max_lift`` in N, at the ground, where y is 0; H is ``scale_height`` in m, in which the
-    lift falls to 1 / e. Below the ground it is as at the ground: finite everywhere.
+    F is ``max_lift`` in N, the lift at the ground, where y is 0. H is ``scale_height`` in m, over
+    which the lift falls to 1 / e of its value. Below the ground the lift is that at the ground.
 
-    Raises ValueError where ``max_lift`` is negative, ``scale_height`` is not positive, or one of
-    them is not finite.
+    Raises ValueError if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them
+    is not finite.
     """
 
     def __init__(self, max_lift: float, scale_height: float) -> None:
@@ -68,17 +68,17 @@ class LighterThanAir:
         self.scale_height = positive("scale_height", scale_height)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.2: add the lift at the particle's height, upwards."""
+        """Exercise 6.2: add the lift at the particle's height, upward."""
         height = max(particle.position.y, 0.0)
         lift = self.max_lift * math.exp(-height / self.scale_height)
         particle.add_force(Vector3(0.0, lift, 0.0))
 
 
 class Overcrowding:
-    """Exercise 6.3: particles that are too near push apart, as a compressed spring does.
+    """Exercise 6.3: particles that are too close push each other apart, like a compressed spring.
 
-    ``particles`` is the crowd, a list that is kept and may be changed; the particle that is asked
-    for may be one of them. ``distance`` in m is how near they may be without a push.
+    ``particles`` is the crowd. The list is kept and may be changed later, and it may contain the
+    particle itself. ``distance`` in m is how close two particles may be without a push.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -91,9 +91,11 @@ class Overcrowding:
         self.stiffness = not_negative("stiffness", stiffness)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.3: add k (distance - l) away from each of the others with l < distance.
+        """Exercise 6.3: for each other particle closer than the distance, add k (distance - l) away
+        from it.
 
-        Others at the very same place have no direction, and do not push.
+        If another particle is at the very same position, there is no direction, and it does not
+        push.
         """
         for other in self.particles:
             away = particle.position - other.position
@@ -103,9 +105,10 @@ class Overcrowding:
 
 
 class HomingBullet:
-    """Exercise 6.4: a force towards where both will be after ``look_ahead`` s, if neither turns.
+    """Exercise 6.4: a force toward where bullet and target will be after ``look_ahead`` s.
 
-    It is a spring of rest length 0 from where the bullet will be to where the target will be.
+    Both are assumed to keep their velocities. The force is that of a spring of rest length 0 from
+    the future position of the bullet to that of the target.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:
@@ -114,7 +117,9 @@ class HomingBullet:
         self.look_ahead = not_negative("look_ahead", look_ahead)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.4: add k times the way between the two places; it leaves the target alone."""
+        """Exercise 6.4: add k times the displacement between the two positions, and nothing to the
+        target.
+        """
         way = self.target.position - particle.position
         way.add_scaled(self.target.velocity - particle.velocity, self.look_ahead)
         particle.add_force(way * self.stiffness)

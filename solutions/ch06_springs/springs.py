@@ -1,12 +1,13 @@
-"""Springs: force generators that push and pull by how far away something is.
+"""Springs: force generators that push and pull depending on a length.
 
-A spring pulls its ends together when it is longer than at rest, and pushes them apart when it is
-shorter (Eq. 6.1, 6.2). Where two ends are at one place there is no direction, and so no force.
+A spring pulls its ends together if it is longer than its rest length, and pushes them apart if it
+is shorter (Eq. 6.1, 6.2). If both ends are at the same position, there is no direction, and so no
+force.
 
-Lengths are in m, stiffness is in N/m, damping in N s/m. What a generator is made with is looked at
-and, where it is a vector, copied: ValueError names what is negative or not finite, TypeError what
-is no number, no Vector3 or no Particle. Its attributes may be changed later, and are then yours to
-keep finite.
+Lengths are in m, stiffness in N/m and damping in N s/m. Constructors check their arguments and copy
+vectors. They raise ValueError for a number that is negative or not finite, and TypeError for an
+argument of the wrong type. You may change the attributes later, and then it is up to you to keep
+them finite.
 """
 
 from __future__ import annotations
@@ -27,15 +28,16 @@ from ch06_springs.other_forces import Overcrowding as Overcrowding
 def spring_force(
     offset: Vector3, velocity: Vector3, stiffness: float, rest_length: float, damping: float = 0.0
 ) -> Vector3:
-    """Return the force in N of a spring on one of its ends, as new (Eq. 6.1, 6.2).
+    """Return the force in N of a spring on one of its ends as a new vector (Eq. 6.1, 6.2).
 
-    It is -(k (l - l0) + c l') d^. ``offset`` is where this end is, seen from the other one, in m;
-    l is its length, d^ its direction, and l' how fast the spring grows longer: the part along d^ of
-    ``velocity``, that of this end seen from the other one, in m/s. Without an offset there is no
-    direction, and no force. The arguments are not checked; the constructors of the springs do that.
+    It is -(k (l - l0) + c l') d^. ``offset`` is the position of this end relative to the other one,
+    in m. Its length is l and its direction d^. l' is the rate at which the spring gets longer,
+    which is the part of ``velocity`` along d^. The velocity is that of this end relative to the
+    other one, in m/s. If the offset is zero, there is no direction and no force. The arguments are
+    not checked here, because the constructors of the springs check them.
 
-    A spring that is shorter than at rest pushes. The book's listing has an absolute value there,
-    with which it would pull (E-3).
+    A spring that is shorter than its rest length pushes. The book's listing has an absolute value
+    there and would pull (E-3).
     """
     direction = offset.normalized()
     extension = offset.magnitude() - rest_length
@@ -43,9 +45,9 @@ def spring_force(
 
 
 class Spring:
-    """A spring from the particle it acts on to another one, which it leaves alone (6.2.1).
+    """A spring that pulls on one particle only (6.2.1).
 
-    For a force on both ends, one spring an end is registered; ``connect`` does it with one object.
+    The other end is at ``other``, which feels no force. To pull on both ends, use ``connect``.
     """
 
     def __init__(
@@ -57,15 +59,15 @@ class Spring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring_force on the particle, seen from the other one."""
+        """Add the spring_force on the particle, relative to the other particle."""
         other = self.other
         particle.add_force(_force(self, particle, other.position, other.velocity))
 
 
 class AnchoredSpring:
-    """A spring from a particle to an anchor: a place that nothing pulls away (6.2.2).
+    """A spring from a particle to an anchor, a fixed position (6.2.2).
 
-    ``anchor`` may be moved, as for a camera on a spring. It counts as standing still all the same.
+    You may move ``anchor``, for example for a camera on a spring. It still counts as being at rest.
     """
 
     def __init__(
@@ -77,21 +79,21 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring_force on the particle, seen from the anchor."""
+        """Add the spring_force on the particle, relative to the anchor."""
         particle.add_force(_force(self, particle, self.anchor))
 
 
 class Bungee(Spring):
     """An elastic rope to another particle: a spring that only pulls (6.2.3).
 
-    At its rest length or shorter it is slack, and does nothing. The book's listing has the
-    difference of the lengths the wrong way round, and pushes what it should pull (E-4).
+    At its rest length or shorter it is slack and exerts no force. The book's listing subtracts the
+    lengths in the wrong order, so it pushes (E-4).
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the spring where that pulls, and nothing where the rope is slack.
+        """Add the force of the spring if it pulls, and nothing if the rope is slack.
 
-        Damping makes a stretched rope pull less while it shortens, but never push.
+        Damping makes a stretched rope pull less while it gets shorter, but never push.
         """
         other = self.other
         _add_pull(self, particle, other.position, other.velocity)
@@ -101,12 +103,12 @@ class AnchoredBungee(AnchoredSpring):
     """An elastic rope to an anchor, which only pulls (6.2.3)."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force of the spring where that pulls, as a Bungee does."""
+        """Add the force of the spring if it pulls, as a Bungee does."""
         _add_pull(self, particle, self.anchor)
 
 
 class Connection:
-    """A spring between two particles, a and b, that serves both ends at once: see ``connect``."""
+    """A spring between two particles, a and b, that pulls on both ends: see ``connect``."""
 
     def __init__(
         self, a: Particle, b: Particle, stiffness: float, rest_length: float, damping: float = 0.0
@@ -118,9 +120,10 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring_force on a to a, and exactly its opposite to b.
+        """Add the spring_force on a to a, and exactly the opposite force to b.
 
-        So the momentum of the two stays what it was. Which of the two is asked for does not matter.
+        So the total momentum of the two does not change. It does not matter for which of the two
+        this is called.
         """
         # spring_force in plain floats, as in _force: a cloth has hundreds of these.
         a, b = self.a, self.b
@@ -150,8 +153,8 @@ def connect(
 ) -> Connection:
     """Join two particles by one spring that acts on both, and return it.
 
-    The registry keeps it under a, or under b where a is immovable, since it asks for no immovable
-    particle: fix an end in its place before it is connected, not after.
+    The registry keeps the spring under a, or under b if a is immovable, because it skips immovable
+    particles. So make an end immovable before you connect it, not after.
     """
     spring = Connection(a, b, stiffness, rest_length, damping)
     registry.add(a if a.inverse_mass else b, spring)
@@ -159,22 +162,24 @@ def connect(
 
 
 class FakeStiffSpring:
-    """A spring too stiff for the steps, by the force that brings its end where it would be (6.3.2).
+    """A spring that is too stiff for the steps, faked by a force that leads to the right position
+    (6.3.2).
 
-    Its rest length is 0, and its other end is an anchor. Where a true spring would be at the end of
-    the frame is known (damped_spring_state), and one constant force through the frame leads there.
+    Its rest length is 0, and its other end is an anchor. damped_spring_state tells where a real
+    spring would be at the end of the step. One constant force during the step takes the particle
+    there.
 
-    It is built for semi-implicit Euler, p' = p + v' h: that lands where the formula says, for a
-    particle of damping 1, without an acceleration of its own and without other forces. Explicit
-    Euler, Particle.integrate, does not: its p' = p + v h has no force in it, so the particle is
-    where it should be one frame too late, and swings ever wider (E-22). The printed forms of the
-    force fit no step (E-6).
+    It is made for semi-implicit Euler, p' = p + v' h. This lands where the formula says if the
+    particle has a damping of 1, no acceleration of its own and no other forces. Explicit Euler,
+    Particle.integrate, does not: the force is not in its p' = p + v h, so the particle arrives one
+    step too late and swings wider and wider (E-22). The printed forms of the force do not fit any
+    step (E-6).
 
-    The velocity after the frame is the mean one of the frame, and not that of a true spring. So it
-    swings more slowly while its frames are short, 1.41 times as long: the force is half a true
-    spring's. And without damping the swings of most die out all the same; only where chi h, with
-    chi the root of k / m, is a little more than pi, 3 pi, 5 pi and so on (up to 4.06 after pi) they
-    grow, by up to 13 % a frame. A twentieth of the critical damping prevents that.
+    The velocity after the step is the mean velocity of the step, not that of a real spring. So with
+    short steps the spring oscillates 1.41 times as slowly, because the force is half that of a real
+    spring. Without damping, most oscillations die out all the same. They grow, by up to 13 % per
+    step, only if chi h is slightly larger than pi, 3 pi, 5 pi and so on (up to 4.06 after pi),
+    where chi is sqrt(k / m). A twentieth of the critical damping prevents that.
     """
 
     def __init__(self, anchor: Vector3, stiffness: float, damping: float) -> None:
@@ -183,10 +188,12 @@ class FakeStiffSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add m ((T - x) / h^2 - v / h) on each axis, T being where the spring has it after h.
+        """Add m ((T - x) / h^2 - v / h) on each axis, where T is the spring's position after h.
 
-        x is the place seen from the anchor, and v the velocity. An immovable particle is left
-        alone. Raises ValueError where the duration is not positive and finite, for such a one too.
+        x is the position relative to the anchor, and v is the velocity. Skip an immovable particle.
+
+        Raises ValueError if the duration is not positive and finite, even for an immovable
+        particle.
         """
         positive("duration", duration)
         if not particle.has_finite_mass:
@@ -201,12 +208,12 @@ class FakeStiffSpring:
 
 
 class ElasticLimitSpring:
-    """Exercise 6.1: a spring that is weaker once it is stretched beyond its limit of elasticity.
+    """Exercise 6.1: a spring that gets weaker when it is stretched beyond its elastic limit.
 
-    Up to a length of ``limit`` it is a Spring; what it is longer than that counts with ``share``
-    times the stiffness. It has no damping, and leaves the other particle alone.
+    Up to a length of ``limit`` it is a Spring. The length beyond the limit counts with the fraction
+    ``share`` of the stiffness. It has no damping, and it exerts no force on the other particle.
 
-    Raises ValueError where the limit is below the rest length, a number is negative, or one is not
+    Raises ValueError if the limit is below the rest length, or if a number is negative or not
     finite.
     """
 
@@ -222,7 +229,7 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force; at the limit itself there is no jump in it."""
+        """Exercise 6.1: add the force. It does not jump at the limit."""
         offset = particle.position - self.other.position
         length = offset.magnitude()
         extension = min(length, self.limit) - self.rest_length
@@ -234,12 +241,13 @@ class ElasticLimitSpring:
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
     """Exercise 6.6b: return the stiffness in N/m above which a spring explodes: m (d^-h - 1) / h^2.
 
-    It is a spring to an anchor that has no damping of its own, under Particle.integrate in frames
-    of a duration h in s; ``damping`` is the particle's d, and ``mass`` is in kg. At d = 1 and above
-    it is 0: no spring is safe. At d = 0, and where d^-h is too large for a float, it is math.inf.
+    It is for a spring to an anchor, without damping of its own, under Particle.integrate with time
+    steps of a duration h in s. ``damping`` is the particle's d, and ``mass`` is in kg. For d = 1
+    and above the result is 0: no spring is stable. For d = 0, and if d^-h is too large for a float,
+    it is math.inf.
 
-    Raises ValueError where the damping is negative, duration or mass is not positive, or one of
-    them is not finite.
+    Raises ValueError if the damping is negative, the duration or the mass is not positive, or one
+    of them is not finite.
     """
     not_negative("damping", damping)
     positive("duration", duration)
@@ -247,7 +255,7 @@ def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> 
     if damping == 0.0:
         return math.inf
     try:
-        grown = math.expm1(-duration * math.log(damping))  # d^-h - 1, with its digits where d is ~1
+        grown = math.expm1(-duration * math.log(damping))  # d^-h - 1, accurate for d near 1
     except OverflowError:
         return math.inf
     return max(0.0, mass * grown / duration / duration)
@@ -259,9 +267,9 @@ def _force(
     end: Vector3,
     end_velocity: Vector3 | None = None,
 ) -> Vector3:
-    """Return the spring_force on a particle, for a spring whose other end is there.
+    """Return the spring_force on a particle, for a spring with its other end at ``end``.
 
-    Without a velocity the other end is at rest. This is spring_force written out, since plain
+    Without a velocity the other end is at rest. This is spring_force written out, because plain
     floats take a third of the time of vectors.
     """
     position = particle.position
@@ -285,7 +293,7 @@ def _add_pull(
     end: Vector3,
     end_velocity: Vector3 | None = None,
 ) -> None:
-    """Add the force of a spring where it is stretched and pulls, as a rope does."""
+    """Add the force of a spring if it is stretched and pulls, as a rope does."""
     offset = particle.position - end
     if offset.magnitude() > spring.rest_length:
         force = _force(spring, particle, end, end_velocity)

@@ -165,9 +165,8 @@ class FakeStiffSpring:
     """A spring that is too stiff for the steps, faked by a force that leads to the right position
     (6.3.2).
 
-    Its rest length is 0, and its other end is an anchor. damped_spring_state tells where a real
-    spring would be at the end of the step. One constant force during the step takes the particle
-    there.
+    Its rest length is 0, and its other end is an anchor. One constant force during the step takes
+    the particle to where damped_spring_state says that a real spring would be.
 
     It is made for semi-implicit Euler, p' = p + v' h. This lands where the formula says if the
     particle has a damping of 1, no acceleration of its own and no other forces. Explicit Euler,

@@ -52,18 +52,21 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
         for extension in (positive_number(rng, 0.3, 3.0), 1e-4):
             offset = tuple((rest + extension) * part for part in d)
             about.call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
-            about.cause = "a stretched rope pulls towards its other end: -k (l - l0) d^"
+            about.cause = "A stretched rope pulls toward its other end: -k (l - l0) d^."
             before = xyz(p.position), xyz(p.velocity)
             bungee.update_force(p, 0.5)
             got = xyz(p.force_accumulator)
             wanted = tuple(-k * extension * part for part in d)
             slips = {
-                "a push, as of the printed k (l0 - l) (E-4), or of an offset the other way round": [
-                    -part for part in wanted
+                (
+                    "This pushes. The printed form k (l0 - l) has the wrong sign (E-4). Check the "
+                    "direction of the offset too."
+                ): [-part for part in wanted],
+                "There is no force although the rope is longer than its rest length.": ZERO,
+                "This is -k l d^. Subtract the rest length from the length.": [
+                    -k * (rest + extension) * part for part in d
                 ],
-                "no force, though the rope is longer than at rest": ZERO,
-                "-k l d^, without the rest length": [-k * (rest + extension) * part for part in d],
-                "the right size times the offset, which is no unit vector": [
+                "The force is multiplied by the offset. Use the unit vector along it.": [
                     part * (rest + extension) for part in wanted
                 ],
             }
@@ -82,9 +85,20 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
         k, rest = positive_number(rng), positive_number(rng, 2.0, 4.0)
         c = positive_number(rng)
         for share, speed, cause in (
-            (0.5, 0.0, "a rope that is shorter than at rest is slack: a Bungee never pushes"),
-            (0.9, 5.0, "a slack rope has no damping either, however fast its ends part"),
-            (0.0, 5.0, "ends at one place: slack, and without a direction"),
+            (
+                0.5,
+                0.0,
+                "A rope that is shorter than its rest length is slack. A Bungee never pushes.",
+            ),
+            (0.9, 5.0, "A slack rope has no damping either, however fast its ends separate."),
+            (
+                0.0,
+                5.0,
+                (
+                    "If both ends are at the same position, the rope is slack and there is no "
+                    "direction."
+                ),
+            ),
         ):
             about.cause = cause
             offset = tuple(share * rest * part for part in d)
@@ -94,10 +108,10 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
             got = xyz(p.force_accumulator)
             expect_close(got, ZERO)
         about.call, bungee, p = rope(kind, STILL, (2.0, 0.0, 0.0), (5.0, 0.0, 0.0), (3.0, 2.0, 3.0))
-        about.cause = "at its rest length a rope is slack still, and has no damping"
+        about.cause = "At exactly its rest length, a rope is still slack and has no damping."
         bungee.update_force(p, 0.5)
         expect_close(xyz(p.force_accumulator), ZERO)
-        about.cause = "beyond its rest length a rope pulls again"
+        about.cause = "A rope that is longer than its rest length must pull again."
         offset = tuple(2.0 * rest * part for part in d)
         about.call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
         bungee.update_force(p, 0.5)
@@ -116,10 +130,19 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
         offset = tuple((rest + extension) * part for part in d)
         still = k * extension / c  # the speed of shortening at which nothing is left of the pull
         for share, cause in (
-            (-1.0, "a rope that grows longer is held back by its damping too: -(k x + c l') d^"),
-            (0.5, "a stretched rope that shortens pulls less: -(k x + c l') d^"),
-            (2.0, "where damping is more than the pull, the rope does nothing: it never pushes"),
-            (1.001, "a rope does not push a little either, where damping is just above the pull"),
+            (-1.0, "Damping also resists a rope that gets longer: -(k x + c l') d^."),
+            (0.5, "A stretched rope that gets shorter pulls less: -(k x + c l') d^."),
+            (
+                2.0,
+                "If the damping is larger than the pull, there is no force. A rope never pushes.",
+            ),
+            (
+                1.001,
+                (
+                    "A rope does not push even a little if the damping is "
+                    "slightly larger than the pull."
+                ),
+            ),
         ):
             about.cause = cause
             speed = -share * still
@@ -131,9 +154,14 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "the pull without its damping": [-k * extension * part for part in d],
-                "a push by the damping": [-k * extension * (1.0 - share) * part for part in d],
-                "damping by p's velocity alone, and q's is not taken off": [
+                "The damping is missing. Add -c l' along the rope.": [
+                    -k * extension * part for part in d
+                ],
+                (
+                    "The damping makes the rope push. A rope only pulls, so leave the force out "
+                    "in this case."
+                ): [-k * extension * (1.0 - share) * part for part in d],
+                "The damping uses only p's velocity. Subtract q's velocity from it.": [
                     -(k * extension + c * own) * part for part in d
                 ],
             }
@@ -145,7 +173,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
 def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
     about.read = "the docstring of Bungee"
     f = components(rng)
-    about.cause = "add the pull to the forces that are there, and leave the other end alone"
+    about.cause = "Add the pull to the existing forces, and do not change the other end."
     about.call = f"p at (0, -3, 0); q at (0, 0, 0); p.add_force(Vector3{f}); Bungee(q, 2.0, "
     about.call += "1.0).update_force(p, 0.5)"
     p, q = Particle(Vector3(0.0, -3.0, 0.0)), Particle(mass=math.inf)
@@ -159,7 +187,7 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
         about.call, bungee, p = rope(kind, STILL, (0.0, -3.0, 0.0), STILL, (2.0, 1.0, 0.0))
         about.call = f"p at (0, -3, 0); p.add_force(Vector3{f}); b = {kind}(..., 2.0, 1.0), its "
         about.call += "other end at (0, 0, 0); b.update_force(p, 0.5)"
-        about.cause = "add the pull to the forces that are there"
+        about.cause = "Add the pull to the existing forces."
         p.add_force(Vector3(*f))
         bungee.update_force(p, 0.5)
         wanted = (f[0], f[1] + 4.0, f[2])
@@ -168,7 +196,7 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
         about.call += "; p.clear_forces(); b.stiffness, b.rest_length, b.damping = 3, 2, 0.5; p "
         about.call += "has "
         about.call += "(0, -1, 0) more velocity; b.update_force(p, 0.5)"
-        about.cause = "read the attributes each time: 3 (3 - 2) + 0.5 * 1"
+        about.cause = "Read the attributes in each call. The pull is 3 (3 - 2) + 0.5 * 1."
         p.clear_forces()
         p.velocity = p.velocity + Vector3(0.0, -1.0, 0.0)
         bungee.stiffness, bungee.rest_length, bungee.damping = 3.0, 2.0, 0.5

@@ -22,8 +22,10 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
     density, g = positive_number(rng, 800.0, 1250.0), positive_number(rng, 5.0, 20.0)
     full = density * volume * g
-    about.cause = "share rho V g upwards, where the share is (y_w + s - y) / (2 s), brackets and "
-    about.cause += "all"
+    about.cause = (
+        "The lift is rho V g, upward, times the submerged fraction (y_w + s - y) / (2 s). Check "
+        "the brackets."
+    )
     came = {}
     for share in (0.25, 0.75, 0.5, 0.01):
         y = surface + s - 2.0 * s * share
@@ -35,28 +37,48 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
         expect_unchanged("p.position", xyz(p.position), (3.0, y, 5.0), cause=UNCHANGED)
     unit, pushed = full / g, s * s  # what / 2 * s makes of a share
     pairs = {  # the lifts at the first two shares
-        "no lift, as with the printed signs, (y - y_w - s), where the share is negative and is cut "
-        "off (E-5)": (0.0, 0.0),
-        "a pull downwards, as with the printed signs, (y - y_w - s) (E-5)": (
+        (
+            "There is no lift. The printed signs, (y - y_w - s), give a negative fraction (E-5). "
+            "Use (y_w + s - y)."
+        ): (0.0, 0.0),
+        "This pulls down. The printed signs, (y - y_w - s), are wrong (E-5). Use (y_w + s - y).": (
             -0.25 * full,
             -0.75 * full,
         ),
-        "the printed listing, with its signs, / 2 * s and without g (E-5)": (
+        "This is the printed listing, which has the wrong signs, / 2 * s, and no g (E-5).": (
             -0.25 * pushed * unit,
             -0.75 * pushed * unit,
         ),
-        "a share of / 2 * s, as the listing has it without brackets (E-5)": (
+        "Dividing by 2 * s needs brackets, which the listing lacks (E-5): / (2 * s).": (
             min(0.25 * pushed, 1.0) * full,
             min(0.75 * pushed, 1.0) * full,
         ),
-        "the listing's lift, which has no g (E-5)": (0.25 * unit, 0.75 * unit),
-        "the lift divided by the mass": (0.25 * full / 3.0, 0.75 * full / 3.0),
-        "the lift times the mass": (0.75 * full, 2.25 * full),
-        "the lift with a g of 9.81, not self.gravity": (0.25 * unit * 9.81, 0.75 * unit * 9.81),
-        "the lift of water, not of self.liquid_density": (250.0 * volume * g, 750.0 * volume * g),
-        "a share of (y_w + s - y) / s, with max_depth for the whole height": (0.5 * full, full),
-        "a depth counted from the surface, y_w - y, without s": (0.0, 0.25 * full),
-        "all of the lift or none of it": (0.0, full),
+        "The factor g is missing, as in the listing (E-5). Multiply by self.gravity.": (
+            0.25 * unit,
+            0.75 * unit,
+        ),
+        "The lift is divided by the mass. The force does not depend on the mass.": (
+            0.25 * full / 3.0,
+            0.75 * full / 3.0,
+        ),
+        "The lift is multiplied by the mass. The force does not depend on the mass.": (
+            0.75 * full,
+            2.25 * full,
+        ),
+        "This uses g = 9.81. Use self.gravity.": (0.25 * unit * 9.81, 0.75 * unit * 9.81),
+        "This uses the density of water. Use self.liquid_density.": (
+            250.0 * volume * g,
+            750.0 * volume * g,
+        ),
+        "This divides by s. max_depth is half of the height, so divide by 2 s.": (
+            0.5 * full,
+            full,
+        ),
+        "The depth is counted from the surface, y_w - y. Add max_depth to it.": (0.0, 0.25 * full),
+        "This gives either the whole lift or none. The lift grows with the submerged fraction.": (
+            0.0,
+            full,
+        ),
     }
     lifts = [got[1] if isinstance(got, tuple) else got for _, got in came.values()][:2]
     blame(lifts, pairs)
@@ -72,10 +94,18 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
     about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
     for y, share, cause in (
-        (surface + 1.5 * s, 0.0, "above the water there is no lift, and no pull downwards"),
-        (surface + 50.0, 0.0, "high above the water there is no lift"),
-        (surface - 1.5 * s, 1.0, "deep under water the lift is that of the whole body, no more"),
-        (surface - 50.0, 1.0, "however deep, the lift is that of the whole body"),
+        (
+            surface + 1.5 * s,
+            0.0,
+            "Above the water there is no lift, and no downward force either.",
+        ),
+        (surface + 50.0, 0.0, "High above the water there is no lift."),
+        (
+            surface - 1.5 * s,
+            1.0,
+            "Deep under water the lift is that of the whole body, and not more.",
+        ),
+        (surface - 50.0, 1.0, "At any depth, the lift is at most that of the whole body."),
     ):
         about.cause = cause
         about.call = f"p at (0, {y}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"
@@ -84,7 +114,7 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         wanted = (0.0, share * 1000.0 * volume * 9.81, 0.0)
         expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator")
     about.call = f"p at (0, {surface}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"
-    about.cause = "half under water, half of the lift"
+    about.cause = "A body that is half under water gets half of the lift."
     p = Particle(Vector3(0.0, surface, 0.0))
     Buoyancy(s, volume, surface).update_force(p, 0.5)
     wanted = (0.0, 0.5 * 1000.0 * volume * 9.81, 0.0)
@@ -95,8 +125,10 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
 @pytest.mark.exercise("B6.4")
 def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
     about("p at (0, 0, 0); Buoyancy(0.5, 0.001, 0, gravity=10).update_force(p, 0.5)", read=READ)
-    about.cause = "half of a litre of water weighs 5 N where g is 10: rho V g; the listing has no "
-    about.cause += "g (E-5)"
+    about.cause = (
+        "Half a liter of water weighs 5 N if g is 10. The lift is rho V g. The listing has no g "
+        "(E-5)."
+    )
     p = Particle()
     Buoyancy(0.5, 0.001, 0.0, gravity=10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
@@ -110,7 +142,7 @@ def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> 
     about.call = f"p at (0, 0, 0); p.add_force(Vector3{f}); b = Buoyancy(1, 2, 0, 1000, 10); "
     about.call += "b.water_height = 9; b.volume = 3; b.liquid_density = 500; b.gravity = 2; "
     about.call += "b.max_depth = 18; b.update_force(p, 0.5); p.force_accumulator"
-    about.cause = "read the attributes each time, and add to the forces that are there"
+    about.cause = "Read the attributes in each call, and add to the existing forces."
     p, b = Particle(mass=4.0), Buoyancy(1.0, 2.0, 0.0, 1000.0, 10.0)
     p.add_force(Vector3(*f))
     b.water_height, b.volume, b.liquid_density, b.gravity, b.max_depth = 9.0, 3.0, 500.0, 2.0, 18.0
@@ -125,8 +157,10 @@ def test_a_floating_body_bobs_with_its_period() -> None:
     about.read = READ
     about.call = "p of 0.5 kg, g = 10, Buoyancy(0.05, 0.001, 0, gravity=10), pushed 1 cm down; "
     about.call += "frames of 1/4000 s of update_force(p, h), p.integrate(h): the period"
-    about.cause = "the lift is a spring of stiffness rho V g / (2 s): w^2 = rho V g / (2 s m), "
-    about.cause += "0.44428829 s"
+    about.cause = (
+        "The lift acts like a spring of stiffness rho V g / (2 s). So w^2 = rho V g / (2 s m), "
+        "and the period is 0.44428829 s."
+    )
     period = bobbing(0.05, 0.001, 0.5, 10.0, -0.01, 1.0 / 4000.0, 6000)
     # Explicit Euler's own error in the period is w^2 h^2 / 3, some 4e-6 of it.
     expect_close(period, 0.44428829, tolerance=2e-5)

@@ -47,31 +47,46 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         a = Particle(Vector3(*here), Vector3(*v), mass=2.0)
         b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
         name = f"{about.call}.update_force({end}, 0.5)"
-        about.cause = "a gets the spring_force, its place and velocity seen from b, whichever end "
-        about.cause += f"is asked for (here {end})"
+        about.cause = (
+            "The force on a is the spring_force with a's position and velocity relative to b. It "
+            f"does not matter which end the call is for (here {end})."
+        )
         Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
         k, rest, _ = numbers
         both = tuple(p + q for p, q in zip(v, w, strict=True))
         slips = {
-            "half of the force": [0.5 * part for part in wanted],
-            "a spring without its damping": tension(here, v, there, w, (k, rest, 0.0)),
-            "a spring with the sum of the velocities, not their difference": tension(
+            "This is half of the force. Apply the whole spring_force to each end.": [
+                0.5 * part for part in wanted
+            ],
+            "The damping is missing. Add -c l' along the spring.": tension(
+                here, v, there, w, (k, rest, 0.0)
+            ),
+            "The velocities are added. Use the difference, a's velocity minus b's.": tension(
                 here, both, there, ZERO, numbers
             ),
-            "a spring with b's place minus a's, the other way round": tension(
+            "The offset is b's position minus a's. Use a's position minus b's.": tension(
                 there, v, here, w, numbers
             ),
-            "the force of b, as where the end that is asked for counts as a": [
-                -part for part in wanted
-            ],
+            (
+                "This is the force on b. The force on a does not depend on the particle that "
+                "update_force gets."
+            ): [-part for part in wanted],
             "no force on a": ZERO,
         }
         blame(on_a, slips)
         # A few roundings of numbers up to 500.
         expect_close(on_a, wanted, call=f"{name}; a.force_accumulator", tolerance=1e-11)
-        about.cause = "b gets exactly minus the force on a, so that the momentum is kept"
-        blame(on_b, {"the same force as a's": on_a, "no force on b": ZERO})
+        about.cause = (
+            "b must get exactly the opposite of the force on a, so that the momentum is conserved."
+        )
+        blame(
+            on_b,
+            {
+                "b gets the same force as a. Give it the opposite one.": on_a,
+                "no force on b": ZERO,
+            },
+        )
         opposite = tuple(-part for part in on_a)
         expect_close(on_b, opposite, call=f"{name}; b.force_accumulator", tolerance=0.0)
 
@@ -84,7 +99,7 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     offset = tuple(0.4 * rest * part for part in d)
     about.call = f"a at {offset}, b at (0, 0, 0); b.add_force(Vector3{f}); a.add_force(Vector3(1, "
     about.call += f"2, 3)); Connection(a, b, {k}, {rest}).update_force(a, 0.5)"
-    about.cause = "where it is shorter than at rest it pushes both, away from each other"
+    about.cause = "A compressed connection must push both ends away from each other."
     a, b = Particle(Vector3(*offset)), Particle()
     b.add_force(Vector3(*f))
     a.add_force(Vector3(1.0, 2.0, 3.0))
@@ -92,11 +107,11 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     wanted = tuple(g + 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True))
     got = xyz(a.force_accumulator)
     pulled = [g - 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True)]
-    blame(got, {"the listing's abs(l - l0), with which it pulls (E-3)": pulled})
+    blame(got, {"This uses abs(l - l0), so a compressed spring pulls. Remove abs (E-3).": pulled})
     expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-12)
     wanted = tuple(g - 0.6 * k * rest * part for g, part in zip(f, d, strict=True))
     got = xyz(b.force_accumulator)
-    about.cause = "the force on b is added to those that are there"
+    about.cause = "Add the force to the forces that b already has."
     expect_close(got, wanted, then="; b.force_accumulator", tolerance=1e-12)
 
 
@@ -106,7 +121,10 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     place, v = components(rng), components(rng)
     about.call = f"a and b at {place}, a with velocity {v}; c = Connection(a, b, 100.0, 2.0, 3.0); "
     about.call += "c.update_force(a, 0.5)"
-    about.cause = "no direction, no force: 0 / 0 is an error, or a NaN"
+    about.cause = (
+        "Both ends are at the same position, so there is no direction and no force. Do not divide "
+        "0 by 0."
+    )
     a, b = Particle(Vector3(*place), Vector3(*v)), Particle(Vector3(*place))
     c = Connection(a, b, 100.0, 2.0, 3.0)
     c.update_force(a, 0.5)
@@ -114,8 +132,9 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
         got = xyz(end.force_accumulator)
         expect_close(got, ZERO, then=f"; {name}.force_accumulator")
     about.call += "; a.position.x += 1.0; c.update_force(a, 0.5); a.force_accumulator"
-    about.cause = "a metre apart it acts again: 100 N of a compressed spring, less 3 N s/m times "
-    about.cause += "the speed"
+    about.cause = (
+        "At a distance of 1 m it acts again: a push of 100 N, minus 3 N s/m times the speed."
+    )
     a.position.x += 1.0
     c.update_force(a, 0.5)
     wanted = (100.0 - 3.0 * v[0], 0.0, 0.0)
@@ -124,7 +143,7 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-11)
     about.call = "a at (0, 1e-9, 0), b at (0, 0, 0); c = Connection(a, b, 100.0, 2.0); "
     about.call += "c.update_force(a, 0.5); a.force_accumulator"
-    about.cause = "ends that are near each other are not at one place: the spring pushes with k l0"
+    about.cause = "Ends that are close are not at the same position. The spring pushes with k l0."
     a, b = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     c = Connection(a, b, 100.0, 2.0)
     c.update_force(a, 0.5)
@@ -133,7 +152,7 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call += "; c.stiffness, c.rest_length, c.damping = 5, 3, 2; a.clear_forces(); "
     about.call += "a.position.y = 2; "
     about.call += "a.velocity.y = 1; c.update_force(a, 0.5)"
-    about.cause = "read the attributes each time: 5 (3 - 2) - 2 * 1"
+    about.cause = "Read the attributes in each call. The force is 5 (3 - 2) - 2 * 1."
     c.stiffness, c.rest_length, c.damping = 5.0, 3.0, 2.0
     a.clear_forces()
     a.position.y, a.velocity.y = 2.0, 1.0
@@ -152,8 +171,10 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
     for mass_a, mass_b in masses:
         about.call = f"a of {mass_a} kg at {here}, b of {mass_b} kg at {there}; connect(registry, "
         about.call += f"a, b, {k}, {rest}); registry.update_forces(0.5)"
-        about.cause = "one Connection with this stiffness and rest length is registered once, "
-        about.cause += "under an end that can move"
+        about.cause = (
+            "Register one Connection with this stiffness and rest length once, under an end that "
+            "can move."
+        )
         a, b = Particle(Vector3(*here), mass=mass_a), Particle(Vector3(*there), mass=mass_b)
         registry = ForceRegistry()
         connect(registry, a, b, k, rest)
@@ -164,12 +185,15 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                 got = xyz(end.force_accumulator)
                 swapped = tension(here, ZERO, there, ZERO, (rest, k, 0.0))
                 slips = {
-                    "no force, as of a spring that is not registered, or under an end that is "
-                    "immovable, which the registry skips": ZERO,
-                    "twice the force, as of a spring that is registered under both ends": [
-                        2.0 * part for part in force
-                    ],
-                    "a spring with stiffness and rest length exchanged": [
+                    (
+                        "There is no force. Is the spring registered, and under an end that can "
+                        "move? The registry skips immovable particles."
+                    ): ZERO,
+                    (
+                        "The force is twice as large. Is the spring registered under both ends? "
+                        "Register it once."
+                    ): [2.0 * part for part in force],
+                    "The stiffness and the rest length are exchanged.": [
                         sign * part for part in swapped
                     ],
                 }
@@ -183,7 +207,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     here, there = components(rng), components(rng)
     k, rest, c = positive_number(rng), positive_number(rng, 0.05, 0.2), positive_number(rng)
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, {k}, {rest}, {c})"
-    about.cause = "return the Connection, with what it was made with"
+    about.cause = "Return the Connection that you registered."
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)
     expect_exactly(s is not None, True, then=": does a spring come back")
@@ -192,7 +216,10 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     got = (*xyz(s.a.position), *xyz(s.b.position))
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)
     about.call += f"; s.stiffness = {2 * k}; registry.update_forces(0.5)"
-    about.cause = "what comes back is what the registry asks, and reads its stiffness each time"
+    about.cause = (
+        "The registry must hold the spring that connect returns, and the spring must read its "
+        "stiffness in each call."
+    )
     s.stiffness = 2.0 * k
     registry.update_forces(0.5)
     wanted = tension(here, ZERO, there, ZERO, (2.0 * k, rest, c))
@@ -200,7 +227,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-11)
     about.call += "; a.clear_forces(); b.clear_forces(); registry.remove(a, s); "
     about.call += "registry.update_forces(0.5)"
-    about.cause = "it stands in the registry once, under a: one remove takes it away"
+    about.cause = "The spring must be registered once, under a, so that one remove takes it away."
     a.clear_forces()
     b.clear_forces()
     registry.remove(a, s)
@@ -216,13 +243,15 @@ def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
     bodies = [(components(rng), components(rng), positive_number(rng, 1.0)) for _ in range(8)]
     about.call = "8 particles, each connected to each by connect(registry, a, b, 2.0, 3.0, 0.5); "
     about.call += "200 frames of registry.update_forces(h), p.integrate(h): the sum of all m v"
-    about.cause = "what one end gets the other one loses: the sum of the momenta stays what it was"
+    about.cause = (
+        "One end gains the momentum that the other loses, so the total momentum is constant."
+    )
     ends, away = network(bodies, 2.0, 3.0, 0.5, 1.0 / 240.0, 200)
     before = [math.fsum(mass * v[i] for _, v, mass in bodies) for i in range(3)]
     # Each of 200 frames rounds 8 velocities, and 56 forces, at some 1e-15 of what they are.
     expect_close(ends, before, tolerance=1e-10)
     about.call += "; the first one is more than 1 mm away from where it would be without springs"
-    about.cause = "the springs must act all the same"
+    about.cause = "The springs must act, too."
     expect_exactly(away > 1e-3, True)
 
 
@@ -231,7 +260,7 @@ def test_two_bodies_swing_about_each_other_with_the_reduced_mass() -> None:
     about.read = "book 6.3.2, Eq. 6.3, with the reduced mass m1 m2 / (m1 + m2)"
     about.call = "1 kg and 3 kg, connect(registry, a, b, 5.0, 1.0), stretched to 1.5 m; frames of "
     about.call += "1/2000 s of registry.update_forces(h), p.integrate(h): the period"
-    about.cause = "both ends move: w^2 = k / mu, mu = 3/4 kg, so the period is 2.43346721 s"
+    about.cause = "Both ends move: w^2 = k / mu with mu = 3/4 kg, so the period is 2.43346721 s."
     period = pair_swinging(1.0, 3.0, 5.0, 1.0, 1.5, 1.0 / 2000.0, 10_000)
     # Explicit Euler's own error in the period is w^2 h^2 / 3, some 5e-7 of it.
     expect_close(period, 2.43346721, tolerance=1e-4)
@@ -243,7 +272,7 @@ def test_two_immovable_ends_may_be_connected() -> None:
     a, b, registry = Particle(), Particle(Vector3(1.0, 0.0, 0.0)), ForceRegistry()
     about.call = "connect(registry, a, b, 3.0, 0.0), both of infinite mass; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = "a spring between two immovable particles is no error"
+    about.cause = "A spring between two immovable particles is not an error."
     still = Particle(mass=math.inf), Particle(mass=math.inf)
     connect(registry, *still, 3.0, 0.0)
     registry.update_forces(0.5)
@@ -251,7 +280,7 @@ def test_two_immovable_ends_may_be_connected() -> None:
     connect(registry, a, b, 3.0, 0.0)
     registry.update_forces(0.5)
     got = xyz(b.force_accumulator)
-    about.cause = "what is right is registered"
+    about.cause = "A valid spring must be registered."
     expect_close(got, (-3.0, 0.0, 0.0))
 
 
@@ -259,7 +288,9 @@ def test_two_immovable_ends_may_be_connected() -> None:
 @pytest.mark.robust
 def test_connect_refuses_what_means_nothing() -> None:
     about.read = CONNECT
-    about.cause = "make a Connection, which looks at its arguments, before you register it"
+    about.cause = (
+        "Make the Connection before you register it, because its constructor checks the arguments."
+    )
     a, b, registry = Particle(), Particle(Vector3(1.0, 0.0, 0.0)), ForceRegistry()
     for bad in ((-1.0, 1.0, 0.0), (1.0, -1.0, 0.0), (1.0, 1.0, -1.0), (math.nan, 1.0, 0.0)):
         about.call = "connect(registry, a, b, {}, {}, {})".format(*bad)
@@ -269,14 +300,16 @@ def test_connect_refuses_what_means_nothing() -> None:
             allowed=lambda: connect(ForceRegistry(), a, b, 1.0, 1.0, 0.0),
         )
     about.call = "connect(registry, a, b, ...) was refused; registry.update_forces(0.5)"
-    about.cause = "what is refused must not be registered"
+    about.cause = "A refused spring must not be registered."
     registry.update_forces(0.5)
     got = xyz(b.force_accumulator)
     expect_close(got, ZERO, then="; b.force_accumulator")
     about.call = "a at (1e10, 0, 0), velocity (1e10, 0, 0); b at minus that, with minus that "
     about.call += "velocity; "
-    about.cause = "the force is too large for a float: add_force, which alone changes a sum, "
-    about.cause += "refuses it"
+    about.cause = (
+        "The force is too large for a float. add_force refuses it, so change the forces only "
+        "through add_force."
+    )
     near = Particle(), Particle(Vector3(1.0, 0.0, 0.0))
     for stiffness, damping in ((1e308, 0.0), (0.0, 1e308)):
         far = Particle(Vector3(1e10, 0.0, 0.0), Vector3(1e10, 0.0, 0.0))

@@ -61,38 +61,45 @@ def test_the_three_cases_by_known_values() -> None:
     about.read = READ
     damped, late = math.sqrt(99.0), math.sqrt(96.0)  # gamma, and that of a c / m not halved
     slips = {
-        "a damping of c / m in the exponent, and half of it is right": math.exp(-1.0)
+        "The exponent has the damping c / m. Use half of it.": math.exp(-1.0)
         * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
-        "e^(-half t) cos(gamma t) alone, without half sin(gamma t) / gamma": math.exp(-0.5)
+        "This is e^(-half t) cos(gamma t) alone. Add half sin(gamma t) / gamma.": math.exp(-0.5)
         * math.cos(0.5 * damped),
-        "a swing with the root of k / m, not with gamma": math.exp(-0.5)
+        "This oscillates with sqrt(k / m). Use gamma, which is smaller.": math.exp(-0.5)
         * (math.cos(5.0) + 0.1 * math.sin(5.0)),
-        "e^(-half t) alone, without half t e^(-half t)": math.exp(-5.0),
+        "This is e^(-half t) alone. Add half t e^(-half t).": math.exp(-5.0),
     }
     for c, x, cause in (
-        (2.0, 0.09855066761858595, "under-damped: e^(-half t) times cos and sin of gamma t"),
+        (2.0, 0.09855066761858595, "Under-damped: e^(-half t) times cos and sin of gamma t."),
         (
             20.0,
             0.04042768199451279,
-            "critical, which the book leaves out (E-23): gamma is 0, and sin(gamma t) / gamma goes "
-            "to t",
+            (
+                "Critically damped, a case that the book leaves out (E-23): gamma is 0, and "
+                "sin(gamma t) / gamma becomes t."
+            ),
         ),
         (
             40.0,
             0.2821711739751533,
-            "over-damped, which the book leaves out (E-23): cosh and sinh of gamma t, where "
-            "e^(-(half + gamma) t) dies out fast and e^(-(half - gamma) t) slowly",
+            (
+                "Over-damped, a case that the book leaves out (E-23): use cosh and sinh of gamma "
+                "t. One part, e^(-(half + gamma) t), decays fast, and the other, e^(-(half - "
+                "gamma) t), slowly."
+            ),
         ),
     ):
         about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, 0.5)", cause=cause)
         state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, 0.5)
         count = len(state) if isinstance(state, (tuple, list)) else 1
-        both = "position and velocity come back, both of them"
+        both = "Return both the position and the velocity."
         expect_exactly(count, 2, then=": how many numbers", cause=both)
         expect_close(state[0], x, then="[0]", cause=named(state[0], about.cause, slips))
     about.call = "damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]"
-    about.cause = "k 1 and d 10: the printed formula takes the root of 4 k - d^2, which is -96 "
-    about.cause += "(E-23)"
+    about.cause = (
+        "For k = 1 and d = 10, the printed formula takes the root of 4 k - d^2, which is -96 "
+        "(E-23)."
+    )
     got = damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
     wanted = by_roots(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
     expect_close(got, wanted)
@@ -112,19 +119,18 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         half, (x, v) = c / (2.0 * m), wanted
         fade = math.exp(-half * t)
         slips = {
-            "a spring whose damping is not divided by the mass": by_roots(x0, v0, k, c * m, m, t),
-            "a spring whose stiffness is not divided by the mass": by_roots(x0, v0, k * m, c, m, t),
-            "a position without the part of v0": (by_roots(x0, 0.0, k, c, m, t)[0], v),
-            "a velocity without the part of x0": (x, by_roots(0.0, v0, k, c, m, t)[1]),
-            "the critical case, where c^2 is not 4 k m yet": (
+            "The damping is not divided by the mass.": by_roots(x0, v0, k, c * m, m, t),
+            "The stiffness is not divided by the mass.": by_roots(x0, v0, k * m, c, m, t),
+            "The position lacks the contribution of v0.": (by_roots(x0, 0.0, k, c, m, t)[0], v),
+            "The velocity lacks the contribution of x0.": (x, by_roots(0.0, v0, k, c, m, t)[1]),
+            "This treats the spring as critically damped although c^2 is not 4 k m.": (
                 (x0 + (v0 + half * x0) * t) * fade,
                 (v0 - (half * v0 + k / m * x0) * t) * fade,
             ),
         }
-        about.cause = f"{name}: c is divided by 2 m, k by m, and both x0 and v0 count"
+        about.cause = f"{name}: Divide c by 2 m and k by m. Both x0 and v0 contribute."
         if isinstance(got, tuple) and abs(got[0] - x) < 1e-10:
-            about.cause = f"{name}: the position is right, and the velocity is not its rate of "
-            about.cause += "change"
+            about.cause = f"{name}: The position is right, but the velocity is not its derivative."
         blame(got, slips)
         # The roots' formula takes differences of numbers up to 10^4.
         expect_close(got, wanted, tolerance=1e-10)
@@ -144,14 +150,30 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
         )
         # A share e of more damping changes the motion by some e times numbers up to 100.
         for share, tolerance, cause in (
-            (0.0, 1e-12, "at the critical damping: (x0 + (v0 + half x0) t) e^(-half t)"),
-            (-1e-9, 1e-7, "a little below the critical damping sin(gamma t) / gamma is nearly t"),
-            (1e-9, 1e-7, "a little above the critical damping sinh(gamma t) / gamma is nearly t"),
-            (-1e-15, 1e-8, "next to the critical damping gamma may be 0: divide by it nowhere"),
+            (
+                0.0,
+                1e-12,
+                "At the critical damping the position is (x0 + (v0 + half x0) t) e^(-half t).",
+            ),
+            (
+                -1e-9,
+                1e-7,
+                "Slightly below the critical damping, sin(gamma t) / gamma is nearly t.",
+            ),
+            (
+                1e-9,
+                1e-7,
+                "Slightly above the critical damping, sinh(gamma t) / gamma is nearly t.",
+            ),
+            (
+                -1e-15,
+                1e-8,
+                "Close to the critical damping gamma may be 0. Do not divide by it there.",
+            ),
             (
                 1e-15,
                 1e-8,
-                "next to the critical damping a difference of exponentials loses its digits",
+                "Close to the critical damping, a difference of exponentials loses its digits.",
             ),
         ):
             about.cause = cause
@@ -161,7 +183,7 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
             expect_close(got, wanted, tolerance=tolerance)
     about.call = "damped_spring_state(1.0, 0.0, 4.0, 4 - 4e-9, 1.0, 0.75), and with 4 + 4e-9: "
     about.call += "difference"
-    about.cause = "the two sides of the critical damping fit together to 1e-8"
+    about.cause = "The results on both sides of the critical damping must agree within 1e-8."
     below = damped_spring_state(1.0, 0.0, 4.0, 4.0 - 4e-9, 1.0, 0.75)
     above = damped_spring_state(1.0, 0.0, 4.0, 4.0 + 4e-9, 1.0, 0.75)
     for a, b in zip(below, above, strict=True):
@@ -174,21 +196,21 @@ def test_the_start_and_a_spring_that_is_none(rng: Random) -> None:
     x0, v0, t = draw_number(rng), draw_number(rng), positive_number(rng)
     c, m = positive_number(rng), positive_number(rng)
     about.call = f"damped_spring_state({x0}, {v0}, 3.0, {c}, {m}, 0.0)"
-    about.cause = "after no time it is where it was, as fast as it was"
+    about.cause = "At time 0 position and velocity are x0 and v0."
     got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
     expect_close(got, (x0, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, 0.0, {m}, {t})"
-    about.cause = "without stiffness and damping it coasts: x0 + v0 t"
+    about.cause = "Without stiffness and damping the body coasts: x0 + v0 t."
     got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
     expect_close(got, (x0 + v0 * t, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, {c}, {m}, {t})"
-    about.cause = "without stiffness the damping slows it down: v0 e^(-c t / m)"
+    about.cause = "Without stiffness, the damping slows the body down: v0 e^(-c t / m)."
     got = damped_spring_state(x0, v0, 0.0, c, m, t)
     slow = math.exp(-c * t / m)
     wanted = (x0 + v0 * (1.0 - slow) * m / c, v0 * slow)
     expect_close(got, wanted, tolerance=1e-11)
     about.call = f"damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, {t}): energy"
-    about.cause = "without damping the energy x^2 + v^2 stays"
+    about.cause = "Without damping the energy x^2 + v^2 is constant."
     x, v = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, t)
     wanted_energy = x0 * x0 + v0 * v0
     expect_close(x * x + v * v, wanted_energy, tolerance=1e-11)
@@ -197,14 +219,24 @@ def test_the_start_and_a_spring_that_is_none(rng: Random) -> None:
 @pytest.mark.exercise("B6.5")
 def test_soft_and_stiff_springs_swing_alike() -> None:
     for arguments, wanted, tolerance, cause in (
-        ((1.0, 1.0, 1e12, 1e3, 1.0, 100.0), 0.0, 1e-12, "it has come to rest long ago"),
-        ((1.0, 0.0, 1e-8, 0.0, 1.0, 1e4), math.cos(1.0), 1e-12, "a soft spring swings too"),
-        ((1.0, 0.0, 1e-18, 0.0, 1.0, 1e9), math.cos(1.0), 1e-12, "compare half with chi exactly"),
+        (
+            (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
+            0.0,
+            1e-12,
+            "The spring has been at rest for a long time by then.",
+        ),
+        (
+            (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),
+            math.cos(1.0),
+            1e-12,
+            "A very soft spring oscillates too.",
+        ),
+        ((1.0, 0.0, 1e-18, 0.0, 1.0, 1e9), math.cos(1.0), 1e-12, "Compare half with chi exactly."),
         (
             (1.0, 0.0, 1e12, 0.0, 1.0, math.pi * 1e-6),
             -1.0,
             1e-9,
-            "half a swing later: on the other side",
+            "Half a period later it is on the other side.",
         ),
     ):
         about.cause = cause
@@ -219,16 +251,16 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            "cosh overflows: write it with e^(-(half - gamma) t) and e^(-(half + gamma) t)",
+            "cosh overflows. Write it with e^(-(half - gamma) t) and e^(-(half + gamma) t).",
         ),
         (
             (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),
             math.exp(-1.0),
             1e-9,
-            "half - gamma loses all its digits: chi^2 / (half + gamma) is the same",
+            "half - gamma loses all its digits. chi^2 / (half + gamma) has the same value.",
         ),
-        ((1.0, 1.0, 5.0, 10.0, 1.0, 1e6), 0.0, 1e-12, "cosh overflows, and e^-x is 0"),
-        ((0.0, 1.0, 1.0, 1e9, 1.0, 1.0), 1e-9, 1e-17, "a strong damping lets it go v0 m / c far"),
+        ((1.0, 1.0, 5.0, 10.0, 1.0, 1e6), 0.0, 1e-12, "cosh overflows, and e^-x becomes 0."),
+        ((0.0, 1.0, 1.0, 1e9, 1.0, 1.0), 1e-9, 1e-17, "With strong damping it travels v0 m / c."),
     ):
         about.cause = cause
         expect_position(arguments, wanted, tolerance)
@@ -239,8 +271,10 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     about.read = READ
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
     first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
-    about.cause = "two times one after the other lead where their sum leads: position and velocity "
-    about.cause += "must belong to one motion"
+    about.cause = (
+        "Two times in a row must lead to the same state as their sum. Position and velocity must "
+        "belong to the same motion."
+    )
     # With a stiffness of 4 m the damping is critical to the last digit.
     for share, k in ((0.0, some), (0.5, some), (1.0, 4.0 * m), (2.0, some)):
         c = share * 2.0 * math.sqrt(k * m)
@@ -252,7 +286,9 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-11)
     about.call = f"s = damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, pi); damped_spring_state(*s, "
     about.call += "...)"
-    about.cause = "after half a swing it is on the other side, after two of them where it was"
+    about.cause = (
+        "After half a period it is on the other side, and after a whole period back at the start."
+    )
     half = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, math.pi)
     expect_close(half, (-x0, -v0), tolerance=1e-11)
     got = damped_spring_state(*half, 1.0, 0.0, 1.0, math.pi)
@@ -266,7 +302,10 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
     good = (1, 2, 3, 4, 5, 6)
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0)]
     expect_finite_numbers("damped_spring_state", damped_spring_state, good, bad)
-    about.cause = "what is worked out can be too large for a float: the angle of the swing is 1e350"
+    about.cause = (
+        "An intermediate result can be too large for a float. The angle of the oscillation is "
+        "1e350 here."
+    )
     expect_error(
         lambda: damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200),
         ValueError,
@@ -274,7 +313,7 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
         allowed=lambda: damped_spring_state(*good),
     )
     about.call = "damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)"
-    about.cause = "what means something must be answered: (1 + t) e^-t and -t e^-t"
+    about.cause = "A valid call must be answered: (1 + t) e^-t and -t e^-t."
     got = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)
     wanted = (2.0 * math.exp(-1.0), -math.exp(-1.0))
     expect_close(got, wanted)

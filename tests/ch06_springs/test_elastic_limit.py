@@ -23,9 +23,15 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     base, d = components(rng), direction(rng)
     k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
     for share, cause in (
-        (1.9, "stretched it pulls, as every spring: -k (l - l0) d^"),
-        (0.5, "compressed it pushes, as every spring: -k (l - l0) d^"),
-        (0.1, "however compressed, it pushes with all of its stiffness: the limit is of length"),
+        (1.9, "If stretched, it pulls like any spring: -k (l - l0) d^."),
+        (0.5, "If compressed, it pushes like any spring: -k (l - l0) d^."),
+        (
+            0.1,
+            (
+                "A compressed spring pushes with its full stiffness. The limit is for the "
+                "length only."
+            ),
+        ),
     ):
         about.cause = cause
         place = tuple(b + share * rest * part for b, part in zip(base, d, strict=True))
@@ -36,19 +42,19 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
-        slips = {"no force": ZERO, "a push along the offset": opposite}
+        slips = {"no force": ZERO, "This pushes along the offset. Reverse the sign.": opposite}
         if share < 1.0:
             slips = {
                 "no force": ZERO,
-                "the printed abs(l - l0), with which it pulls (E-3)": opposite,
+                "This uses abs(l - l0), so a compressed spring pulls. Remove abs (E-3).": opposite,
             }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
-        about.cause = "it acts on one end, and leaves the other particle alone"
+        about.cause = "It acts on one end only. Do not change the other particle."
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = f"p at (4, 0, 0), q at (0, 0, 0); ElasticLimitSpring(q, {k}, 2, 4, "
     about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
-    about.cause = "at the limit itself it pulls with all of its stiffness"
+    about.cause = "At exactly the limit it pulls with its full stiffness."
     p, q = Particle(Vector3(4.0, 0.0, 0.0)), Particle()
     ElasticLimitSpring(q, k, 2.0, 4.0, 0.25).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
@@ -67,19 +73,30 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         place = tuple(b + length * part for b, part in zip(base, d, strict=True))
         about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, {limit}, "
         about.call += f"{share}).update_force(p, 0.5)"
-        about.cause = "all of the stiffness up to the limit, and share times it for what is "
-        about.cause += "beyond: k (limit - l0) + share k (l - limit)"
+        about.cause = (
+            "Up to the limit the full stiffness counts, and beyond it share times the stiffness: "
+            "k (limit - l0) + share k (l - limit)."
+        )
         p, q = Particle(Vector3(*place), mass=3.0), Particle(Vector3(*base))
         spring = ElasticLimitSpring(q, k, rest, limit, share)
         spring.update_force(p, 0.5)
         wanted = tuple(-k * (limit - rest + share * beyond) * part for part in d)
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
-            "a force that grows no more beyond the limit": limit - rest,
-            "the share of all that it is longer than at rest": share * (length - rest),
-            "all of the stiffness, beyond the limit too": length - rest,
-            "the part beyond the limit alone": share * beyond,
-            "a limit that counts from the rest length, and it is a length": (
+            (
+                "Beyond the limit the force does not grow. It must grow with share times the "
+                "stiffness."
+            ): limit - rest,
+            (
+                "share is applied to the whole extension. Apply it only to the part beyond the "
+                "limit."
+            ): share * (length - rest),
+            (
+                "Beyond the limit the full stiffness is used. Use share times the stiffness there."
+            ): length - rest,
+            "Only the part beyond the limit counts here. Add the part up to the limit.": share
+            * beyond,
+            "The limit is counted from the rest length. It is a length, not an extension.": (
                 min(length, late) - rest + share * max(length - late, 0.0)
             ),
         }
@@ -87,7 +104,10 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         slips = {slip: [-k * size * part for part in d] for slip, size in sizes.items()}
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
-        about.cause = "stretched beyond its limit the spring stays what it is: the force adds up"
+        about.cause = (
+            "The spring does not remember that it was stretched. The second call adds the same "
+            "force again."
+        )
         spring.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         twice = tuple(2.0 * part for part in wanted)
@@ -100,7 +120,10 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     place, f = components(rng), components(rng)
     about.call = f"p and q at {place}; p.add_force(Vector3{f}); s = ElasticLimitSpring(q, 5.0, "
     about.call += "1.0, 2.0, 0.5); s.update_force(p, 0.5)"
-    about.cause = "no direction, no force; other forces stay"
+    about.cause = (
+        "If both ends are at the same position, there is no direction and no force. The other "
+        "forces stay."
+    )
     p, q = Particle(Vector3(*place)), Particle(Vector3(*place), mass=math.inf)
     p.add_force(Vector3(*f))
     s = ElasticLimitSpring(q, 5.0, 1.0, 2.0, 0.5)
@@ -108,7 +131,7 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     expect_close(xyz(p.force_accumulator), f, then="; p.force_accumulator")
     about.call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
     about.call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
-    about.cause = "read the attributes each time: 4 * 3 + 2 * 4 (4 - 3) pulls"
+    about.cause = "Read the attributes in each call. The pull is 4 * 3 + 2 * 4 (4 - 3)."
     p.clear_forces()
     q.position = q.position - Vector3(4.0, 0.0, 0.0)
     s.limit, s.share, s.stiffness, s.rest_length = 3.0, 2.0, 4.0, 0.0

@@ -38,24 +38,27 @@ def test_the_force_by_its_formula() -> None:
     got = xyz(p.force_accumulator)
     wanted = (-198.15499326694427, 0.0, 0.0)
     sizes = {
-        "the printed listing, whose 1 / h * h does not divide by h^2 (E-6)": wanted[0] / 3600.0,
-        "the force of a true spring, -k x, which is too much for such a frame": -400.0,
-        "what moves p by a h^2 / 2, and semi-implicit Euler moves it by a h^2": 2.0 * wanted[0],
+        ("This is the printed listing. Its 1 / h * h does not divide by h^2 (E-6)."): wanted[0]
+        / 3600.0,
+        "This is the force of a real spring, -k x, which is too large for such a step.": -400.0,
+        "This moves p by a h^2 / 2. Semi-implicit Euler moves it by a h^2.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-10)
     about.call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0), the same spring.update_force(p, 1/60)"
-    about.cause = "on each axis by itself; the velocity counts, and takes it a part of the way "
-    about.cause += "already"
+    about.cause = (
+        "Treat each axis separately. The velocity counts, because it takes the particle part of "
+        "the way."
+    )
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
-        "the printed (T - x) / h^2 - v, with v for v / h (E-6)": wanted[1] + 120.0 - 2.0,
-        "(T - x) / h^2, without the velocity": wanted[1] + 120.0,
-        "no force along y, though p moves along it": 0.0,
+        "This is the printed (T - x) / h^2 - v (E-6). Use v / h.": wanted[1] + 120.0 - 2.0,
+        "This is (T - x) / h^2. Subtract v / h too.": wanted[1] + 120.0,
+        "There is no force along y, although p moves along it.": 0.0,
     }
     blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-10)
@@ -65,8 +68,9 @@ def test_the_force_by_its_formula() -> None:
 def test_a_soft_spring_is_faked_too() -> None:
     about("p of 1 kg at (0, 0, 1), at rest; FakeStiffSpring(Vector3(), 0.5, ", read=READ)
     about.call += "0).update_force(p, 0.1)"
-    about.cause = "(T - x) / h^2 is about half of a true spring's force: the push lasts all of the "
-    about.cause += "frame"
+    about.cause = (
+        "(T - x) / h^2 is about half of a real spring's force, because it acts for the whole step."
+    )
     p = Particle(Vector3(0.0, 0.0, 1.0))
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
@@ -85,24 +89,26 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         about.call = f"p of {m} kg at {place}, velocity {v}; s = FakeStiffSpring(Vector3{anchor}, "
         about.call += f"{k}, {c}); s.update_force(p, {h}); a step of semi-implicit Euler; "
         about.call += "p.position"
-        about.cause = "T is seen from the anchor, on each axis by itself, with this mass and "
-        about.cause += "damping; then x + (v + a h) h must be T"
+        about.cause = (
+            "T is relative to the anchor, on each axis separately, with this mass and damping. "
+            "Then x + (v + a h) h must equal T."
+        )
         ends = faked(anchor, place, v, k, c, m, h, 1)
         wanted = tuple(
             a + true_spring(x - a, u, k, c, m, h) for a, x, u in zip(anchor, place, v, strict=True)
         )
         axes = list(zip(anchor, place, v, wanted, strict=True))
         slips = {
-            "where the force leads without its mass": [
+            "The force is not multiplied by the mass.": [
                 x + u * h + (end - x - u * h) / m for _, x, u, end in axes
             ],
-            "where a true spring has 1 kg": [
+            "T is computed for 1 kg. Use the particle's mass.": [
                 a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
             ],
-            "where a true spring has no damping": [
+            "T is computed without damping. Use self.damping.": [
                 a + true_spring(x - a, u, k, 0.0, m, h) for a, x, u, _ in axes
             ],
-            "where a true spring has its anchor at (0, 0, 0)": [
+            "T is computed for an anchor at (0, 0, 0). Use self.anchor.": [
                 true_spring(x, u, k, c, m, h) for _, x, u, _ in axes
             ],
         }
@@ -118,8 +124,9 @@ def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     about.call = f"p at {place}; s = FakeStiffSpring(Vector3(), 1e6, 200); 300 frames of 1/60 s of "
     about.call += "s.update_force(p, h), a step of semi-implicit Euler: the farthest it goes after "
     about.call += "a frame"
-    about.cause = "k h^2 / m is 278 here, where a true spring explodes beyond 4; the faked one "
-    about.cause += "comes to rest"
+    about.cause = (
+        "Here k h^2 / m is 278. A real spring explodes above 4, but the faked one comes to rest."
+    )
     ends = faked(ZERO, place, ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 300)
     farthest = max(math.hypot(*end) for end in ends)
     left = math.hypot(*ends[-1])
@@ -139,7 +146,7 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     f, place = components(rng), components(rng)
     about.call = f"p of 2 kg at {place}; s = FakeStiffSpring(Vector3{place}, 400, 3); "
     about.call += f"p.add_force(Vector3{f}); s.update_force(p, 0.5); p.force_accumulator"
-    about.cause = "at the anchor and at rest there is no force; the others stay"
+    about.cause = "At rest at the anchor there is no force, and the other forces stay."
     p, s = Particle(Vector3(*place), mass=2.0), FakeStiffSpring(Vector3(*place), 400.0, 3.0)
     p.add_force(Vector3(*f))
     s.update_force(p, 0.5)
@@ -148,8 +155,10 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), place, cause=UNCHANGED)
     about.call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place}, "
     about.call += f"velocity {f}; s.update_force(p, 0.5)"
-    about.cause = "without stiffness and damping it coasts, by itself: no force; read the "
-    about.cause += "attributes"
+    about.cause = (
+        "Without stiffness and damping the particle coasts, so there is no force. Read the "
+        "attributes in each call."
+    )
     s.anchor, s.stiffness, s.damping = Vector3(), 0.0, 0.0
     p = Particle(Vector3(*place), Vector3(*f))
     s.update_force(p, 0.5)
@@ -157,7 +166,7 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     expect_close(got, ZERO, tolerance=1e-12)
     s.stiffness = 100.0
     about.call = "p immovable at (1, 0, 0); s.update_force(p, 0.5); p.force_accumulator"
-    about.cause = "an immovable particle is left alone: infinity times 0 is NaN"
+    about.cause = "Leave an immovable particle alone. Infinity times 0 is NaN."
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=math.inf)
     s.update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
@@ -175,7 +184,7 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_faked_spring_needs_a_duration() -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
-    about.cause = "refuse it with ValueError, for an immovable particle as well: positive() does"
+    about.cause = "Refuse it with ValueError, for an immovable particle too. positive() does that."
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):
         p = Particle(Vector3(1.0, 0.0, 0.0), mass=mass)
@@ -187,7 +196,7 @@ def test_a_faked_spring_needs_a_duration() -> None:
                 allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
             )
     about.call = "FakeStiffSpring(Vector3(), 400, 3).update_force(p, 1/60), p at (1, 0, 0)"
-    about.cause = "a good duration must be answered"
+    about.cause = "A valid duration must be answered."
     p = Particle(Vector3(1.0, 0.0, 0.0))
     s.update_force(p, 1.0 / 60.0)
     wanted = (true_spring(1.0, 0.0, 400.0, 3.0, 1.0, 1.0 / 60.0) - 1.0) * 3600.0

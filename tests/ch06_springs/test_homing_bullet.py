@@ -24,11 +24,13 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
     here, v, there, w, f = (components(rng) for _ in range(5))
     k, ahead = positive_number(rng), positive_number(rng)
     for time, cause in (
-        (0.0, "with no look-ahead it pulls towards where the target is: k (q - p)"),
+        (0.0, "Without a look-ahead it pulls toward the target's current position: k (q - p)."),
         (
             ahead,
-            "k times the way from p + v T to q + w T: both of them move straight on, without "
-            "damping, acceleration or mass",
+            (
+                "The force is k times the displacement from p + v T to q + w T. Both move on "
+                "straight, without damping, acceleration or mass."
+            ),
         ),
     ):
         about(f"p at {here}, velocity {v}; q at {there}, velocity {w}; ", cause=cause)
@@ -46,19 +48,25 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         closing = [w[i] - v[i] for i in range(3)]
         way = [now[i] + closing[i] * time for i in range(3)]
         pulls = {
-            "a push away from the target": [-k * part for part in way],
-            "the way without the stiffness": way,
-            "k times a unit vector, and the way is meant": [
+            "This pushes away from the target. Subtract in the other order.": [
+                -k * part for part in way
+            ],
+            "The stiffness is missing. Multiply the displacement by it.": way,
+            "This is k times a unit vector. Use the whole displacement.": [
                 k * part / math.hypot(*way) for part in way
             ],
-            "a pull towards where the target is now": [k * part for part in now],
-            "a bullet that forgets its own velocity": [
-                k * (now[i] + w[i] * time) for i in range(3)
-            ],
-            "a bullet that forgets the target's velocity": [
+            (
+                "This pulls toward the target's current position. Use the position after "
+                "look_ahead."
+            ): [k * part for part in now],
+            (
+                "This leaves out the bullet's own velocity. The bullet moves on during look_ahead "
+                "too."
+            ): [k * (now[i] + w[i] * time) for i in range(3)],
+            "This leaves out the target's velocity. The target moves on during look_ahead.": [
                 k * (now[i] - v[i] * time) for i in range(3)
             ],
-            "a look-ahead of the frame, not of self.look_ahead": [
+            "This uses the duration of the step. Use self.look_ahead.": [
                 k * (now[i] + closing[i] * 0.5) for i in range(3)
             ],
         }
@@ -66,7 +74,7 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         blame(got, slips)
         # A few roundings of numbers up to 2000.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
-        about.cause = "it leaves the target alone"
+        about.cause = "Do not change the target."
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
 
@@ -76,7 +84,7 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     here, v, there, w = (components(rng) for _ in range(4))
     about.call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; b = HomingBullet(q, 2.0, "
     about.call += "3.0); b.update_force(p, 0.5)"
-    about.cause = "add_scaled, += and *= work in place: use them on a vector of your own"
+    about.cause = "add_scaled, += and *= work in place. Use them on a new vector."
     p, q = Particle(Vector3(*here), Vector3(*v)), Particle(Vector3(*there), Vector3(*w))
     b = HomingBullet(q, 2.0, 3.0)
     b.update_force(p, 0.5)
@@ -90,7 +98,7 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     about.call += "; p.clear_forces(); b.stiffness = 4.0; b.look_ahead = 1.0; q.velocity = "
     about.call += f"Vector3{v}; "
     about.call += "b.update_force(p, 0.5)"
-    about.cause = "read stiffness, look_ahead, and where the target is and goes, each time"
+    about.cause = "Read stiffness, look_ahead and the target's position and velocity in each call."
     p.clear_forces()
     b.stiffness, b.look_ahead, q.velocity = 4.0, 1.0, Vector3(*v)
     b.update_force(p, 0.5)
@@ -98,7 +106,7 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
     about.call += f"; p.clear_forces(); b.target = an immovable one at {w}; b.update_force(p, 0.5)"
-    about.cause = "read self.target each time; an immovable one is a target too"
+    about.cause = "Read self.target in each call. An immovable particle can be a target too."
     p.clear_forces()
     b.target = Particle(Vector3(*w), mass=math.inf)
     b.update_force(p, 0.5)
@@ -113,8 +121,10 @@ def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
     start, w = components(rng), components(rng)
     about.call = f"p at (0, 0, 0), at rest; q at {start}, velocity {w}; 20 s of HomingBullet(q, "
     about.call += "4.0, 1.0).update_force(p, h), p.integrate(h), h = 1/240: distance"
-    about.cause = "k T is a damping of the velocity seen from the target: the bullet comes to it "
-    about.cause += "and stays"
+    about.cause = (
+        "k T damps the velocity relative to the target, so the bullet reaches the target and "
+        "stays there."
+    )
     distances = chased(start, w, 4.0, 1.0, 1.0 / 240.0, 4800)
     expect_close(distances[-1], 0.0, then=" in the end", tolerance=1e-6)
     # Critically damped, c = k T = 4 and c^2 = 4 k m, from rest: after t s (1 + 2 t) e^-2t of the

@@ -15,8 +15,10 @@ from expect import about, expect_close, expect_finite_numbers, named
 
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
 RULES = {
-    "backward_euler": "x' = x + v' h and v' = v + a' h, both with what is new",
-    "trapezoidal": "x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the means of old and new",
+    "backward_euler": "x' = x + v' h and v' = v + a' h, both with the new values",
+    "trapezoidal": (
+        "x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the means of old and new values"
+    ),
 }
 
 
@@ -38,40 +40,38 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
     k, c, m, h = (positive_number(rng) for _ in range(4))
     for stiffness, damping in ((k, 0.0), (0.0, c), (k, c)):
         about.call = f"{method}({x}, {v}, {stiffness}, {damping}, {m}, {h}) = (x', v')"
-        about.cause = f"{RULES[method]}, where m a = -k x - c v: solve them for v'"
+        about.cause = f"{RULES[method]}, where m a = -k x - c v. Solve them for v'."
         new = METHODS[method](x, v, stiffness, damping, m, h)
         expect_close(len(new), 2, then=": how many numbers")
         left = off(method, x, v, stiffness, damping, m, h, new)
         other = "trapezoidal" if method == "backward_euler" else "backward_euler"
         u = v + (-stiffness * x - damping * v) / m * h
         slips = {
-            "explicit Euler's step": (x + v * h, u),
-            "semi-implicit Euler's step": (x + u * h, u),
+            "This is the step of explicit Euler.": (x + v * h, u),
+            "This is the step of semi-implicit Euler.": (x + u * h, u),
         }
         fits = {
-            "v' and x', in the wrong order": off(
+            "v' and x' are in the wrong order.": off(
                 method, x, v, stiffness, damping, m, h, (new[1], new[0])
             ),
-            f"what {other} gives": off(other, x, v, stiffness, damping, m, h, new),
-            "a step without the damping": off(method, x, v, stiffness, 0.0, m, h, new),
-            "a step without the stiffness": off(method, x, v, 0.0, damping, m, h, new),
-            "a step whose k and c are not divided by the mass": off(
+            f"This is the result of {other}.": off(other, x, v, stiffness, damping, m, h, new),
+            "The damping is missing.": off(method, x, v, stiffness, 0.0, m, h, new),
+            "The stiffness is missing.": off(method, x, v, 0.0, damping, m, h, new),
+            "k and c are not divided by the mass.": off(
                 method, x, v, stiffness, damping, 1.0, h, new
             ),
         }
         # Where the equations of a mistake are met, it was made.
-        about.cause = next(
-            (
-                f"this is {slip}: {about.cause}"
-                for slip in fits
-                if max(map(abs, fits[slip])) < 1e-10
-            ),
-            named(new, about.cause, slips),
-        )
-        if abs(new[0] - x - v * h) < 1e-10 and "this is" not in about.cause:
-            about.cause = f"this is x' = x + v h, with the old velocity alone: {about.cause}"
-        if abs(new[0] - x - new[1] * h) < 1e-10 and "this is" not in about.cause and left[0] != 0.0:
-            about.cause = f"this is x' = x + v' h, with the new velocity alone: {about.cause}"
+        slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")
+        if not slip and abs(new[0] - x - v * h) < 1e-10:
+            slip = "This is x' = x + v h, with the old velocity alone."
+        if not slip and abs(new[0] - x - new[1] * h) < 1e-10 and left[0] != 0.0:
+            slip = "This is x' = x + v' h, with the new velocity alone."
+        known = named(new, about.cause, slips)
+        if slip and known == about.cause:
+            about.cause = f"{slip} The method is {about.cause}"
+        else:
+            about.cause = known
         # A few roundings of numbers up to 4000.
         expect_close(
             left, (0.0, 0.0), then=": what the equations for x' and v' are off", tolerance=1e-10
@@ -83,7 +83,10 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
 def test_half_the_frame_has_its_share_of_the_error(method: str, factor: float) -> None:
     about.read = f"the docstring of {method}"
     about.call = f"{method}(x, v, 4.0, 0.5, 1.0, h) from x = 1, v = 0 to 2 s: error of x"
-    about.cause = f"half the frame has 1/{factor:g} of the error: the order of the method"
+    about.cause = (
+        f"With half the step, the error must be 1/{factor:g} of the error before, by the order of "
+        "the method."
+    )
     # x(2) by the closed form: e^-0.5 (cos 2g + sin 2g / (4 g)), g the root of 3.9375
     g = math.sqrt(3.9375)
     exact = math.exp(-0.5) * (math.cos(2.0 * g) + 0.25 * math.sin(2.0 * g) / g)
@@ -102,8 +105,8 @@ def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     v = draw_number(rng)
     causes = {
-        "trapezoidal": "the trapezoidal rule keeps the energy of a spring without damping",
-        "backward_euler": "each step of backward Euler divides the energy by 1 + k h^2 / m",
+        "trapezoidal": "The trapezoidal rule keeps the energy of a spring without damping.",
+        "backward_euler": "Each step of backward Euler divides the energy by 1 + k h^2 / m.",
     }
     about.cause = causes[method]
     for k, steps in ((1e3, 5), (1e3, 1000), (1e6, 1000), (1e12, 1000)):
@@ -124,7 +127,7 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
     x, v = draw_number(rng), draw_number(rng)
     k, m, h = (positive_number(rng) for _ in range(3))
     about.call = f"backward_euler({x}, {v}, {k}, 0.0, {m}, {h}): energy after / before"
-    about.cause = "without damping a step divides the energy by 1 + k h^2 / m"
+    about.cause = "Without damping, a step divides the energy by 1 + k h^2 / m."
     new = backward_euler(x, v, k, 0.0, m, h)
     energy = 0.5 * k * new[0] ** 2 + 0.5 * m * new[1] ** 2
     before = 0.5 * k * x * x + 0.5 * m * v * v
@@ -140,6 +143,9 @@ def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None
     step = METHODS[method]
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0), (5, 0.0)]
     expect_finite_numbers(method, step, (1, 2, 3, 4, 5, 6), bad)
-    about(f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)", cause="without a force it coasts: x + v h")
+    about(
+        f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
+        cause=("Without a force the body coasts: x + v h."),
+    )
     got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)
     expect_close(got, (11.0, 3.0))

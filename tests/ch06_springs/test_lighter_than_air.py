@@ -25,8 +25,10 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         y = share * scale
         about.call = f"p at (3, {y}, 5); p.add_force(Vector3{f}); LighterThanAir({most}, "
         about.call += f"{scale}).update_force(p, 0.5); p.force_accumulator"
-        about.cause = "F e^(-y / H), upwards, beside the other forces: 1 / e of it at the scale "
-        about.cause += "height"
+        about.cause = (
+            "Add F e^(-y / H), upward, to the existing forces. At the scale height it is 1 / e of "
+            "F."
+        )
         p = Particle(Vector3(3.0, y, 5.0), mass=7.0)
         p.add_force(Vector3(*f))
         LighterThanAir(most, scale).update_force(p, 0.5)
@@ -34,14 +36,15 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         lift = most * math.exp(-share)
         lifts = {
-            "F H / y, which is infinite at the ground": most / share,
-            "F (1 - y / H), a straight line": most * (1.0 - share),
-            "F e^-y, with the height not divided by H": most * math.exp(-y),
-            "F 2^(-y / H), half of it at the scale height": most * 0.5**share,
-            "F / (1 + y / H)": most / (1.0 + share),
-            "F e^(y / H), without the minus": most * math.exp(share),
-            "a lift that points down": -lift,
-            "the lift times the mass of 7 kg": 7.0 * lift,
+            "This is F H / y, which is infinite at the ground. Use F e^(-y / H).": most / share,
+            "This is F (1 - y / H), a straight line. Use F e^(-y / H).": most * (1.0 - share),
+            "This is F e^-y. Divide the height by H.": most * math.exp(-y),
+            "This is F 2^(-y / H). Use e instead of 2.": most * 0.5**share,
+            "This is F / (1 + y / H). Use F e^(-y / H).": most / (1.0 + share),
+            "This is F e^(y / H). The exponent needs a minus sign.": most * math.exp(share),
+            "The lift points down. It must point up.": -lift,
+            "The lift is multiplied by the mass of 7 kg. It does not depend on the mass.": 7.0
+            * lift,
         }
         slips = {name: (f[0], f[1] + size, f[2]) for name, size in lifts.items()}
         blame(got, slips)
@@ -54,9 +57,18 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     most, scale = positive_number(rng, 5.0, 90.0), positive_number(rng)
     balloon = LighterThanAir(most, scale)
     for y, cause in (
-        (0.0, "at the ground, y = 0, the lift is all of max_lift"),
-        (-0.5 * scale, "below the ground it is as at the ground: it does not grow any more"),
-        (-1e6, "below the ground it is as at the ground, not e^(a million)"),
+        (0.0, "At the ground, at y = 0, the lift is max_lift."),
+        (
+            -0.5 * scale,
+            (
+                "Below the ground the lift is the same as at the ground. It does not grow any "
+                "further."
+            ),
+        ),
+        (
+            -1e6,
+            "Below the ground the lift is the same as at the ground. Do not compute e^1000000.",
+        ),
     ):
         about.cause = cause
         about.call = f"p at (0, {y}, 0); LighterThanAir({most}, {scale}).update_force(p, 0.5)"
@@ -68,7 +80,7 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     about.call = f"balloon = LighterThanAir({most}, {scale}); balloon.max_lift = {2 * most}; "
     about.call += f"balloon.scale_height = {3 * scale}; p at (0, {3 * scale}, 0); "
     about.call += "balloon.update_force(p, 0.5)"
-    about.cause = "read the attributes each time"
+    about.cause = "Read the attributes in each call."
     balloon.max_lift, balloon.scale_height = 2.0 * most, 3.0 * scale
     p = Particle(Vector3(0.0, 3.0 * scale, 0.0))
     balloon.update_force(p, 0.5)
@@ -81,7 +93,9 @@ def test_a_balloon_comes_to_rest_where_its_lift_is_its_weight() -> None:
     about.read = READ
     about.call = "p of 2 kg, damping 0.5, g = 9.81; 60 s of LighterThanAir(30, 8).update_force(p, "
     about.call += "h), p.integrate(h) in frames of 1/60 s; p.position.y"
-    about.cause = "it rises until F e^(-y / H) is m g: to H ln(F / (m g)), where it stays"
+    about.cause = (
+        "It rises until F e^(-y / H) equals m g, at the height H ln(F / (m g)), and stays there."
+    )
     y = risen(30.0, 8.0, 2.0, 0.5, 9.81, 1.0 / 60.0, 3600)
     wanted = 8.0 * math.log(30.0 / (2.0 * 9.81))
     # By then the swings have died out to e^-20 of some metres.

@@ -33,15 +33,24 @@ def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
 @pytest.mark.exercise("6.5")
 def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, 7.0, 0.25, 0.125): what the integrator gets", read=WIDER)
-    about.cause = "one particle of 1 kg and this damping, START m away from the anchor and at "
-    about.cause += "rest; apply_forces is that of a registry with one AnchoredSpring"
+    about.cause = (
+        "Use one particle of 1 kg with this damping, START m away from the anchor and at rest. "
+        "apply_forces is that of a registry with one AnchoredSpring."
+    )
     seen = released()
     name = "swings_wider(integrator, 7.0, 0.25, 0.125): is the integrator called"
-    calls = "the integrator that is given makes the steps, whichever it is; no formula knows it"
+    calls = "The integrator that is passed must make the steps. A formula cannot know it."
     expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
     numbers = (count, mass, damping, h)
-    slips = {"a particle without damping; it is the particle's, not the spring's": (1, 1, 1, 0.125)}
+    slips = {
+        ("The particle has no damping. The damping is the particle's, not the spring's."): (
+            1,
+            1,
+            1,
+            0.125,
+        )
+    }
     why = named(numbers, about.cause, slips)
     expect_close(
         numbers,
@@ -67,16 +76,26 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
     share, damping = draw_step(rng)
     limit = limit_of(share, explicit, damping, h)
     for part, wanted, cause in (
-        (0.98, False, "2 % below the limit the swings die out: they are not wider"),
+        (
+            0.98,
+            False,
+            ("At 2 % below the limit the oscillations die out, so they do not get wider."),
+        ),
         (
             1.02,
             True,
-            "2 % beyond the limit they grow, slowly under the book's step: compare late "
-            "swings with early ones",
+            (
+                "At 2 % above the limit they grow, slowly under the book's step. Compare late "
+                "oscillations with early ones."
+            ),
         ),
-        (0.5, False, "far below the limit the swings die out"),
-        (4.0, True, "far beyond the limit they grow beyond all bounds: stop before it overflows"),
-        (1e6, True, "in some frames they are too large for a float: stop before that"),
+        (0.5, False, "Far below the limit the oscillations die out."),
+        (
+            4.0,
+            True,
+            ("Far above the limit they grow without bounds. Stop before a number overflows."),
+        ),
+        (1e6, True, "After some steps they are too large for a float. Stop before that."),
     ):
         about.cause = cause
         k = part * limit
@@ -89,16 +108,18 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
 @pytest.mark.exercise("6.5")
 def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     about.read = WIDER
-    about.cause = "without damping the velocity-first step keeps the size of the swings, though "
-    about.cause += "one may be seen nearer to its end than another: compare many late swings with "
-    about.cause += "many early ones"
+    about.cause = (
+        "Without damping, semi-implicit Euler keeps the size of the oscillations, although some "
+        "are seen nearer to their ends than others. Compare the maximum of many late ones with "
+        "that of many early ones."
+    )
     for share in (0.1, 0.9, 0.97, 0.98):
         k = share * 14_400.0
         about.call = f"swings_wider(integrator, {k}, 1.0, 1/60), a step that bears 14400 N/m"
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
         expect_exactly(got, False)
     about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that bears 14400 N/m"
-    about.cause = "2 % beyond the limit they grow"
+    about.cause = "At 2 % above the limit they grow."
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
 
@@ -113,8 +134,10 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
         damping = 0.9  # with which it bears some 1 N/m
     about.call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), a step of the check's "
     about.call += "own"
-    about.cause = "measure it with the integrator that is given, by halving the gap between a "
-    about.cause += "stiffness that is safe and one that is not: no formula knows this step"
+    about.cause = (
+        "Measure it with the integrator that is passed. Halve the interval between a stable "
+        "stiffness and an unstable one. No formula knows this integrator."
+    )
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
     begun = "/ h^2, where the search began, and"
@@ -132,16 +155,18 @@ def test_the_ends_of_what_is_measured() -> None:
     about.read = LARGEST
     h = 1.0 / 60.0
     about.call = "largest_stable_stiffness(integrator, 1.0, 1/60), the book's step"
-    about.cause = "without damping the book's step bears no spring at all: 0, or next to it"
+    about.cause = (
+        "Without damping the book's step is not stable for any spring. Return 0 or almost 0."
+    )
     got = measured(1.0, True, 1.0, h)
     # With k h^2 / m = 1e-4 a swing grows by 10 % in FRAMES.
     expect_close(got, 0.0, tolerance=1e-4 * 3600.0)
     about.call = "largest_stable_stiffness(integrator, 0.5, 1/60), a step that makes every swing "
     about.call += "wider"
-    about.cause = "where no spring is safe it is 0, or next to it"
+    about.cause = "If no spring is stable, return 0 or almost 0."
     got = never_safe(h)
     expect_close(got, 0.0, tolerance=1e-4 * 3600.0)
-    about.cause = "nothing beyond STIFFEST / h^2 is looked at: that is returned"
+    about.cause = "Nothing above STIFFEST / h^2 is tried. Return that."
     for rate in (60.0, 30.0, 1.25):
         about.call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step that bears "
         about.call += "400 / h^2"
@@ -149,7 +174,7 @@ def test_the_ends_of_what_is_measured() -> None:
         got = measured(0.01, False, 0.5, 1.0 / rate)
         expect_close(got, most, tolerance=0.01 * most)
     about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), the velocity-first step"
-    about.cause = "a damping of 0 is a damping: at the end of each frame everything stands still"
+    about.cause = "A damping of 0 is valid. At the end of each step everything stands still."
     got = measured(1.0, False, 0.0, h)
     most = 16.0 * 3600.0
     expect_close(got, most, tolerance=0.01 * most)
@@ -159,8 +184,10 @@ def test_the_ends_of_what_is_measured() -> None:
 @pytest.mark.robust
 def test_measuring_needs_numbers_that_mean_something() -> None:
     about.read = WIDER
-    about.cause = "refuse it with ValueError: Particle and AnchoredSpring do for theirs; look at "
-    about.cause += "the duration yourself, since this integrator does not"
+    about.cause = (
+        "Refuse it with ValueError. Particle and AnchoredSpring do that for their arguments. "
+        "Check the duration yourself, because this integrator does not."
+    )
 
     def step(particles: list, apply_forces: object, duration: float) -> None:
         """Do nothing: the particle never swings wider."""
@@ -191,6 +218,6 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
             allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
         )
     about.call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
-    about.cause = "what means something must be answered: 10 N/m is below the limit of 41.8"
+    about.cause = "A valid call must be answered. 10 N/m is below the limit of 41.8 N/m."
     got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
     expect_exactly(got, False)

@@ -26,11 +26,13 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
     for share, cause in (
         (
             0.25,
-            "who is nearer than the distance pushes with k (distance - l), away from it. p itself "
-            "is in the list, and its own distance is 0",
+            (
+                "Each particle that is closer than the distance pushes p away with k (distance - "
+                "l). p itself is in the list, at a distance of 0."
+            ),
         ),
-        (0.9, "a little nearer than the distance: a little push, away from the other one"),
-        (1.1, "farther than the distance nobody minds: no push, and no pull"),
+        (0.9, "If it is slightly closer than the distance, there is a small push away from it."),
+        (1.1, "Beyond the distance there is no push and no pull."),
     ):
         about.cause = cause
         there = tuple(h + share * distance * part for h, part in zip(here, d, strict=True))
@@ -45,11 +47,11 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         near = share * distance
         pushes = {
-            "a pull towards the other one": -push,
-            "no push, as where the search ends at p itself, which is in the list": 0.0,
-            "a push of k, however near the other one is": k,
-            "the right size times the way, which is no unit vector": push * near,
-            "the square of the distance in the place of it": k * (distance - near**2),
+            "This pulls toward the other particle. It must push away from it.": -push,
+            "There is no push. The search may stop at p itself, which is in the list.": 0.0,
+            "The push is k at any distance. It is k times (distance - l).": k,
+            "The push is multiplied by the offset. Use the unit vector along it.": push * near,
+            "This uses the square of the distance. Use the distance.": k * (distance - near**2),
         }
         if share < 1.0:
             slips = {
@@ -58,7 +60,9 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
             }
             blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
-        about.cause = "the other one is pushed when it is asked for, not now"
+        about.cause = (
+            "Push only the particle of this call. The other one is pushed in its own call."
+        )
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
 
@@ -70,8 +74,10 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     k = positive_number(rng)
     about.call = f"p at {here}, others at distances of 1, 2, 1.5 and 4 m along x, y, -z and -y; "
     about.call += f"crowd = Overcrowding(all, 3.0, {k}); crowd.update_force(p, 0.5)"
-    about.cause = "the pushes of all who are nearer than the distance add up: do not stop at the "
-    about.cause += "first"
+    about.cause = (
+        "Add the pushes of all particles that are closer than the distance. Do not stop after the "
+        "first."
+    )
     p = Particle(Vector3(*here))
     others = [Particle(p.position + Vector3(*offset)) for offset in offsets]
     crowd = Overcrowding([others[0], others[1], p, others[2], others[3]], 3.0, k)
@@ -81,7 +87,10 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
     about.call += f"crowd.stiffness = {2 * k}; crowd.update_force(p, 0.5)"
-    about.cause = "read particles, distance and stiffness each time: only one is nearer than 1.25 m"
+    about.cause = (
+        "Read particles, distance and stiffness in each call. Only one particle is closer than "
+        "1.25 m."
+    )
     p.clear_forces()
     crowd.particles.pop()
     crowd.distance, crowd.stiffness = 1.25, 2.0 * k
@@ -97,14 +106,17 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     here = components(rng)
     about.call = f"p and q at {here}, r 1 m above; Overcrowding([p, q, r], 3.0, "
     about.call += "5.0).update_force(p, 0.5)"
-    about.cause = "p itself and q have no direction from p, and do not push; r does, downwards"
+    about.cause = (
+        "p itself and q are at p's position, so they have no direction and do not push. r pushes "
+        "down."
+    )
     p, q = Particle(Vector3(*here)), Particle(Vector3(*here))
     r = Particle(p.position + Vector3(0.0, 1.0, 0.0), mass=math.inf)
     crowd = Overcrowding([r, p, q], 3.0, 5.0)
     crowd.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, -10.0, 0.0), then="; p.force_accumulator", tolerance=1e-12)
-    about.cause = "the list is the caller's: leave its order and its particles alone"
+    about.cause = "The list belongs to the caller. Do not change its order or its particles."
     got = [part for one in crowd.particles for part in xyz(one.position)]
     wanted = [here[0], here[1] + 1.0, here[2], *here, *here]
     expect_close(
@@ -115,7 +127,9 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     )
     about.call = "p at (0, 1e-9, 0), not in the crowd; Overcrowding([q], 3.0, 5.0).update_force(p, "
     about.call += "0.5), q at (0, 0, 0); p.force_accumulator"
-    about.cause = "who is asked for need not be one of the crowd; near is not at the same place"
+    about.cause = (
+        "The particle need not be in the crowd. Close is not the same as at the same position."
+    )
     p, q = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     Overcrowding([q], 3.0, 5.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
@@ -131,7 +145,7 @@ def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
     places[1] = (0.9 * x, 0.9 * y, 0.9 * z)  # two are too near, wherever the others are
     about.call = f"6 particles at {places[0]} ..., damping 0.2, Overcrowding(all, 1.0, 40.0) for "
     about.call += "each; 600 frames of registry.update_forces(h), p.integrate(h)"
-    about.cause = "everybody who is nearer than 1 m is pushed away, and pushes back"
+    about.cause = "All particles that are closer than 1 m push each other apart."
     nearest, momentum = crowded(places, 1.0, 40.0, 0.2, 1.0 / 60.0, 600)
     # Pushed out of the way, each coasts on a little, slowed by the damping.
     expect_close(

@@ -79,8 +79,10 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
     stiffness, along = positive_number(rng, 5.0, 20.0), direction(rng)
     v, a, middle = components(rng), components(rng), components(rng)
     about.call = f"my_step with two particles of {m} and {n} kg on a spring of {stiffness} N/m"
-    about.cause = "each has its own mass, velocity and acceleration, forces are cleared after use, "
-    about.cause += f"and asked for {MOST} times at most"
+    about.cause = (
+        "Each particle has its own mass, velocity and acceleration. Clear the forces after use, "
+        f"and evaluate them at most {MOST} times."
+    )
 
     def ends(swung: float, t: float) -> list[Components]:
         """Where the two are: their middle falls, the spring between them swings."""
@@ -127,8 +129,10 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
 def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], None]) -> None:
     about.read = STEP
     about.call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
-    about.cause = f"a step of order 2 or more, of as many parts as it takes, up to {MOST} "
-    about.cause += "evaluations in all"
+    about.cause = (
+        f"Use a method of order 2 or more, with as many parts as you like, up to {MOST} "
+        "evaluations in all."
+    )
     count, error = turn_of_an_orbit(rng)
     on_chart(count, error)
     # Velocity Verlet in 16 parts a frame is off by 2e-3, explicit Euler in 80 by 0.3.
@@ -142,15 +146,17 @@ def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], 
 def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
     about.read = STEP
     about.call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
-    about.cause = f"{FEW} are allowed: take fewer parts, or a formula that asks less often"
+    about.cause = f"{FEW} are allowed. Use fewer parts, or a method with fewer evaluations."
     count, error = turn_of_an_orbit(rng)
     expect_exactly(
         max(count - FEW, 0),
         0,
         then=f": evaluations of the forces beyond {FEW}, with an error of {error:.1e}",
     )
-    about.cause = f"yours makes {count} evaluations of {FEW}: take more parts where the orbit is "
-    about.cause += "fast, or a better formula"
+    about.cause = (
+        f"Your method makes {count} evaluations, and {FEW} are allowed. Use more parts where the "
+        "orbit is fast, or a better method."
+    )
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
     expect_close(
         error, 0.0, then=": largest distance from the true orbit / half axis", tolerance=most

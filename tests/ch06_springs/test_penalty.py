@@ -26,18 +26,17 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
     for height in (-high, high):
         about.call = f"p at (3, {height - depth}, 5); p.add_force(Vector3{f}); "
         about.call += f"PenaltyGround({height}, {k}).update_force(p, 0.5); p.force_accumulator"
-        about.cause = "a push of k times the depth below the height, upwards, beside the other "
-        about.cause += "forces"
+        about.cause = "Add k times the depth below the height, upward, to the existing forces."
         p = Particle(Vector3(3.0, height - depth, 5.0), Vector3(7.0, 0.0, 7.0), mass=2.0)
         p.add_force(Vector3(*f))
         PenaltyGround(height, k).update_force(p, 0.5)
         wanted = (f[0], f[1] + k * depth, f[2])
         got = xyz(p.force_accumulator)
         pushes = {
-            "a push downwards": -k * depth,
-            "a push out of a ground at height 0, not at self.height": k * (depth - height),
-            "a push times the mass": 2.0 * k * depth,
-            "no push, though p is below the ground": 0.0,
+            "This pushes down. It must push up.": -k * depth,
+            "This measures the depth from height 0. Use self.height.": k * (depth - height),
+            "The push is multiplied by the mass. It does not depend on the mass.": 2.0 * k * depth,
+            "There is no push although p is below the ground.": 0.0,
         }
         slips = {slip: (f[0], f[1] + size, f[2]) for slip, size in pushes.items()}
         blame(got, slips)
@@ -49,9 +48,9 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
     about.read = READ
     height, k, c = number(rng), positive_number(rng), positive_number(rng)
     for above, speed, cause in (
-        (0.5, 0.0, "above the ground there is no force: it does not pull down"),
-        (0.5, -9.0, "above the ground there is no damping, however fast a body comes"),
-        (0.0, -9.0, "a body that just touches the ground has no depth yet"),
+        (0.5, 0.0, "Above the ground there is no force. The ground does not pull."),
+        (0.5, -9.0, "Above the ground there is no damping, however fast a body arrives."),
+        (0.0, -9.0, "A body that just touches the ground has a depth of 0."),
     ):
         about(f"p at (0, {height + above}, 0), velocity (0, {speed}, 0); ", cause=cause)
         about.call += f"PenaltyGround({height}, {k}, {c}).update_force(p, 0.5); p.force_accumulator"
@@ -61,14 +60,14 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         expect_close(got, ZERO)
     about.call = f"p at (0, -1e-6, 0); PenaltyGround(0, {k}).update_force(p, 0.5); "
     about.call += "p.force_accumulator"
-    about.cause = "a little below the ground it pushes a little"
+    about.cause = "Slightly below the ground it pushes slightly."
     p = Particle(Vector3(0.0, -1e-6, 0.0))
     PenaltyGround(0.0, k).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, 1e-6 * k, 0.0))
     about.call = f"p at (0, {height - 1}, 0); PenaltyGround({height}, {k}, {c}).update_force(p, "
     about.call += "0.5)"
-    about.cause = "below the ground it pushes"
+    about.cause = "Below the ground it pushes."
     p = Particle(Vector3(0.0, height - 1.0, 0.0))
     PenaltyGround(height, k, c).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
@@ -82,9 +81,9 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
     free = k * depth / c  # m/s upwards, at which nothing is left of the push
     ground = PenaltyGround(0.0, k, c)
     for share, cause in (
-        (-2.0, "a body that sinks in is pushed the more by the damping: k depth - c v_y"),
-        (0.5, "a body on its way out is pushed less: k depth - c v_y"),
-        (2.0, "a body that leaves faster than the damping allows is not held back: no pull"),
+        (-2.0, "Damping pushes a body that sinks in more: k depth - c v_y."),
+        (0.5, "Damping pushes a body that is leaving less: k depth - c v_y."),
+        (2.0, "A body that leaves faster than the damping allows is not held back. Do not pull."),
     ):
         about.cause = cause
         v = share * free
@@ -96,14 +95,18 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
         slips = {
-            "the push without its damping": (0.0, push, 0.0),
-            "k depth + c v_y, damping that pushes with the motion": (
+            "The damping is missing. Subtract c v_y.": (0.0, push, 0.0),
+            "This is k depth + c v_y. The damping must act against the motion.": (
                 0.0,
                 max(push * (1.0 + share), 0.0),
                 0.0,
             ),
-            "damping along the ground too, and only v_y counts": (-4.0 * c, wanted[1], -4.0 * c),
-            "a pull downwards": (0.0, push * (1.0 - share), 0.0),
+            ("The damping also acts along the ground. Only v_y counts."): (
+                -4.0 * c,
+                wanted[1],
+                -4.0 * c,
+            ),
+            "This pulls down. The ground only pushes.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
         expect_close(got, wanted, tolerance=1e-11)
@@ -114,17 +117,17 @@ def test_a_body_comes_to_rest_in_the_sponge() -> None:
     about.read = "E-36, and the docstring of PenaltyGround"
     about.call = "p of 2 kg falls 0.5 m, g = 10, on PenaltyGround(0, 400, 10); 20 s of "
     about.call += "update_force(p, h), a step of semi-implicit Euler, h = 1/240: p.position.y"
-    about.cause = "what lies on a ground of springs has sunk in by m g / k: 5 cm"
+    about.cause = "A body that rests on a ground of springs has sunk in by m g / k, which is 5 cm."
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
     expect_close(end, -0.05, tolerance=1e-9)
-    about.cause = "it falls at the root of 10 m/s, and is stopped by the spring within some 0.2 m"
+    about.cause = "It arrives with the root of 10 m/s, and the spring stops it within about 0.2 m."
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     expect_close(lowest, 0.8 * deepest, then=", at its lowest", tolerance=0.2 * -deepest)
     about.call = "PenaltyGround(0, 400, 0) with height, stiffness and damping changed to 1, 3 and "
     about.call += "0.5; p at (0, 0, 0), velocity (0, 2, 0); update_force(p, 0.5); "
     about.call += "p.force_accumulator"
-    about.cause = "read the attributes each time: 3 N less 0.5 times 2"
+    about.cause = "Read the attributes in each call: 3 N minus 0.5 times 2."
     ground, p = PenaltyGround(0.0, 400.0), Particle(velocity=Vector3(0.0, 2.0, 0.0))
     ground.height, ground.stiffness, ground.damping = 1.0, 3.0, 0.5
     ground.update_force(p, 0.5)

@@ -48,14 +48,16 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     about.call = "hang_bridge(registry, planks, {}, {}, {}); registry.update_forces(0.5)".format(
         *numbers
     )
-    about.cause = "all springs are as long at rest as they are now: the hangers as the height, the "
-    about.cause += "others as the planks are apart"
+    about.cause = (
+        "The rest length of each spring is its current length: the height for the hangers, and "
+        "the distance between the planks for the others."
+    )
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     for i, force in enumerate(forces):
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator", tolerance=1e-12)
     about.call += ", the first plank 0.5 m lower"
-    about.cause = "out of its place a plank is pulled back"
+    about.cause = "A plank that is moved is pulled back."
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
     wanted = (0.0, 0.5 * numbers[1], 0.0)
@@ -74,8 +76,10 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
     ]
     about.call = f"hang_bridge(registry, planks, {height}, {k}, {c}); all planks moved a little, "
     about.call += "with velocities; registry.update_forces(0.5)"
-    about.cause = "one AnchoredSpring straight above each plank, and a spring between each plank "
-    about.cause += "and the next, once: connect serves both ends"
+    about.cause = (
+        "Use one AnchoredSpring straight above each plank, and connect each plank to the next one "
+        "once. connect acts on both ends."
+    )
     forces = hung_bridge(places, after, (height, k, c))
     for i, end in enumerate(after):
         if i == 2:  # it is immovable, and no spring asks for it: how much it gets is left open
@@ -88,12 +92,12 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         wanted = tuple(math.fsum(part[axis] for part in parts) for axis in range(3))
         below = pull(end, ((x, y - height, z), ZERO), k, height, c)
         slips = {
-            "a force of anchors below the planks": [
+            "The anchors are below the planks. They must be above them.": [
                 total - hanger + part
                 for total, hanger, part in zip(wanted, parts[0], below, strict=True)
             ],
-            "the force of the hangers alone, with no springs between the planks": parts[0],
-            "a force with each spring between two planks twice": [
+            "Only the hangers act. Join the planks to each other too.": parts[0],
+            "Each spring between two planks acts twice. Connect each pair once.": [
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],
         }
@@ -101,7 +105,7 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         expect_close(
             forces[i], wanted, then=f"; planks[{i}].force_accumulator", cause=why, tolerance=1e-11
         )
-    about.cause = "hang the bridge beside what the registry has already"
+    about.cause = "Leave the pairs that the registry already has."
     expect_close(
         forces[-1],
         (0.0, -2.0, 0.0),
@@ -115,13 +119,17 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
     places = [(-1.5, 0.0, 0.0), (-0.5, 0.5, 0.0), (1.5, 0.0, 1.0)]
     weight = positive_number(rng, 1.0, 900.0)
     for x, shares, cause in (
-        (-1.25, (0.75, 0.25, 0.0), "the nearer a plank, the more it carries: 1 - s and s"),
-        (1.0, (0.0, 0.25, 0.75), "s goes from 0 at the one to 1 at the next: divide by the gap"),
-        (-0.5, (0.0, 1.0, 0.0), "over a plank, that one carries all"),
-        (-7.0, (1.0, 0.0, 0.0), "before the first plank, that one carries all"),
-        (9.0, (0.0, 0.0, 1.0), "after the last plank, that one carries all"),
-        (-1.5, (1.0, 0.0, 0.0), "over the first plank, that one carries all"),
-        (1.5, (0.0, 0.0, 1.0), "over the last plank, that one carries all"),
+        (-1.25, (0.75, 0.25, 0.0), "The nearer plank carries more: 1 - s and s."),
+        (
+            1.0,
+            (0.0, 0.25, 0.75),
+            ("s goes from 0 at one plank to 1 at the next. Divide by the gap."),
+        ),
+        (-0.5, (0.0, 1.0, 0.0), "Directly above a plank, that plank carries everything."),
+        (-7.0, (1.0, 0.0, 0.0), "Before the first plank, that plank carries everything."),
+        (9.0, (0.0, 0.0, 1.0), "After the last plank, that plank carries everything."),
+        (-1.5, (1.0, 0.0, 0.0), "Directly above the first plank, that plank carries everything."),
+        (1.5, (0.0, 0.0, 1.0), "Directly above the last plank, that plank carries everything."),
     ):
         about(f"planks at x = -1.5, -0.5 and 1.5; load_bridge(planks, {x}, {weight})", cause=cause)
         forces = loaded(places, x, weight)
@@ -129,12 +137,16 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         wanted = [-weight * share for share in shares]
         beside = max(shares) < 1.0
         slips = {
-            "the shares s and 1 - s exchanged": [
+            "The fractions s and 1 - s are exchanged.": [
                 -weight * (1.0 - share) if share else 0.0 for share in shares
             ],
-            "half of the weight for each": [-0.5 * weight * (share > 0.0) for share in shares],
-            "a weight that points up": [-part for part in wanted],
-            "the weight times 9.81, and it is in N already": [9.81 * part for part in wanted],
+            ("Each plank carries half. The nearer one must carry more."): [
+                -0.5 * weight * (share > 0.0) for share in shares
+            ],
+            "The weight points up. It must point down.": [-part for part in wanted],
+            ("The weight is multiplied by 9.81, but it is already in N."): [
+                9.81 * part for part in wanted
+            ],
         }
         about.cause = named(got, about.cause, slips) if beside else about.cause
         expect_close(
@@ -146,11 +158,11 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         got = [part for force in forces for part in (force[0], force[2])]
         expect_close(got, [1.0, 3.0] * 3, then=": forces along x and z stay")
     about.call = f"one plank at x = -1.5; load_bridge([plank], 4.0, {weight})"
-    about.cause = "a single plank carries all"
+    about.cause = "A single plank carries everything."
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(got, -weight, tolerance=1e-12 * weight)
     about.call = "load_bridge(planks, 0.0, 4.0), both planks at x = 0; the sum of what they carry"
-    about.cause = "however near they are, both carry all of the weight"
+    about.cause = "However close they are, together they carry the whole weight."
     got = math.fsum(force[1] - 2.0 for force in loaded([ZERO, ZERO], 0.0, 4.0))
     expect_close(got, -4.0)
 
@@ -161,7 +173,7 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     places = [(float(i), 0.0, 0.0) for i in range(7)]
     about.call = "7 planks of 2 kg, hang_bridge(registry, planks, 3, 200, 20); load_bridge(planks, "
     about.call += "3, 100) in every frame, 20 s: the pull of all hangers less 7 m g and 100 N"
-    about.cause = "at rest the springs carry the planks and the walker"
+    about.cause = "At rest the springs carry the planks and the walker."
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 2400)
     up = math.fsum(
         pull((end, ZERO), ((place[0], 3.0, 0.0), ZERO), 200.0, 3.0, 0.0)[1]
@@ -173,7 +185,7 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     sags = [-end[1] for end in ends]
     expect_close(sags[:3], sags[:3:-1], tolerance=1e-6)
     about.call = "the same bridge: the sag in the middle, less that at the end"
-    about.cause = "the planks beside the walker sag more than those far away"
+    about.cause = "The planks beside the walker sag more than those far away."
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
     expect_close(sags[3] - sags[0], 0.35, tolerance=0.15)
 
@@ -181,7 +193,7 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
 @pytest.mark.exercise("G6.2")
 @pytest.mark.robust
 def test_a_bridge_needs_numbers_that_mean_something() -> None:
-    about(cause="look at all arguments before the first add", read=HANG)
+    about(cause="Check all arguments before the first call of add.", read=HANG)
     planks = [Particle(), Particle()]
     registry = ForceRegistry()
     for bad in (
@@ -202,13 +214,16 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
             )
     about.call = "hang_bridge(registry, planks, ...) was refused; planks[0] is moved; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = "what is refused registers nothing"
+    about.cause = "A refused call must not register anything."
     planks[0].position.y = -0.5
     registry.update_forces(0.5)
     got = xyz(planks[0].force_accumulator)
     expect_close(got, ZERO, then="; its force_accumulator")
     about.read = LOAD
-    about.cause = "refuse it with ValueError: the functions of arguments.py do, and ask for a plank"
+    about.cause = (
+        "Refuse it with ValueError. The functions of arguments.py do that. There must be at least "
+        "one plank."
+    )
     for count, x, weight in (
         (0, 1.0, 1.0),
         (2, math.nan, 1.0),

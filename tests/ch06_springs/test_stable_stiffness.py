@@ -25,28 +25,34 @@ def largest_eigenvalue(matrix: tuple[float, float, float, float]) -> float:
 
 @pytest.mark.exercise("6.6b")
 def test_the_largest_stiffness_by_known_values() -> None:
-    about(cause="m (d^-h - 1) / h^2, with the damping d per second and the frame h", read=READ)
+    about(cause="m (d^-h - 1) / h^2, with the damping d per second and the step h.", read=READ)
     for d, wanted in ((0.999, 0.060030520518), (0.9, 6.327184608887), (0.5, 41.829985086921)):
         about.call = f"max_stable_stiffness({d}, 1/60)"
         got = max_stable_stiffness(d, 1.0 / 60.0)
         keep = d ** (1.0 / 60.0)
         slips = {
-            "-m ln d / h, which is right for short frames alone": -math.log(d) * 60.0,
-            "m (d^-h - 1) / h, with h for h^2": wanted / 60.0,
-            "m (1 / d - 1) / h^2, with the damping once a frame": (1.0 / d - 1.0) * 3600.0,
-            "m (1 - d^h) / h^2, which is right for Eq. 3.6, not for the step (E-16)": (1.0 - keep)
+            "This is -m ln d / h, which is right only for short steps.": -math.log(d) * 60.0,
+            "This is m (d^-h - 1) / h. Divide by h^2.": wanted / 60.0,
+            ("This is m (1 / d - 1) / h^2, with the damping per step. It is per second."): (
+                1.0 / d - 1.0
+            )
             * 3600.0,
-            "the limit of semi-implicit Euler": 2.0 * (1.0 + keep) / keep * 3600.0,
+            (
+                "This is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for the step (E-16)."
+            ): (1.0 - keep) * 3600.0,
+            "This is the limit of semi-implicit Euler.": 2.0 * (1.0 + keep) / keep * 3600.0,
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-10 * wanted)
     for mass in (2.0, 0.25):
-        about(f"max_stable_stiffness(0.5, 1/60, {mass})", cause="it is in proportion to the mass")
+        about(f"max_stable_stiffness(0.5, 1/60, {mass})", cause="It is proportional to the mass.")
         got = max_stable_stiffness(0.5, 1.0 / 60.0, mass)
         wanted = mass * 41.829985086921
         slips = {
-            "the stiffness for 1 kg": 41.829985086921,
-            "the stiffness for 1 kg, divided by the mass": 41.829985086921 / mass,
+            "This is the stiffness for 1 kg. Multiply it by the mass.": 41.829985086921,
+            (
+                "This is the stiffness for 1 kg divided by the mass. Multiply by the mass."
+            ): 41.829985086921 / mass,
         }
         blame(got, slips)
         expect_close(got, wanted, tolerance=1e-10 * wanted)
@@ -60,8 +66,10 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
         m = positive_number(rng)
         about.call = f"k = max_stable_stiffness({d}, {h}, {m}); Particle.integrate with a spring "
         about.call += "of "
-        about.cause = "there the largest eigenvalue of the step is 1: its square is d^h (1 + k h^2 "
-        about.cause += "/ m)"
+        about.cause = (
+            "At this stiffness the largest eigenvalue of the step is 1. Its square is d^h (1 + k "
+            "h^2 / m)."
+        )
         limit = max_stable_stiffness(d, h, m)
         for share in (0.98, 1.0, 1.02):
             size = largest_eigenvalue(step_matrix(share * limit, d, h, m))
@@ -78,20 +86,31 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
 def test_the_ends_of_the_damping() -> None:
     about.read = READ
     for d, wanted, cause in (
-        (1.0, 0.0, "without damping no spring is safe: 0, and not -0"),
-        (1.5, 0.0, "where the velocity grows by itself no spring is safe: 0, and nothing negative"),
-        (0.0, math.inf, "a damping of 0 stops everything in each frame: every spring is safe"),
+        (1.0, 0.0, "Without damping no spring is stable. Return 0, and not -0."),
+        (
+            1.5,
+            0.0,
+            (
+                "If the velocity grows by itself, no spring is stable. Return 0, not a "
+                "negative number."
+            ),
+        ),
+        (
+            0.0,
+            math.inf,
+            ("A damping of 0 stops everything in each step, so every spring is stable."),
+        ),
     ):
         about(f"max_stable_stiffness({d}, 0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)
         expect_exactly(f"{got:.15g}", f"{wanted:.15g}", then=" as text")
     about.call = "max_stable_stiffness(1 - 1e-12, 1e-3)"
-    about.cause = "d^-h - 1 loses its digits where d is close to 1: math.expm1 keeps them"
+    about.cause = "d^-h - 1 loses its digits if d is close to 1. math.expm1 keeps them."
     d = 1.0 - 1e-12
     got = max_stable_stiffness(d, 1e-3)
     wanted = -math.log(d) / 1e-3
     expect_close(got, wanted, tolerance=1e-9 * wanted)
-    about("max_stable_stiffness(0.5, 2.0)", cause="(0.5^-2 - 1) / 2^2 is 0.75")
+    about("max_stable_stiffness(0.5, 2.0)", cause="(0.5^-2 - 1) / 2^2 is 0.75.")
     got = max_stable_stiffness(0.5, 2.0)
     expect_close(got, 0.75)
 
@@ -100,7 +119,9 @@ def test_the_ends_of_the_damping() -> None:
 @pytest.mark.robust
 def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
     about("max_stable_stiffness(1e-300, 1000.0)", read=READ)
-    about.cause = "what is too large for a float is math.inf, and no OverflowError"
+    about.cause = (
+        "Return math.inf if the result is too large for a float. Do not raise OverflowError."
+    )
     got = max_stable_stiffness(1e-300, 1000.0)
     expect_exactly(got, math.inf)
 
@@ -109,8 +130,9 @@ def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
 @pytest.mark.robust
 def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
     about.read = READ
-    about.cause = "refuse it with ValueError: the functions of arguments.py do, one for each "
-    about.cause += "argument"
+    about.cause = (
+        "Refuse it with ValueError. The functions of arguments.py do that, one for each argument."
+    )
     for bad in (
         (-0.5, 0.25, 1.0),
         (math.nan, 0.25, 1.0),
@@ -132,6 +154,6 @@ def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
             allowed=lambda: max_stable_stiffness(0.5, 0.25, 1.0),
         )
     about.call = "max_stable_stiffness(0.25, 1.0, 2.0)"
-    about.cause = "what means something must be answered: 2 (4 - 1)"
+    about.cause = "A valid call must be answered: 2 (4 - 1)."
     got = max_stable_stiffness(0.25, 1.0, 2.0)
     expect_close(got, 6.0)

@@ -20,15 +20,25 @@ EXERCISES = {
     "runge_kutta_4": "B6.8",
 }
 RULES = {
-    "explicit_euler": "p' = p + v h, then v' = (v + a h) d^h once: a and v are of the start",
-    "semi_implicit_euler": "v' = (v + a h) d^h once, then p' = p + v' h: the new velocity, from "
-    "the old place: a vector that integrate changes in place has to be copied",
-    "leapfrog": "p1 = p + v h / 2, where the forces are asked for; v' = (v + a h) d^h once; "
-    "p' = p1 + v' h / 2",
-    "velocity_verlet": "p' = p + v h + a h^2 / 2; b is asked for at p', with v + a h; "
-    "v' = (v + (a + b) h / 2) d^h, damped once",
-    "runge_kutta_4": "the mean of four rates, of which the second and the third count double; "
-    "d^h multiplies the new velocity once",
+    "explicit_euler": (
+        "p' = p + v h, then v' = (v + a h) d^h once, where a and v are those at the start."
+    ),
+    "semi_implicit_euler": (
+        "v' = (v + a h) d^h once, then p' = p + v' h with the new velocity and the old position. "
+        "Copy a vector that a move changes in place."
+    ),
+    "leapfrog": (
+        "p1 = p + v h / 2, where the forces are evaluated. Then v' = (v + a h) d^h once, and p' = "
+        "p1 + v' h / 2."
+    ),
+    "velocity_verlet": (
+        "p' = p + v h + a h^2 / 2. Evaluate b at p', with v + a h. Then v' = (v + (a + b) h / 2) "
+        "d^h, damped once."
+    ),
+    "runge_kutta_4": (
+        "Use the mean of four rates, in which the second and the third count double. Multiply the "
+        "new velocity by d^h once."
+    ),
 }
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
 methods = pytest.mark.parametrize(
@@ -92,9 +102,15 @@ def wrong_steps(
     if method == "semi_implicit_euler":
         new = (v + first * h) * keep
         return {
-            "a step with both moves, by v and by v'": (x + (v + new) * h, new),
-            "a step that moves by the mean of v and v'": (x + 0.5 * (v + new) * h, new),
-            "a step that moves by v' before it is damped": (x + (v + first * h) * h, new),
+            "This moves the position twice, by v and by v'.": (x + (v + new) * h, new),
+            ("This moves by the mean of v and v'. Move by one of them."): (
+                x + 0.5 * (v + new) * h,
+                new,
+            ),
+            ("This moves by v' before it is damped. Damp the velocity first."): (
+                x + (v + first * h) * h,
+                new,
+            ),
         }
     if method == "leapfrog":
         middle = x + 0.5 * h * v
@@ -102,25 +118,28 @@ def wrong_steps(
         early = (v + first * h) * keep
         halved = (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h)
         return {
-            "a step that asks for the forces at the start": (x + 0.5 * h * (v + early), early),
-            "a step that drifts for h after the kick": (middle + h * new, new),
-            "a step without the second drift": (middle, new),
-            "a step that kicks for h / 2": (middle + 0.5 * h * halved, halved),
+            ("This evaluates the forces at the start. Evaluate them after the first half drift."): (
+                x + 0.5 * h * (v + early),
+                early,
+            ),
+            "This drifts for h after the kick. Drift for h / 2.": (middle + h * new, new),
+            "The second half drift is missing.": (middle, new),
+            "This kicks for h / 2. Kick for the whole step.": (middle + 0.5 * h * halved, halved),
         }
     if method == "velocity_verlet":
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
         second, later = force(half, v + first * h), force(whole, v + first * h)
         return {
-            "a step with a h^2 in the place of a h^2 / 2": (
+            "This has a h^2 in place of a h^2 / 2.": (
                 whole,
                 (v + 0.5 * (first + later) * h) * keep,
             ),
-            "a step with v' = v + b h, without a": (half, (v + second * h) * keep),
-            "a step with the sum of the forces, not their mean": (
+            "This has v' = v + b h. Use the mean of a and b.": (half, (v + second * h) * keep),
+            "This uses the sum of the forces. Use their mean.": (
                 half,
                 (v + (first + second - a) * h) * keep,
             ),
-            "a step that asks for b with the old velocity": (
+            "This evaluates b with the old velocity. Use v + a h.": (
                 half,
                 (v + 0.5 * (first + force(half, v)) * h) * keep,
             ),
@@ -128,12 +147,16 @@ def wrong_steps(
     if method == "runge_kutta_4":
         parts = (0.0, 0.5, 0.5, 1.0)
         return {
-            "a step whose four rates count the same": mean_of((1.0, 1.0, 1.0, 1.0), parts),
-            "a step whose first and last rates count double": mean_of((2.0, 1.0, 1.0, 2.0), parts),
-            "a step whose third rate is that of the end": mean_of(
-                (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)
+            ("All four rates count the same. The second and the third must count double."): mean_of(
+                (1.0, 1.0, 1.0, 1.0), parts
             ),
-            "a step whose last rate is that of the middle": mean_of(
+            ("The first and the last rate count double. The second and the third must."): mean_of(
+                (2.0, 1.0, 1.0, 2.0), parts
+            ),
+            (
+                "The third rate is taken at the end of the step. Take it in the middle again."
+            ): mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)),
+            "The last rate is taken in the middle of the step. Take it at the end.": mean_of(
                 (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)
             ),
         }
@@ -158,16 +181,16 @@ def slips_of(
     """Return what likely mistakes make of what walk returns."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "a step without p.acceleration": (p, v, ZERO, mass, d, hand),
-        "a step without the force by hand": (p, v, a, mass, d, ZERO),
-        "a step whose forces are not divided by the mass": (p, v, a, 1.0, d, hand),
-        "a step without damping": (p, v, a, mass, 1.0, hand),
-        "a step with d in the place of d^h": (p, v, a, mass, d ** (1.0 / h), hand),
+        "This leaves out p.acceleration.": (p, v, ZERO, mass, d, hand),
+        "This leaves out the force that was added by hand.": (p, v, a, mass, d, ZERO),
+        "The forces are not divided by the mass.": (p, v, a, 1.0, d, hand),
+        "The damping is missing.": (p, v, a, mass, 1.0, hand),
+        "This multiplies by d. Multiply by d^h.": (p, v, a, mass, d ** (1.0 / h), hand),
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
-    slips["a step without the forces of apply_forces"] = walk(method, body, 0.0, 0.0, h, frames)
+    slips["This leaves out the forces of apply_forces."] = walk(method, body, 0.0, 0.0, h, frames)
     slips |= {
-        f"a step of {other}": walk(other, body, k, c, h, frames)
+        f"This is {other}.": walk(other, body, k, c, h, frames)
         for other in EXERCISES
         if other != method
     }
@@ -194,7 +217,7 @@ def call_of(method: str, what: str) -> str:
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
-    by_hand = "a force that was added by hand before the step counts in every evaluation"
+    by_hand = "A force that was added by hand before the step counts in every evaluation."
     for what, body, frames, cause in (
         ("one step", draw_body(rng), 1, RULES[method]),
         ("one step", draw_body(rng, components(rng)), 1, by_hand),
@@ -202,10 +225,17 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "three steps",
             draw_body(rng),
             3,
-            "each step begins as the first did: empty accumulators, the same damping, mass and "
-            "acceleration",
+            (
+                "Every step must begin like the first one, with empty accumulators and the same "
+                "damping, mass and acceleration."
+            ),
         ),
-        ("one step", (*draw_body(rng)[:4], 0.0, ZERO), 1, "at d = 0 all of the velocity goes"),
+        (
+            "one step",
+            (*draw_body(rng)[:4], 0.0, ZERO),
+            1,
+            ("With d = 0 the whole velocity is lost."),
+        ),
     ):
         about.cause = cause
         p, v, a, mass, d, hand = body
@@ -238,8 +268,10 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     about.call = call_of(
         method, f"two particles of {mass} kg joined by a spring of {s} N/m, h = {h}"
     )
-    about.cause = "forces are asked for while no particle has moved yet, and again only after all "
-    about.cause += "have: each looks at the others"
+    about.cause = (
+        "Move all particles before you evaluate the forces again, because each force depends on "
+        "the others' positions."
+    )
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
     states = [
         one_step(method, one[i] - two[i], v[i] - w[i], 0.0, 2.0 * s / mass, 0.0, 1.0, h)
@@ -263,19 +295,21 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     frames = rng.randint(2, 5)
     bodies = [draw_body(rng, hand), draw_body(rng)]
     about.call = call_of(method, f"{frames} steps of h = {h}, {hand} N added by hand before each")
-    about.cause = f"{EVALUATIONS[method]} evaluations a step, no more and no fewer"
+    about.cause = f"The method makes exactly {EVALUATIONS[method]} evaluations per step."
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
     expect_exactly(
         len(asked), frames * EVALUATIONS[method], then=": how often apply_forces is called"
     )
-    about.cause = "apply_forces gets the duration of the whole step, each time"
+    about.cause = "Pass the duration of the whole step to apply_forces each time."
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),
         then=": the durations that apply_forces is called with",
     )
-    about.cause = "before each evaluation clear the accumulators, and add again what was there "
-    about.cause += "before the step; after the step they are empty"
+    about.cause = (
+        "Before each evaluation clear the accumulators, and add the forces again that were there "
+        "before the step. After the step they must be empty."
+    )
     for number, (_, sums, _) in enumerate(asked, 1):
         for one, got, wanted in (("first", sums[0], hand), ("other", sums[1], ZERO)):
             then = f": force_accumulator of the {one} one when apply_forces is called, no. {number}"
@@ -302,9 +336,11 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
         elif method == "velocity_verlet":
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
-            about.cause = "at the start, where the velocity leads in half of the frame, where that "
-            about.cause += "of the middle leads in half of it, and where that one leads in all of "
-            about.cause += "it"
+            about.cause = (
+                "Take the rates at the start, where the first rate leads in half of the step, "
+                "where the second leads in half of it, and where the third leads in the whole "
+                "step."
+            )
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
             places.append(p[i] + 0.5 * h * (v[i] + 0.5 * h * first))
@@ -326,11 +362,13 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     about.call = call_of(
         method, f"m = {mass}, a = {a}, by hand {hand}, forces -{k} x - {c} v, h = {h}"
     )
-    about.cause = "at the end of the step the accumulators are empty"
+    about.cause = "At the end of the step the accumulators must be empty."
     ends = stepped(method, [body], (k, c), h, 1)
     expect_close(ends["forces"][0], ZERO, then=": p.force_accumulator")
-    about.cause = "last_acceleration is the mean acceleration of the step: let integrate make the "
-    about.cause += "velocity from the mean force"
+    about.cause = (
+        "last_acceleration must be the mean acceleration of the step. Let kick compute the "
+        "velocity from the mean force."
+    )
     wanted = tuple(
         one_step(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)[2]
         for i in range(3)
@@ -348,17 +386,18 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     about.call = call_of(
         method, f"an immovable particle at {place}, velocity {velocity}, beside another"
     )
-    about.cause = "what has no finite mass stays where it is, whatever its velocity and "
-    about.cause += "acceleration are"
+    about.cause = (
+        "An immovable particle stays where it is, whatever its velocity and acceleration are."
+    )
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(ends["positions"][0], place, then=": its position", tolerance=0.0)
     expect_close(ends["velocities"][0], velocity, then=": its velocity", tolerance=0.0)
-    about.cause = "its accumulator is empty after the step, like every other one"
+    about.cause = "Its accumulator must be empty after the step, like all others."
     expect_close(ends["forces"][0], ZERO, then=": its force_accumulator")
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
-    about.cause = "the others move all the same"
+    about.cause = "The other particles must move all the same."
     got = ends["positions"][1][0]
     expect_close(got, x, then=": the position of the other one, x", tolerance=1e-12)
 
@@ -368,7 +407,7 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
 def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    about.cause = "refuse it with ValueError before anything is done: positive() does"
+    about.cause = "Refuse it with ValueError before you change anything. positive() does that."
     for bad in (0.0, -1.0, math.inf, math.nan):
         about.call = f"{method}([p], apply_forces, {bad})"
         expect_error(
@@ -385,10 +424,10 @@ def test_a_step_needs_a_duration(method: str) -> None:
             then=" was refused; p.position, p.velocity and p.force_accumulator",
             tolerance=0.0,
         )
-        about.cause = "look at the duration before you ask for forces"
+        about.cause = "Check the duration before you evaluate the forces."
         expect_exactly(after["asked"], [0], then=" was refused; how often apply_forces was called")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
-    about.cause = "no particle is no error, and one must move"
+    about.cause = "An empty list is not an error, and a single particle must move."
     ends = stepped(method, [], (5.0, 0.0), 0.5, 1)
     expect_exactly(ends["positions"], [], then=": positions")
     ends = stepped(method, [body], (0.0, 0.0), 0.5, 1)

@@ -21,7 +21,7 @@ def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
     about.read = READ
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
     about.call = f"{CALL.format(limit)}, {frames} times, h = 0.25, 1.25, ..."
-    about.cause = "pass particles, apply_forces and duration on as they are, once a call"
+    about.cause = "Pass particles, apply_forces and duration on unchanged, once per call."
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
     at_limit = (
@@ -50,40 +50,44 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         speeds[number - 1][fast] = -1.25 * limit
         about.call = f"{CALL.format(limit)}; particle {fast} has {1.25 * limit} m/s after step "
         about.call += f"{number}"
-        about.cause = "look at every particle after each step, and raise SimulationDiverged(i, "
-        about.cause += "steps, speed, speed_limit) for the first; the first step is number 1"
+        about.cause = (
+            "Check every particle after each step, and raise SimulationDiverged(i, steps, speed, "
+            "speed_limit) for the first one that is too fast. The first step has the number 1."
+        )
         calls, error = watching(limit, speeds)
         wanted = (fast, number, 1.25 * limit, limit)
         got = (math.nan,) * 4 if error is None else tuple(error)
         size = 1.25 * limit
         slips = {
-            "the number of the step before": (fast, number - 1, size, limit),
-            "a particle counted from 1, and the list begins with 0": (
+            "This is the number of the step before.": (fast, number - 1, size, limit),
+            "The particle is counted from 1. The list begins with 0.": (
                 fast + 1,
                 number,
                 size,
                 limit,
             ),
-            "the last that is too fast, and the first is asked for": (
+            "This is the last particle that is too fast. Report the first one.": (
                 3,
                 number,
                 2.0 * limit,
                 limit,
             ),
-            "limit and speed, in the wrong order": (fast, number, limit, size),
+            "limit and speed are in the wrong order.": (fast, number, limit, size),
         }
         blame(got, slips)
         if error is None:
-            about.cause = f"nothing was raised: {about.cause}"
+            about.cause = f"Nothing was raised. {about.cause}"
         elif got[1] > number:
-            about.cause = "this is a later step: look right after each step that was made, and let "
-            about.cause += "each watch count its own steps, from 1"
+            about.cause = (
+                "This is a later step. Check right after each step, and let each watch count its "
+                "own steps, from 1."
+            )
         expect_close(
             got,
             wanted,
             then=": (particle, step, speed, limit) of the error, nan where none is raised",
         )
-        about.cause = "it raises right after that step"
+        about.cause = "Raise right after that step."
         expect_exactly(len(calls), number, then=": how many steps were made")
 
 
@@ -91,12 +95,12 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
 def test_a_speed_at_the_limit_is_not_over_it() -> None:
     about("watched(integrator, 7.0); a velocity of (2, 3, 6), whose speed is 7: ", read=READ)
     about.call += "SimulationDiverged"
-    about.cause = "a speed at the limit is not over it: raise where `not speed <= speed_limit`"
+    about.cause = "A speed at the limit is not above it. Raise if `not speed <= speed_limit`."
     _, error = watching(7.0, [[7.0]])
     expect_exactly(error, None)
     about.call = "watched(integrator, 1.0), 2 m/s after the first step: (particle, step) of the "
     about.call += "error, nan where none is raised"
-    about.cause = "what means something must be watched"
+    about.cause = "A valid limit must be watched."
     _, error = watching(1.0, [[2.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
     expect_close(got, (0.0, 1.0))
@@ -109,7 +113,7 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
     for speed, what in ((math.nan, "NaN"), (math.inf, "infinity"), (-math.inf, "-infinity")):
         about.call = f"{CALL.format(1e300)}; the velocity of particle 1 has {what} along y after "
         about.call += "step 2"
-        about.cause = "NaN compares false with everything: ask `not speed <= speed_limit`"
+        about.cause = "Every comparison with NaN is false. Test `not speed <= speed_limit`."
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
         expect_close(
@@ -124,8 +128,10 @@ def test_an_explosion_is_told_with_its_step(rng: Random) -> None:
     for limit in (positive_number(rng, 130.0, 470.0), positive_number(rng, 490.0, 950.0)):
         about.call = f"{CALL.format(limit)}; explicit Euler, k = 3600, 1 kg, h = 1/60, from 1 m: "
         about.call += "step and speed"
-        about.cause = "the speed after a step is what counts; k h^2 / m is 1 here, so each step is "
-        about.cause += "a turn by 45 degrees and a growth by the root of 2"
+        about.cause = (
+            "The speed after a step counts. Here k h^2 / m is 1, so each step rotates the state "
+            "by 45 degrees and multiplies it by the root of 2."
+        )
         step, speed, told = exploding(limit)
         number, v, x = 0, 0.0, 1.0
         while abs(v) <= limit:
@@ -140,13 +146,13 @@ def test_two_watches_count_for_themselves() -> None:
     about.read = READ
     about.call = "two steps by watched(integrator, 5.0), one after the other; the second is too "
     about.call += "fast at once"
-    about.cause = "the count belongs to what watched returns, not to the module"
+    about.cause = "The count belongs to the function that watched returns, not to the module."
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
     expect_close(got, (0.0, 1.0), then=": (particle, step) of the error, nan where none is raised")
     about.call = "watched(integrator, 5.0), watched(integrator, 9.0): 7 m/s under the second one"
-    about.cause = "each has its own limit"
+    about.cause = "Each watch has its own limit."
     _, error = watching(9.0, [[7.0]])
     expect_exactly(error, None, then=": SimulationDiverged")
 
@@ -157,8 +163,10 @@ def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
     limit = positive_number(rng, 5.0, 90.0)  # half of it is over its root
     about.call = f"{CALL.format(limit)}; the first step raises ValueError, the third and the fifth "
     about.call += "call end too fast; of each error its step, or -1 for the ValueError"
-    about.cause = "what the integrator raises comes out, and is no step that was made; after an "
-    about.cause += "alarm the watch goes on counting"
+    about.cause = (
+        "Pass exceptions of the integrator on. Such a step does not count. After an alarm the "
+        "watch goes on counting."
+    )
     got = watching_on(limit)
     expect_close(got, (-1.0, 2.0, 4.0))
 
@@ -166,7 +174,9 @@ def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
 @pytest.mark.exercise("B6.10")
 @pytest.mark.robust
 def test_a_watch_needs_a_limit() -> None:
-    about(cause="refuse it with ValueError when the watch is made: positive() does", read=READ)
+    about(
+        cause=("Refuse it with ValueError when the watch is made. positive() does that."), read=READ
+    )
     for bad in (0.0, -1.0, math.inf, math.nan):
         expect_error(
             lambda bad=bad: watched(print, bad),

@@ -17,8 +17,10 @@ def test_explicit_euler_gains_energy_by_its_factor() -> None:
     about.read = "the docstring of explicit_euler, and E-17"
     about.call = "explicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, "
     about.call += "600 steps: energy after / before"
-    about.cause = "each step multiplies the energy by 1 + k h^2 / m: the position moves by the old "
-    about.cause += "velocity"
+    about.cause = (
+        "Each step multiplies the energy by 1 + k h^2 / m, because the position moves with the "
+        "old velocity."
+    )
     wanted = (1.0 + 100.0 / 3600.0) ** 600
     got = energy_left("explicit_euler", 100.0, 1.0 / 60.0, 600)
     # 600 steps of a few roundings each.
@@ -28,8 +30,10 @@ def test_explicit_euler_gains_energy_by_its_factor() -> None:
 @pytest.mark.exercise("B6.6")
 def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
     about.read = "the docstring of semi_implicit_euler"
-    about.cause = "x^2 + v^2 / chi^2 - h x v stays: the energy swings by chi h / 2 of itself, and "
-    about.cause += "no more"
+    about.cause = (
+        "x^2 + v^2 / chi^2 - h x v is constant. So the energy oscillates by at most a fraction "
+        "chi h / 2 of itself."
+    )
     for frames in (600, 6000):
         about.call = "semi_implicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h "
         about.call += f"= 1/60, {frames} steps: energy after / before"
@@ -37,7 +41,7 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
         # chi h / 2 is 1/12; its square comes on top.
         expect_close(got, 1.0, tolerance=0.1)
     about.call = "semi_implicit_euler([p], apply_forces, h) with the same spring, 1 step: energy"
-    about.cause = "from rest at 1 m the step goes to 1 - k h^2 / m, with the velocity -k h / m"
+    about.cause = "From rest at 1 m the step leads to 1 - k h^2 / m with the velocity -k h / m."
     kappa = 100.0 / 3600.0
     wanted = (1.0 - kappa) ** 2 + kappa
     got = energy_left("semi_implicit_euler", 100.0, 1.0 / 60.0, 1)
@@ -47,8 +51,10 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
 @pytest.mark.exercise("B6.6b")
 def test_leapfrog_swings_as_its_frequency_says() -> None:
     about.read = "the docstring of leapfrog"
-    about.cause = "cos(w h) is 1 - k h^2 / (2 m), so the swing is a little faster than the true "
-    about.cause += "one, and its energy comes back"
+    about.cause = (
+        "cos(w h) is 1 - k h^2 / (2 m), so the oscillation is slightly too fast, and its energy "
+        "returns to its start."
+    )
     h, k = 1.0 / 60.0, 100.0
     kappa = k * h * h
     for frames in (1, 600, 6000):
@@ -73,7 +79,9 @@ def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
         about.call = f"explicit_euler([p], apply_forces, h) with a spring of {k:.4f} N/m, 1 kg, d "
         about.call += "= 0.5, h = 1/60: the farthest in frames 1500 to 2000, over that in frames 0 "
         about.call += "to 500"
-        about.cause = "a step multiplies the size of a swing by the root of d^h (1 + k h^2 / m)"
+        about.cause = (
+            "A step multiplies the size of an oscillation by the root of d^h (1 + k h^2 / m)."
+        )
         wanted = (keep * (1.0 + k * h * h)) ** 750
         near = growth("explicit_euler", k, d, h, 500)
         far = growth("explicit_euler", k, d, h, frames, since=1500)
@@ -102,8 +110,10 @@ def test_the_order_of_a_step(method: str) -> None:
     ):
         if method == "leapfrog" and forces[1]:
             order = 1  # it asks with the old velocity for forces that depend on it
-        about.cause = f"half the duration has {0.5**order:g} of the error: the method is of order "
-        about.cause += f"{order}"
+        about.cause = (
+            f"With half the duration, the error must be {0.5**order:g} of the error before, "
+            f"because the method is of order {order}."
+        )
         about.call = f"{method}(particles, apply_forces, h) with {what} for 1 s, in 80, 160 and "
         about.call += "320 steps"
         ends = [stepped(method, [body], forces, 1.0 / n, n)["positions"][0] for n in (80, 160, 320)]
@@ -135,7 +145,9 @@ def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: f
         k = share * limit / h**2
         about.call = f"{method}(particles, apply_forces, h) with a spring of {k} N/m, 1 kg, h = "
         about.call += f"1/60, from 1 m, {frames} steps"
-        about.cause = f"stable for k h^2 / m < {limit:g}: this one is {share * limit:g}"
+        about.cause = (
+            f"The method is stable for k h^2 / m < {limit:g}, and here it is {share * limit:g}."
+        )
         far = growth(method, k, 1.0, h, frames)
         expect_exactly(far < 100.0, share < 1.0, then=": the farthest is below 100 m")
         expect_exactly(far > 1e6, share > 1.0, then=": the farthest is beyond 1e6 m")

@@ -252,7 +252,7 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
         for i, particle in enumerate(particles):
             v = particle.velocity
             speed = math.hypot(v.x, v.y, v.z)
-            if not speed <= speed_limit:  # "not <=" is also true for NaN
+            if not speed <= speed_limit:  # NaN is not below the limit either
                 raise SimulationDiverged(i, steps, speed, speed_limit)
 
     return step

@@ -55,10 +55,11 @@ say-what-test-is:
 	@$(RUN) -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock -r $<
 	@touch $@
 
-lint: $(READY) ## check style and types
+lint: $(READY) ## check style, types and spelling
 	@$(RUN) -m ruff check .
 	@$(RUN) -m ruff format --check .
 	@$(RUN) -m mypy
+	@$(RUN) -m codespell_lib
 
 update: stubs ## generate all that is generated: stubs and tables
 	@$(RUN) tests/strength table

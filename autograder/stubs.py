@@ -1,7 +1,7 @@
 """Make what students start from, in chapters/, out of solutions/.
 
 The bodies that a manifest names become ``raise NotImplementedError``; signatures and docstrings
-stay. stubs.lock keeps a hash of every stub, so that a stub that somebody has edited is recognised
+stay. stubs.lock keeps a hash of every stub, so that a stub that somebody has edited is recognized
 and never overwritten.
 """
 

@@ -23,12 +23,12 @@ class BalanceLine:
     message: str
     true_left: float
     true_right: float
-    miss: float  # m, how far it passes the centre of mass
+    miss: float  # m, how far it passes the center of mass
     torque: float  # N m, of gravity about it
 
 
 def center(stones: Sequence[Stone]) -> tuple[float, float]:
-    """Return the centre of mass of stones."""
+    """Return the center of mass of stones."""
     total = math.fsum(mass for _, mass, _, _ in stones)
     x = math.fsum(mass * x for _, mass, x, _ in stones) / total
     y = math.fsum(mass * y for _, mass, _, y in stones) / total

@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 from studies.readings import Numbers, is_drawable
 
 # Okabe and Ito's colors: color-blind readers can tell them apart, and so can readers in print.
-BLUE, ORANGE, GREEN, GREY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
+BLUE, ORANGE, GREEN, GRAY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
 RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
 VIOLET, BROWN = "#9600F0", "#663300"  # not theirs, and told apart from theirs in the same way
 # The steps of chapter 6 by their names, the same in all pictures.
@@ -110,9 +110,9 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Colour what a step multiplies swings by, a row for each y; return it for growth_bar.
+    """Color what a step multiplies swings by, a row for each y; return it for growth_bar.
 
-    What is beyond the ends of the scale has the colour of its end.
+    What is beyond the ends of the scale has the color of its end.
     """
     shades = [[_shade(value) for value in row] for row in grown]
     return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
@@ -127,5 +127,5 @@ def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
 
 
 def _shade(growth: float) -> float:
-    """Return a growth with rounding no growth, and the rest clear of 1, where the colour leaps."""
+    """Return a growth with rounding no growth, and the rest clear of 1, where the color leaps."""
     return max(growth, 1.001) if growth > 1.0 + 1e-12 else max(min(growth, 0.999), 0.25)

@@ -17,7 +17,7 @@ from matplotlib import pyplot
 from rich.console import Console
 
 from autograder.manifest import ROOT
-from studies.drawing import BLUE, GREY
+from studies.drawing import BLUE, GRAY
 from studies.reason import shown
 from studies.timing import Line, Measurement, measure, timer, versus
 
@@ -65,7 +65,7 @@ def draw(lines: list[Line], png: Path) -> None:
     axes.barh([line.what for line in ordered], ratios, xerr=around, color=BLUE, capsize=3)
     for i, value in enumerate(ratios):
         axes.text(1.1 * value, i, f"{value:.2f}", va="center")
-    axes.axvline(1.0, color=GREY, ls="--")
+    axes.axvline(1.0, color=GRAY, ls="--")
     axes.set(xscale="log", xlim=(0.9, 2.0 * max(ratios)))
     axes.set(xlabel="time of a frame with it / without it (whiskers: quartiles; dashed: no cost)")
     axes.set_title("What a falling particle does not need, and what it costs all the same")

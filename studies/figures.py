@@ -125,10 +125,10 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
-    """Return a picture in so many colours, chosen for the widest range of them.
+    """Return a picture in so many colors, chosen for the widest range of them.
 
-    By how often they occur, the many greys at the edges of letters would have most of the palette,
-    and the few coloured lines none.
+    By how often they occur, the many grays at the edges of letters would have most of the palette,
+    and the few colored lines none.
     """
     return picture.quantize(count, method=Image.Quantize.MAXCOVERAGE, kmeans=1)
 

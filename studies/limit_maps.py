@@ -14,7 +14,7 @@ from pathlib import Path
 from matplotlib import pyplot
 from matplotlib.axes import Axes
 
-from studies.drawing import BLACK, COLORS, GREY, growth_bar, growth_map
+from studies.drawing import BLACK, COLORS, GRAY, growth_bar, growth_map
 from studies.limit_search import (
     FRAME,
     HUGE,
@@ -26,7 +26,7 @@ from studies.limit_search import (
 )
 from studies.stability import INTEGRATORS, SOLVERS, swing
 
-SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GREY}
+SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GRAY}
 # Pymunk's lie on the curves of the methods that they are, and so have marks that show on others.
 MARKS = dict(zip(SHADES, "oo^vsoox+", strict=True))
 KAPPAS = [0.01 * 10.0 ** (i / 16.0) for i in range(56)]

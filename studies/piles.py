@@ -22,7 +22,7 @@ def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track
     """Return the height of the highest of a stack of spheres, and the largest overlap.
 
     They begin where each just touches the next one, without a bounce. The height is that of the
-    middle; the overlap is a share of the diameter, of neighbours or with the ground.
+    middle; the overlap is a share of the diameter, of neighbors or with the ground.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))

@@ -24,7 +24,7 @@ from autograder.reports.texts import check_title, clean_all, number, replace_fil
 from autograder.scores import PHYSICS_SHARE, place_on_chart
 from autograder.submissions.find import file_name
 
-SYMBOLS = {  # beside the word, so that no status is told by colour alone
+SYMBOLS = {  # beside the word, so that no status is told by color alone
     "passed": "✓",
     "failed": "✗",
     "blocked": "⊘",

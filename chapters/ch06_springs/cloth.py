@@ -17,7 +17,7 @@ MASS = 0.05  # kg, of a knot
 G = 9.81  # m/s^2
 
 
-def neighbours() -> list[tuple[int, int]]:
+def neighbors() -> list[tuple[int, int]]:
     """Return the pairs of knots that a spring joins: 180 for a cloth of 10 by 10."""
     along = [(i, i + 1) for i in range(KNOTS * KNOTS) if (i + 1) % KNOTS]
     across = [(i, i + KNOTS) for i in range(KNOTS * (KNOTS - 1))]
@@ -39,6 +39,6 @@ def make_cloth(damping: float) -> tuple[list[Particle], ForceRegistry]:
     ]
     knots[0].inverse_mass = knots[KNOTS - 1].inverse_mass = 0.0
     registry = ForceRegistry()
-    for a, b in neighbours():
+    for a, b in neighbors():
         connect(registry, knots[a], knots[b], STIFFNESS, REST_LENGTH, damping)
     return knots, registry

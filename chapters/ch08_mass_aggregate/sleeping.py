@@ -32,7 +32,7 @@ class Sleep:
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
     acceleration: Vector3  # m/s^2: its last_acceleration, which includes forces
-    neighbours: tuple[Particle, ...]  # particles that it touched or was joined to
+    neighbors: tuple[Particle, ...]  # particles that it touched or was joined to
 
 
 class SleepingWorld(ParticleWorld):

@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ch02_vectors.vector import Vector3, make_orthonormal_basis
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, Picture, arrow, arrow_3d, axes_3d
+from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, Picture, arrow, arrow_3d, axes_3d
 from studies.readings import angle_between, cross, dot, is_drawable, numbers
 
 COLUMNS = ("vector", "x", "y", "z")
@@ -26,8 +26,8 @@ def addition() -> Picture:
     total = numbers(Vector3(*a) + Vector3(*b))
     off = math.dist(total, corner)
     figure, axes = pyplot.subplots(figsize=(6, 5), layout="constrained")
-    arrow(axes, corner, "", GREY, tail=a, style="--")
-    arrow(axes, corner, "", GREY, tail=b, style="--")
+    arrow(axes, corner, "", GRAY, tail=a, style="--")
+    arrow(axes, corner, "", GRAY, tail=b, style="--")
     arrow(axes, a, "a", BLUE)
     arrow(axes, b, "b", ORANGE)
     arrow(axes, total, "a + b", BLACK)
@@ -48,7 +48,7 @@ def projection() -> Picture:
     along = direction * direction.dot(v)
     part, rest = numbers(along), numbers(v - along)
     figure, axes = pyplot.subplots(figsize=(6, 5), layout="constrained")
-    axes.axline((0, 0), a[:2], color=GREY, ls=":", label="the line of a")
+    axes.axline((0, 0), a[:2], color=GRAY, ls=":", label="the line of a")
     arrow(axes, b, "b", ORANGE)
     arrow(axes, part, "c a, with c = a . b", BLUE)
     end = (part[0] + rest[0], part[1] + rest[1], part[2] + rest[2])
@@ -68,7 +68,7 @@ def cross_product() -> Picture:
     space = axes_3d(figure, 121, 1.3)
     corners = [(0.0, 0.0, 0.0), a, (a[0] + b[0], a[1] + b[1], a[2] + b[2]), b]
     face = [[(z, x, y) for x, y, z in corners]]
-    space.add_collection3d(Poly3DCollection(face, alpha=0.25, facecolor=GREY))
+    space.add_collection3d(Poly3DCollection(face, alpha=0.25, facecolor=GRAY))
     arrow_3d(space, a, "a", BLUE)
     arrow_3d(space, b, "b", ORANGE)
     arrow_3d(space, product, "a x b", BLACK)
@@ -85,7 +85,7 @@ def cross_product() -> Picture:
     lengths = [_product_length(math.radians(angle)) for angle in degrees]
     plane = figure.add_subplot(122)
     theory = [6.0 * math.sin(math.radians(angle)) for angle in degrees]
-    plane.plot(degrees, theory, color=GREY, lw=5, alpha=0.5, label="|a| |b| sin t")
+    plane.plot(degrees, theory, color=GRAY, lw=5, alpha=0.5, label="|a| |b| sin t")
     plane.plot(degrees, lengths, "o", color=BLACK, ms=4, label="|a x b|")
     plane.set(xlabel="angle t between a and b, degrees", ylabel="|a x b| for |a| = 2 and |b| = 3")
     plane.legend()
@@ -104,8 +104,8 @@ def basis() -> Picture:
     first, second, third = (numbers(v) for v in made)
     figure = pyplot.figure(figsize=(6, 6), layout="constrained")
     space = axes_3d(figure, 111, 1.2)
-    arrow_3d(space, a, "a", GREY, "--")
-    arrow_3d(space, b, "b", GREY, "--")
+    arrow_3d(space, a, "a", GRAY, "--")
+    arrow_3d(space, b, "b", GRAY, "--")
     arrow_3d(space, first, "first", BLUE)
     arrow_3d(space, second, "second", ORANGE)
     arrow_3d(space, third, "third", GREEN)

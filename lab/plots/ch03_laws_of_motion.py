@@ -15,7 +15,7 @@ from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.exercises import random_frames
 from ch03_laws_of_motion.particle import Particle
 from studies.drag_flight import AT_REST, FREE_FALL, GRAVITY, PROJECTILE, DragFlight, with_particle
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, Picture, slope
+from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, Picture, slope
 from studies.readings import numbers
 
 KEPT = 0.5  # the damping per second of the comparison
@@ -43,7 +43,7 @@ def damping_comparison() -> Picture:
         if column > 1:
             off = [100.0 * (row[column] - exact) for row in rows]
             right.plot(RATES, off, style, color=color, ms=5, label=label)
-    left.axhline(100.0 * exact, color=GREY, lw=5, alpha=0.5, label="exact, dv/dt = a + v ln d")
+    left.axhline(100.0 * exact, color=GRAY, lw=5, alpha=0.5, label="exact, dv/dt = a + v ln d")
     _frame_rates(left)
     left.set(ylabel="velocity lost in one second of fall, %", ylim=(0, 100))
     left.legend(fontsize=9)
@@ -55,7 +55,7 @@ def damping_comparison() -> Picture:
         # To first order in h, the two forms are off by k h / 2 of the remaining velocity.
         theory = [sign * 50.0 * (1.0 - exact) * -math.log(KEPT) / rate for rate in RATES]
         label = "" if sign < 0.0 else "theory, ±(1 - loss) h ln d / 2"
-        right.plot(RATES, theory, color=GREY, lw=5, alpha=0.5, label=label)
+        right.plot(RATES, theory, color=GRAY, lw=5, alpha=0.5, label=label)
     _frame_rates(right)
     right.set(ylabel="loss minus exact loss, percentage points", ylim=(-3.5, 3.5))
     right.legend(fontsize=9)
@@ -81,7 +81,7 @@ def integration_error() -> Picture:
         rows.append((h, error, g * time * h / 2.0))
     lengths, errors, theory = zip(*rows, strict=True)
     figure, axes = pyplot.subplots(figsize=(6.4, 5), layout="constrained")
-    axes.loglog(lengths, theory, color=GREY, lw=5, alpha=0.5, label="theory, g t h / 2")
+    axes.loglog(lengths, theory, color=GRAY, lw=5, alpha=0.5, label="theory, g t h / 2")
     axes.loglog(lengths, errors, "o-", color=BLACK, ms=5, label="Particle.integrate")
     axes.set(xlabel="time step h, s", ylabel=f"error of the position after {time:g} s, m")
     axes.grid(alpha=0.3, which="both")

@@ -17,7 +17,7 @@ from ch04_particle_engine.fireworks import FireworksShow
 from lab.scenes.ch04_ballistics import can_throw
 from lab.scenes.ch04_fireworks import WHEEL_SPARK, can_turn, make_wheel
 from studies.drag_flight import flight_of, make_particle
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, YELLOW, Picture, slope
+from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, YELLOW, Picture, slope
 from studies.readings import Numbers, is_written, numbers
 
 SHOT_COLORS = {  # a shot of the student's own is pink
@@ -64,7 +64,7 @@ def shots() -> Picture:
     times = [i * 0.1 for i in range(21)]
     # What drag leaves of a kinetic energy, d^2t, for the shot without gravity.
     exact = [100.0 * math.exp(-2.0 * k * t) for t in times]
-    energies.plot(times, exact, color=GREY, lw=5, alpha=0.4, label="theory without gravity, d^2t")
+    energies.plot(times, exact, color=GRAY, lw=5, alpha=0.4, label="theory without gravity, d^2t")
     paths.axhline(0.0, color=GREEN, lw=1)
     paths.set(xlabel="z, m", ylabel="y, m", xlim=(0, 205))
     paths.grid(alpha=0.3)
@@ -137,7 +137,7 @@ def step_error() -> Picture:
     gravity = abs(SHOT_TYPES["artillery"].acceleration[1])
     theory = [gravity * seconds * h / 2.0 for h in lengths]
     label = "theory without damping, artillery: a t h / 2"
-    axes.loglog(lengths, theory, color=GREY, lw=5, alpha=0.4, label=label)
+    axes.loglog(lengths, theory, color=GRAY, lw=5, alpha=0.4, label=label)
     axes.set(
         xlabel="length of a frame h, s", ylabel=f"error of the position after {seconds:g} s, m"
     )
@@ -192,8 +192,8 @@ def _streaks(
             ys.append(y)
     for type, (xs, ys) in seen.items():
         color = SPARK_COLORS[(type - 1) % len(SPARK_COLORS)]
-        bursts = bool(show.rules[type].payloads)  # in grey, so that what it leaves stands out
-        axes.plot(xs, ys, ".", ms=1.2, color=GREY if bursts else color)
+        bursts = bool(show.rules[type].payloads)  # in gray, so that what it leaves stands out
+        axes.plot(xs, ys, ".", ms=1.2, color=GRAY if bursts else color)
     axes.set(facecolor="black", xlim=(-16, 16), ylim=(0, 24), aspect="equal")
     axes.tick_params(labelsize=7)
     axes.set(xlabel="x, m", ylabel="y, m")

@@ -19,7 +19,7 @@ from ch05_forces.forces import (
     Uplift,
 )
 from ch05_forces.particle import Particle
-from studies.drawing import BLACK, BLUE, GREEN, GREY, Picture
+from studies.drawing import BLACK, BLUE, GRAY, GREEN, Picture
 from studies.readings import is_written
 from studies.timing import Measurement, measure, timer, versus
 
@@ -67,7 +67,7 @@ def cost_of_a_generator() -> Picture:
         [high - r for r, high in zip(ratios, highs, strict=True)],
     ]
     colors = [GREEN if "acceleration" in name else BLUE for name in names]
-    axes.barh(names, ratios, xerr=spread, color=colors, ecolor=GREY)
+    axes.barh(names, ratios, xerr=spread, color=colors, ecolor=GRAY)
     axes.invert_yaxis()
     axes.axvline(1.0, color=BLACK, lw=1)
     axes.set(xlabel="time of a frame, chapter 3's step with gravity as acceleration = 1")

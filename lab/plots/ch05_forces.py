@@ -16,7 +16,7 @@ from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from ch05_forces.forces import Drag, InverseSquareGravity
 from ch05_forces.particle import Particle
 from lab.plots.ch05_cost import cost_of_a_generator
-from studies.drawing import BLACK, BLUE, GREY, ORANGE, RED, SKY, Picture, slope
+from studies.drawing import BLACK, BLUE, GRAY, ORANGE, RED, SKY, Picture, slope
 from studies.readings import Numbers, cross, numbers
 
 FRAME = 1.0 / 60.0
@@ -110,7 +110,7 @@ def fall_with_drag() -> Picture:
         errors, (BLUE, ORANGE), ("speed, m/s", "distance, m"), strict=True
     ):
         right.loglog(lengths, found, "o-", color=color, ms=5, label=f"error of the {label}")
-    right.loglog(lengths, lengths, color=GREY, lw=5, alpha=0.4, label="first order: as h")
+    right.loglog(lengths, lengths, color=GRAY, lw=5, alpha=0.4, label="first order: as h")
     right.set(xlabel="length of a frame h, s", ylabel=f"error after {seconds:g} s")
     right.grid(alpha=0.3, which="both")
     right.legend(fontsize=8)
@@ -165,7 +165,7 @@ def orbit() -> Picture:
     )
     for axes in (path, energies, momenta):
         axes.grid(alpha=0.3)
-    energies.plot([], [], color=GREY, lw=5, alpha=0.5, label="theory for the first turn")
+    energies.plot([], [], color=GRAY, lw=5, alpha=0.5, label="theory for the first turn")
     energies.legend(fontsize=8)
     columns = ("frames a turn", "turns", "energy, J/kg", "angular momentum, m^2/s")
     return Picture(figure, columns, rows)

@@ -32,7 +32,7 @@ from lab.plots.ch06_stability import (
     penalty_bounces,
     stability_map,
 )
-from studies.drawing import BLACK, BLUE, COLORS, GREEN, GREY, ORANGE, RED, Picture, slope
+from studies.drawing import BLACK, BLUE, COLORS, GRAY, GREEN, ORANGE, RED, Picture, slope
 from studies.readings import is_written, numbers
 from studies.stability import INTEGRATORS, Pull, largest_error, methods, swing, true_place
 
@@ -65,7 +65,7 @@ def force_against_length() -> Picture:
         _force(Spring(other, k, rest), 1.0, 0)  # says what is not written
     lengths = [0.05, rest, 4.0]
     printed = [-k * abs(length - rest) for length in lengths]
-    left.plot(lengths, printed, "--", color=GREY, lw=1, label="printed, with abs (E-3)")
+    left.plot(lengths, printed, "--", color=GRAY, lw=1, label="printed, with abs (E-3)")
     for axes in (left, right):
         axes.axhline(0.0, color=BLACK, lw=0.8)
         axes.grid(alpha=0.3)

@@ -13,7 +13,7 @@ from matplotlib import pyplot
 
 from ch02_vectors.vector import Vector3
 from ch06_springs.springs import FakeStiffSpring
-from studies.drawing import BLACK, BLUE, COLORS, GREY, RED, Picture, growth_bar, growth_map
+from studies.drawing import BLACK, BLUE, COLORS, GRAY, RED, Picture, growth_bar, growth_map
 from studies.readings import is_written
 from studies.stability import (
     INTEGRATORS,
@@ -122,7 +122,7 @@ def fake_spring() -> Picture:
         words.append(f"{label}: at most x {most:.3f}, where $\\chi$ h = {angle:.2f}")
     right.axhline(1.0, color=BLACK, lw=0.8)
     for i in (1, 3):
-        right.axvline(i * math.pi, color=GREY, lw=1, ls=":")
+        right.axvline(i * math.pi, color=GRAY, lw=1, ls=":")
     right.set(
         xlabel=r"$\chi$ h (dotted: $\pi$ and 3 $\pi$)",
         ylabel="swings by semi-implicit Euler, x a frame",
@@ -164,7 +164,7 @@ def cloth_frame_rates() -> Picture:
     if not rows:
         cloth_lasts("explicit Euler", 0.2, 60, 1)  # says what is not written
     axes.set(xlabel="frame rate, Hz", ylabel="how long the cloth lasts, s", ylim=(0.0, 2.8))
-    axes.axhline(CLOTH_SECONDS, color=GREY, lw=1, ls=":")
+    axes.axhline(CLOTH_SECONDS, color=GRAY, lw=1, ls=":")
     axes.set_xticks(book, minor=False)
     axes.set_xticks([], minor=True)
     axes.xaxis.set_major_formatter("{x:g}")

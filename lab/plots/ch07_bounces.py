@@ -29,7 +29,7 @@ from studies.constraints import (
     no_bounce_below,
     without_rule,
 )
-from studies.drawing import BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, tell
+from studies.drawing import BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
 from studies.readings import number, written
 
 HEIGHT = 2.0
@@ -63,8 +63,8 @@ def bounce_heights() -> Picture:
             late = [height for time, height in run.points if time > 2.0]
             ends.append(f"{name}: up to {1e3 * max(late, default=math.nan):.3g} mm after 2 s")
     true_end = math.sqrt(2.0 * HEIGHT / GRAVITY) * (1.0 + 0.5) / (1.0 - 0.5)
-    right.axvline(true_end, color=GREY, lw=1, ls=":", label=f"theory: ends at {true_end:.7f} s")
-    left.axhline(HEIGHT, color=GREY, lw=1, ls=":")
+    right.axvline(true_end, color=GRAY, lw=1, ls=":", label=f"theory: ends at {true_end:.7f} s")
+    left.axhline(HEIGHT, color=GRAY, lw=1, ls=":")
     left.set_title("\n".join(["Restitution 1, in the last two seconds", *words]), fontsize=10)
     right.set_title("\n".join(["Restitution 0.5", *ends]), fontsize=10)
     for axes in (left, right):

@@ -17,7 +17,7 @@ from lab.plots.ch07_bounces import (
 )
 from lab.plots.ch07_rods import pendulum_energy, rods_hold, rope_by_method
 from studies.constraints import Track
-from studies.drawing import BLUE, GREY, ORANGE, RED, Picture, tell
+from studies.drawing import BLUE, GRAY, ORANGE, RED, Picture, tell
 from studies.piles import pile, residuals, stack
 from studies.readings import number, written
 
@@ -49,7 +49,7 @@ def resolver_convergence() -> Picture:
             f"Largest {what} of {contacts} contacts, after 100 resolutions:\n{', '.join(words)}",
             fontsize=10,
         )
-        axes.axvline(2 * contacts, color=GREY, lw=1, ls=":", label=f"default, {2 * contacts}")
+        axes.axvline(2 * contacts, color=GRAY, lw=1, ls=":", label=f"default, {2 * contacts}")
         axes.set(xlabel="resolutions", ylabel=f"largest {what}, {unit}")
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)

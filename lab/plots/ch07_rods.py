@@ -20,7 +20,7 @@ from studies.constraints import (
     chain_by_direct_solve,
     pendulum,
 )
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, tell
+from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
 from studies.readings import written
 
 LINKS = 30
@@ -53,7 +53,7 @@ def rope_by_method() -> Picture:
         label = f"{name}: at most {max(off):.2g} m"
         axes.semilogy(run.times, off, color=color, lw=3.0 if name == "Rod" else 1.3, label=label)
         rows += [(name, *row) for row in zip(run.times, run.values, worst.values, strict=True)]
-    axes.axhline(LINKS * LINK, color=GREY, lw=1, ls=":", label=f"its length, {LINKS * LINK:g} m")
+    axes.axhline(LINKS * LINK, color=GRAY, lw=1, ls=":", label=f"its length, {LINKS * LINK:g} m")
     last = {name: run.values[-1] for name, (run, _) in found.items()}
     words = [f"{name} {last[name]:.2g}" for name in ("Rod", "DirectChain") if name in last]
     axes.set_title(
@@ -103,7 +103,7 @@ def rods_hold() -> Picture:
         at = [value for (k, _, n), (value, _) in found.items() if (k, n) == (kind, 10)]
         words = f"{min(at):.2g} to {max(at):.2g}" if at else "?"
         axes.set_title(f"{kind}: the largest error of 10 rods is {words} m", fontsize=10)
-        axes.axhline(LINK, color=GREY, lw=1, ls=":")
+        axes.axhline(LINK, color=GRAY, lw=1, ls=":")
         axes.set_xticks((1, 3, 10, 30), ("1", "3", "10", "30"))
         axes.set_xticks([], minor=True)
         axes.set(xlabel="rods in the chain, of 0.1 m each (dotted)")

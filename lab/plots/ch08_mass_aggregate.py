@@ -23,7 +23,7 @@ from lab.plots.ch08_scenes import (
     wheel_deformation,
 )
 from studies.constraints import Track
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, RED, SKY, Picture, tell
+from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture, tell
 from studies.mass_aggregate import (
     FRAME,
     SPIKE,
@@ -105,7 +105,7 @@ def variable_frames() -> Picture:
         )
         for i, spike in enumerate(spikes):
             label = f"frames of {SPIKE:g} s, about here" if i == 0 else None
-            axes.axvspan(spike, spike + SPIKE, color=GREY, alpha=0.15, lw=0, label=label)
+            axes.axvspan(spike, spike + SPIKE, color=GRAY, alpha=0.15, lw=0, label=label)
         axes.set(xlabel="time, s", ylabel=ylabel)
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
@@ -149,7 +149,7 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
         right.plot([time for time, _ in late], off, color=color, lw=1.0, label=label)
         rows += [(name, *row) for row in run.points]
     half = 0.5 * STEADY
-    right.axhspan(-half, half, color=GREY, alpha=0.12, lw=0, label=f"grey: {STEADY:g} %")
+    right.axhspan(-half, half, color=GRAY, alpha=0.12, lw=0, label=f"gray: {STEADY:g} %")
     starts = [run.values[0] for run in found.values()]
     ends = [run.values[-1] for run in found.values()]
     left.set_title(

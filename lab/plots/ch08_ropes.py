@@ -13,7 +13,7 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 
 from studies.constraints import Track
-from studies.drawing import BLACK, BLUE, GREY, ORANGE, PINK, RED, SKY, Picture, tell
+from studies.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, tell
 from studies.mass_aggregate import load_on_bridge
 from studies.readings import stopped, written
 from studies.ropes import (
@@ -66,9 +66,9 @@ def mass_ratios() -> Picture:
         if 300 in worst:
             words.append(f"{way} {worst[300]:.2g} %")
     axes.plot([], [], "x", color=BLACK, ms=9, mew=2, label="fails")
-    axes.axhline(THROUGH, color=GREY, lw=1, ls=":", label="the ball has fallen through")
-    axes.axhspan(BOUND, 1e6, color=GREY, alpha=0.12, lw=0)
-    axes.axhline(BOUND, color=GREY, lw=1, ls="--", label=f"{BOUND:g} %: more is a fail")
+    axes.axhline(THROUGH, color=GRAY, lw=1, ls=":", label="the ball has fallen through")
+    axes.axhspan(BOUND, 1e6, color=GRAY, alpha=0.12, lw=0)
+    axes.axhline(BOUND, color=GRAY, lw=1, ls="--", label=f"{BOUND:g} %: more is a fail")
     axes.set_ylim(8e-4, 2e5)
     axes.set_xticks(ratios, [f"{ratio}:1" for ratio in ratios])
     axes.set_xticks([], minor=True)
@@ -110,7 +110,7 @@ def hanging_rope() -> Picture:
     a = catenary_radius()
     xs = [SPAN * i / 100 for i in range(101)]
     ys = [a * (math.cosh((x - 0.5 * SPAN) / a) - math.cosh(0.5 * SPAN / a)) for x in xs]
-    left.plot(xs, ys, color=GREY, lw=5, alpha=0.5, label=f"catenary: sag {catenary_sag():.5f} m")
+    left.plot(xs, ys, color=GRAY, lw=5, alpha=0.5, label=f"catenary: sag {catenary_sag():.5f} m")
     for color, substeps in ((RED, "1 substep"), (ORANGE, "4 substeps"), (PINK, "16 substeps")):
         _shape(left, found.get((100, f"rods, {substeps}")), f"rods, {substeps}", color)
     direct = found.get((100, "DirectChain, 240 Hz"))

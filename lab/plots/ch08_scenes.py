@@ -14,7 +14,7 @@ from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.trebuchet import Design, my_design
 from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, tell
+from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
 from studies.mass_aggregate import (
     bonds_of_blob,
     deformation_of_wheel,
@@ -44,7 +44,7 @@ def trebuchet_range() -> Picture:
     rows: list[Sequence[object]] = []
     best: dict[float, Release] = {}
     for (weight, seen), color in zip(
-        found.items(), (GREY, SKY, GREEN, BLUE, ORANGE, RED, PINK), strict=False
+        found.items(), (GRAY, SKY, GREEN, BLUE, ORANGE, RED, PINK), strict=False
     ):
         rows += [(weight, r.angle, r.range, r.share) for r in seen]
         upwards = [release for release in seen if release.angle >= 0.0]

@@ -12,7 +12,7 @@ from matplotlib import pyplot
 from ch02_vectors.vector import Vector3
 from ch09_rotations.angular import first_order_drift
 from ch09_rotations.euler import euler_rates, rate_map
-from studies.drawing import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, Picture, slope, tell
+from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, slope, tell
 from studies.readings import is_written, number, numbers, stopped, written
 from studies.rotations import (
     END,
@@ -80,7 +80,7 @@ def drift_of_first_order() -> Picture:
         left.plot(times, lines, color=color, lw=1)
         rows += [("length", way, rate, *pair) for pair in zip(times, lengths, strict=True)]
         notes += [f"{way}, {rate} Hz: {message}"] if message else []
-    left.plot([], [], color=GREY, lw=1, label="lines: (1 + (w h / 2)$^2$)$^{n/2}$ after n steps; 1")
+    left.plot([], [], color=GRAY, lw=1, label="lines: (1 + (w h / 2)$^2$)$^{n/2}$ after n steps; 1")
     left.set_title(
         "One turn per second about a steady axis: the length differs from the\n"
         f"closed form (lines) by at most {largest(off):.2g}{_of_drift(drift_off, '')}",
@@ -114,7 +114,7 @@ def gimbal_lock() -> Picture:
         names = ("largest", "middle", "smallest")
         for i, (name, color) in enumerate(zip(names, (ORANGE, GREEN, BLUE), strict=True)):
             seen = [triple[i] for triple in found["map"]]
-            left.plot(degrees, [t[i] for t in theory], color=GREY, lw=4, alpha=0.4)
+            left.plot(degrees, [t[i] for t in theory], color=GRAY, lw=4, alpha=0.4)
             left.plot(degrees, seen, "o", color=color, ms=4, label=f"{name}: {seen[-1]:.2g} at 90°")
             rows += [(f"{name} singular value", *pair) for pair in zip(degrees, seen, strict=True)]
         flat = [zip(a, b, strict=True) for a, b in zip(found["map"], theory, strict=True)]
@@ -128,7 +128,7 @@ def gimbal_lock() -> Picture:
     if "rates" in found:
         theory = [1.0 / (math.sqrt(2.0) * math.sin(math.radians(0.5 * d))) for d in distances]
         rates = [rate for rate, _ in found["rates"]]
-        right.loglog(distances, theory, color=GREY, lw=4, alpha=0.4, label="1 / sqrt(1 - sin y)")
+        right.loglog(distances, theory, color=GRAY, lw=4, alpha=0.4, label="1 / sqrt(1 - sin y)")
         right.loglog(
             distances, rates, "o", color=RED, ms=4, label="length of the result of euler_rates"
         )

@@ -23,8 +23,8 @@ from lab.plots.ch09_stones import balance_lines
 from studies.drawing import (
     BLACK,
     BLUE,
+    GRAY,
     GREEN,
-    GREY,
     LABEL,
     RED,
     SKY,
@@ -76,13 +76,13 @@ def turning_motion() -> Picture:
     space.set_zticks((0, 1, 2))
     space.view_init(elev=18, azim=12)
     path = [disc_place(FLIGHT * i / 100) for i in range(101)]
-    space.plot(*_on_paper(path), color=GREY, lw=1, ls=":")
+    space.plot(*_on_paper(path), color=GRAY, lw=1, ls=":")
     for i in range(7):
         n = round(i * FLIGHT / 6.0 * 240)
         place = disc_place(n / 240)
         for truth in arrows(disc_orientation(n / 240)):
             tip = _along(place, truth, 0.95)
-            space.plot(*_on_paper([place, tip]), color=GREY, lw=1.0, ls="--")
+            space.plot(*_on_paper([place, tip]), color=GRAY, lw=1.0, ls="--")
         if n < len(shown.found):
             found = shown.found[n]
             _disc(space, place, found)
@@ -137,8 +137,8 @@ def order_of_turns() -> Picture:
             space.set_title(name, fontsize=11)
             space.set_box_aspect((1, 1, 1), zoom=1.15)
             for axis, label in ((X, "x"), (Y, "y"), (Z, "z")):
-                space.plot(*_on_paper([ORIGIN, _along(ORIGIN, axis, 1.3)]), color=GREY, lw=1)
-                space.text(*_point(_along(ORIGIN, axis, 1.45)), label, color=GREY)
+                space.plot(*_on_paper([ORIGIN, _along(ORIGIN, axis, 1.3)]), color=GRAY, lw=1)
+                space.text(*_point(_along(ORIGIN, axis, 1.45)), label, color=GRAY)
             _letter(space, by_quaternions[column])
             for label, color, v in zip("XYZ", COLORS, by_quaternions[column], strict=True):
                 arrow_3d(space, v, label, color)
@@ -208,7 +208,7 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
             face = [c for c in corners if c[i] == end]
             face.sort(key=lambda c: (c[j], c[k] if c[j] == sides[j][0] else -c[k]))  # around it
             faces.append([_point(corners[c]) for c in face])
-    space.add_collection3d(Poly3DCollection(faces, alpha=0.3, facecolor=GREY, edgecolor=BLACK))
+    space.add_collection3d(Poly3DCollection(faces, alpha=0.3, facecolor=GRAY, edgecolor=BLACK))
 
 
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
@@ -217,7 +217,7 @@ def _disc(space: Any, place: Numbers, found: Arrows) -> None:
         around = [math.radians(angle) for angle in range(0, 360, 10)]
         rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]
         face = [_point(_beyond(place, found, own)) for own in rim]
-        space.add_collection3d(Poly3DCollection([face], alpha=0.35, facecolor=SKY, edgecolor=GREY))
+        space.add_collection3d(Poly3DCollection([face], alpha=0.35, facecolor=SKY, edgecolor=GRAY))
 
 
 def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:

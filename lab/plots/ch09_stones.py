@@ -12,7 +12,7 @@ from matplotlib.patches import Circle
 from ch09_rotations.exercises import masses_beside
 from ch09_rotations.stones import own_stones, read_stones
 from studies.balance import balance_line, center
-from studies.drawing import BLACK, BLUE, GREY, LABEL, ORANGE, RED, SKY, Picture, tell
+from studies.drawing import BLACK, BLUE, GRAY, LABEL, ORANGE, RED, SKY, Picture, tell
 from studies.rotations import largest
 
 SMALL = LABEL | {"fontsize": 9}
@@ -43,7 +43,7 @@ def balance_lines() -> Picture:
     sides = f"{uneven.left:.3g} kg on the left, {uneven.right:.3g} kg on the right"
     for line in lines[:-1:10]:
         if math.isfinite(line.offset):
-            color, width = (RED, 2.5) if line is uneven else (GREY, 1.0)
+            color, width = (RED, 2.5) if line is uneven else (GRAY, 1.0)
             a = math.radians(line.angle)
             through = (-math.sin(a) * line.offset, math.cos(a) * line.offset)
             beyond = (through[0] + math.cos(a), through[1] + math.sin(a))
@@ -51,7 +51,7 @@ def balance_lines() -> Picture:
     x, y = center(stones)
     label = f"exact center of mass: {x:.3f} m, {y:.3f} m"
     left.plot(x, y, "+", color=BLACK, ms=14, mew=2, label=label)
-    left.plot([], [], color=GREY, lw=1, label="balance_offset, every 30°")
+    left.plot([], [], color=GRAY, lw=1, label="balance_offset, every 30°")
     left.plot([], [], color=RED, lw=2.5, label=f"at {uneven.angle}°: {sides}")
     left.set(xlabel="x, m", ylabel="y, m")
     left.set_xlim(min(xs) - 0.2 * reach, max(xs) + 0.2 * reach)

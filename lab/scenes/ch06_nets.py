@@ -7,7 +7,7 @@ from itertools import pairwise
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
-from ch06_springs.cloth import KNOTS, G, make_cloth, neighbours
+from ch06_springs.cloth import KNOTS, G, make_cloth, neighbors
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from lab.parameters import Choice, Slider
 from lab.pen import Pen
@@ -121,7 +121,7 @@ class Cloth(Stepped):
 
     def draw(self, pen: Pen) -> None:
         places = [oblique(knot.position) for knot in self.particles]
-        pen.segments([(places[a], places[b]) for a, b in neighbours()], "blue")
+        pen.segments([(places[a], places[b]) for a, b in neighbors()], "blue")
         for name, i in self.HELD:
             pen.circle(places[i], 0.05, "red", grab=name)
 
@@ -134,7 +134,7 @@ class Cloth(Stepped):
         return {"kinetic + height energy, J": energy}
 
     def facts(self) -> str:
-        return f"{len(neighbours())} springs, evaluated {self.rate:g} times per second and more"
+        return f"{len(neighbors())} springs, evaluated {self.rate:g} times per second and more"
 
     def say(self) -> str:
         lowest = min(knot.position.y for knot in self.particles)

@@ -32,7 +32,7 @@ class Sleep:
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
     acceleration: Vector3  # m/s^2: its last_acceleration, which includes forces
-    neighbours: tuple[Particle, ...]  # particles that it touched or was joined to
+    neighbors: tuple[Particle, ...]  # particles that it touched or was joined to
 
 
 class SleepingWorld(ParticleWorld):
@@ -86,7 +86,7 @@ class SleepingWorld(ParticleWorld):
             if sleep is not None:
                 if not one.inverse_mass:
                     one.inverse_mass = sleep.inverse_mass
-                waking += [other for other in sleep.neighbours if other in self.asleep]
+                waking += [other for other in sleep.neighbors if other in self.asleep]
 
     def wake_moved(self) -> None:
         """Wake the sleeping particles that were changed by hand since they fell asleep.
@@ -148,11 +148,11 @@ class SleepingWorld(ParticleWorld):
         restless = [particle for particle in awake if self._slow[particle] < self.sleep_frames]
         if len(restless) == len(awake):
             return
-        neighbours = _neighbours([*self._touched, *joined(self.registry)])
-        kept_awake = _connected(restless, neighbours)
+        neighbors = _neighbors([*self._touched, *joined(self.registry)])
+        kept_awake = _connected(restless, neighbors)
         for particle in awake:
             if particle not in kept_awake:
-                self._put_to_sleep(particle, neighbours.get(particle, []))
+                self._put_to_sleep(particle, neighbors.get(particle, []))
 
     def run_physics(self, duration: float) -> None:
         """Move all particles that are awake forward by one time step of this duration in s.
@@ -196,11 +196,11 @@ class SleepingWorld(ParticleWorld):
         since = self._frame - self.sleep_frames
         self._touched = {pair: last for pair, last in self._touched.items() if last > since}
 
-    def _put_to_sleep(self, particle: Particle, neighbours: Iterable[Particle]) -> None:
+    def _put_to_sleep(self, particle: Particle, neighbors: Iterable[Particle]) -> None:
         """Stop a particle, make it immovable, and store what it needs to wake."""
         x, y, z = particle.position
         acceleration = particle.last_acceleration
-        sleep = Sleep(particle.inverse_mass, (x, y, z), acceleration, tuple(neighbours))
+        sleep = Sleep(particle.inverse_mass, (x, y, z), acceleration, tuple(neighbors))
         self.asleep[particle] = sleep
         particle.velocity.clear()
         particle.inverse_mass = 0.0
@@ -235,23 +235,23 @@ def _is_pushed_otherwise(particle: Particle, push: Vector3, sleep: Sleep) -> boo
     return change.magnitude() > SAME * max(acts, sleep.acceleration.magnitude())
 
 
-def _neighbours(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
+def _neighbors(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
     """Return the neighbors of each particle that is in a pair."""
-    neighbours: dict[Particle, list[Particle]] = {}
+    neighbors: dict[Particle, list[Particle]] = {}
     for a, b in pairs:
-        neighbours.setdefault(a, []).append(b)
-        neighbours.setdefault(b, []).append(a)
-    return neighbours
+        neighbors.setdefault(a, []).append(b)
+        neighbors.setdefault(b, []).append(a)
+    return neighbors
 
 
 def _connected(
-    starts: Iterable[Particle], neighbours: Mapping[Particle, Iterable[Particle]]
+    starts: Iterable[Particle], neighbors: Mapping[Particle, Iterable[Particle]]
 ) -> set[Particle]:
     """Return the particles that are connected to one of the starts, directly or through others."""
     found = set(starts)
     waiting = [*found]
     while waiting:
-        for other in neighbours.get(waiting.pop(), ()):
+        for other in neighbors.get(waiting.pop(), ()):
             if other not in found:
                 found.add(other)
                 waiting.append(other)

@@ -19,8 +19,8 @@ from studies.drawing import (
     BLUE,
     BROWN,
     COLORS,
+    GRAY,
     GREEN,
-    GREY,
     ORANGE,
     PINK,
     RED,
@@ -30,7 +30,7 @@ from studies.drawing import (
 
 FLOOR, CEILING = 1e-15, 10.0  # errors below and above are rounding, and no answer
 OWN = COLORS | {"adaptive": BROWN}  # a model that has the same color in all charts
-OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, GREY, YELLOW)
+OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, GRAY, YELLOW)
 UP = (0.25, 0.0, -0.25)  # of the three tolerances in the row of a scene
 MARKERS = "os^Dvph<>"
 COLUMNS = (
@@ -125,7 +125,7 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
                 _draw_ratio(axes, found, scenes.index(found.scene) + up, color, mark)
         axes.plot([], [], mark, color=color, label=f"to {tolerance:g} of the scale")
     if any(found.is_extrapolated for found in rows):
-        axes.plot([], [], "o", color=GREY, mfc="none", label="pymunk's time extrapolated")
+        axes.plot([], [], "o", color=GRAY, mfc="none", label="pymunk's time extrapolated")
     axes.axvline(1.0, color=BLACK, lw=1)
     axes.set_xlabel(
         "time of pymunk / time of our cheapest model that is as near to the truth\n"
@@ -201,14 +201,14 @@ def _number(value: float) -> str:
 
 
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
-    """Return how each model is drawn: pymunk's in black and grey, the book's in red.
+    """Return how each model is drawn: pymunk's in black and gray, the book's in red.
 
-    A step of chapter 6 has its own colour, and the other models have those that are left.
+    A step of chapter 6 has its own color, and the other models have those that are left.
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)
     taken = {OWN[name] for name in models if name in OWN}
-    theirs, markers = iter((BLACK, GREY)), cycle(MARKERS)
+    theirs, markers = iter((BLACK, GRAY)), cycle(MARKERS)
     colors = cycle([color for color in OURS if color not in taken])
     for name, own in models.items():
         if own[0].by == "pymunk":

@@ -135,7 +135,7 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 def floating_block() -> Scene:
     """A block that bobs in water, and is never quite out of it or under: a spring, therefore."""
     frames, s, volume, mass = 240, 0.05, 0.001, 0.5
-    stiffness = 1000.0 * volume * G / (2.0 * s)  # how much more lift a metre more under water has
+    stiffness = 1000.0 * volume * G / (2.0 * s)  # how much more lift a meter more under water has
     low, amplitude = s * (1.0 - 2.0 * mass / (1000.0 * volume)), 0.04
 
     def place_at(time: float) -> Place:

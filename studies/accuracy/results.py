@@ -97,7 +97,7 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 def stalls(points: Sequence[Point]) -> bool:
     """Say whether a model's error has not even halved over the last eightfold of its steps.
 
-    Of any order it would fall to an eighth: as a judgement, it then never gets where it is not.
+    Of any order it would fall to an eighth: as a judgment, it then never gets where it is not.
     While it is off by a tenth of the scale or more, nobody can tell.
     """
     ordered = sorted(points, key=lambda point: point.steps)

@@ -13,7 +13,7 @@ from ch06_springs.cloth import (
     STIFFNESS,
     G,
     make_cloth,
-    neighbours,
+    neighbors,
 )
 from ch06_springs.springs import Spring, spring_force
 from studies.timing import Measurement, Target, timer, versus
@@ -59,7 +59,7 @@ def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
     """Return the same cloth with two generators a spring, one for each end."""
     knots, _ = make_cloth(DAMPING)
     registry = ForceRegistry()
-    for i, j in neighbours():
+    for i, j in neighbors():
         a, b = knots[i], knots[j]
         registry.add(a, VectorSpring(b, STIFFNESS, REST_LENGTH, DAMPING))
         registry.add(b, VectorSpring(a, STIFFNESS, REST_LENGTH, DAMPING))
@@ -84,7 +84,7 @@ def cloth_arithmetic() -> float:
     u, v, w = [0.0] * count, [0.0] * count, [0.0] * count
     inverse_mass = [1.0 / MASS] * count
     inverse_mass[0] = inverse_mass[KNOTS - 1] = 0.0
-    springs = [(i, j, STIFFNESS, REST_LENGTH, DAMPING) for i, j in neighbours()]
+    springs = [(i, j, STIFFNESS, REST_LENGTH, DAMPING) for i, j in neighbors()]
     for _ in range(FRAMES):
         fx, fy, fz = [0.0] * count, [0.0] * count, [0.0] * count
         for i, j, stiffness, rest, damping in springs:

@@ -281,16 +281,16 @@ def test_text_stands_out_from_its_ground_in_light_and_in_dark() -> None:
         for block in re.findall(r":root \{[^}]*--paper[^}]*\}", style)
     ]
     assert len(schemes) == 2
-    for colours in schemes:
+    for colors in schemes:
         for ground in ("paper", "raised"):
-            for ink in colours.keys() - {"paper", "raised", "rule"}:
-                light = sorted(luminance(colours[name]) for name in (ground, ink))
-                assert (light[1] + 0.05) / (light[0] + 0.05) >= 4.5, (ink, ground, colours)
+            for ink in colors.keys() - {"paper", "raised", "rule"}:
+                light = sorted(luminance(colors[name]) for name in (ground, ink))
+                assert (light[1] + 0.05) / (light[0] + 0.05) >= 4.5, (ink, ground, colors)
 
 
-def luminance(colour: str) -> float:
+def luminance(color: str) -> float:
     """WCAG's relative luminance of #rrggbb."""
-    parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    parts = [int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)]
     linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 

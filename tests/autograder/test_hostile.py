@@ -32,7 +32,7 @@ TESTS = Path(__file__).parent.parent
 sys.path.append(str(Path(__file__).parent / "hostile"))
 
 from corpus import (  # noqa: E402
-    NEIGHBOUR,
+    NEIGHBOR,
     POINTS,
     TOKENS,
     Submission,
@@ -293,6 +293,6 @@ def test_the_solution_passes_beside_its_checks(run: Run) -> None:
     assert [verdict.status for verdict in verdicts] == ["passed"] * len(POINTS)
 
 
-def test_the_neighbour_keeps_full_marks(run: Run) -> None:
-    neighbour = next(result for result in run.results if result["student"] == NEIGHBOUR)
-    assert neighbour["score"] == neighbour["points"] == sum(POINTS.values())
+def test_the_neighbor_keeps_full_marks(run: Run) -> None:
+    neighbor = next(result for result in run.results if result["student"] == NEIGHBOR)
+    assert neighbor["score"] == neighbor["points"] == sum(POINTS.values())

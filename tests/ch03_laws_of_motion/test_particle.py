@@ -274,7 +274,7 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
 
 
 @pytest.mark.exercise("3.3")
-def test_a_kilogram_at_2_metres_a_second_has_2_joules() -> None:
+def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
     about.call = "p = Particle(velocity=Vector3(0, 0, -2)); p.kinetic_energy()"
     about.cause = "1 kg * (2 m/s)^2 / 2 is 2 J. The direction of the velocity does not matter."
     about.read = "book 3, exercise 3.3"

@@ -134,7 +134,7 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
 
 
 @pytest.mark.exercise("B4.3")
-def test_neighbours_that_are_spent_together_are_dropped_together() -> None:
+def test_neighbors_that_are_spent_together_are_dropped_together() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
     about.call = f"fire {', '.join(names)}; r.update(0.5) 5 times; the types of r.shots after each"
     about.cause = "Removing an item from the list that the loop runs over skips the next one. "

@@ -129,7 +129,7 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
 
 
 @pytest.mark.exercise("4.1")
-def test_the_fragments_fly_apart_each_with_15_metres_a_second(rng: Random) -> None:
+def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about(f"fragments(p), p = Particle(Vector3{x}, Vector3{v})", read="the docstring of fragments")
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]

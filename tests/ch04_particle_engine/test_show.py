@@ -126,7 +126,7 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
 
 
 @pytest.mark.exercise("B4.6")
-def test_neighbours_that_burn_out_together_are_all_removed() -> None:
+def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     rules = [fixed(1, 0.1), fixed(2, 5.0)]
     about.call = "types 1 1 2 1 1 2 1, type 1 with 0.1 s of fuse; show.update(0.25)"
     about.cause = "removing from the list that a loop runs over skips the next one: make a new "

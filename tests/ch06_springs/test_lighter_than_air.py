@@ -98,5 +98,5 @@ def test_a_balloon_comes_to_rest_where_its_lift_is_its_weight() -> None:
     )
     y = risen(30.0, 8.0, 2.0, 0.5, 9.81, 1.0 / 60.0, 3600)
     wanted = 8.0 * math.log(30.0 / (2.0 * 9.81))
-    # By then the swings have died out to e^-20 of some metres.
+    # By then the swings have died out to e^-20 of some meters.
     expect_close(y, wanted, tolerance=1e-6)

@@ -75,7 +75,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     why = f"{wrong[0]}. {about.cause}" if wrong else about.cause
     expect_exactly(ends, right, then=": the ends of each by index (-1 is an anchor)", cause=why)
     for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
-        # Lengths of some metres, rounded a few times.
+        # Lengths of some meters, rounded a few times.
         expect_close(
             depth,
             right,

@@ -154,7 +154,7 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     about.call += f"particle.add_force(Vector3{already}); the particle at "
     done = driven(hub, force, places, already)
     for place, force_of_all, (got, after) in zip(places, wanted, done, strict=True):
-        # The angle of a spoke of a centimetre is rounded to 1e-13.
+        # The angle of a spoke of a centimeter is rounded to 1e-13.
         name = f"{about.call}{place}"
         expect_close(got, force_of_all, call=name, tolerance=1e-11)
         name = f"{about.call}{place}: its position afterward"

@@ -160,7 +160,7 @@ def test_a_point_of_nothing_is_refused() -> None:
 
 
 @pytest.mark.exercise("B9.3")
-def test_the_centre_of_two_masses_is_nearer_to_the_larger() -> None:
+def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     about("center_of_mass([6, 2], [(0, 0), (4, 8)])", read=MASS)
     about.cause = "Sum m x and m y, and divide by the sum of the masses."
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
@@ -174,7 +174,7 @@ def test_the_centre_of_two_masses_is_nearer_to_the_larger() -> None:
 
 
 @pytest.mark.exercise("B9.3")
-def test_the_centre_of_many_masses(rng: Random) -> None:
+def test_the_center_of_many_masses(rng: Random) -> None:
     about.read = MASS
     about.cause = "Sum m x and m y, and divide by the sum of the masses, not by their number."
     for count in (1, 2, 5):
@@ -230,7 +230,7 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.3", weight=0.5)
 @pytest.mark.robust
-def test_what_has_no_mass_has_no_centre() -> None:
+def test_what_has_no_mass_has_no_center() -> None:
     expect_finite_numbers(
         "center_of_mass([2, m], [(1, 1), (x, y)]) with m, x, y = ",
         lambda m, x, y: center_of_mass([2.0, m], [(1.0, 1.0), (x, y)]),

@@ -74,7 +74,7 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
 
 
 @pytest.mark.exercise("B9.7")
-def test_normalised_it_has_length_one(rng: Random) -> None:
+def test_normalized_it_has_length_one(rng: Random) -> None:
     about.read = NORMALIZE
     drawn, near = draw_four(rng), draw_quad(rng)
     opposite = tuple(-component for component in drawn)

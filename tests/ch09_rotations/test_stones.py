@@ -95,7 +95,7 @@ def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
 
 
 @pytest.mark.exercise("9.7")
-def test_the_centre_of_a_box_with_stones(rng: Random) -> None:
+def test_the_center_of_a_box_with_stones(rng: Random) -> None:
     about.read = CENTER
     about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
     for count in (1, 4):
@@ -227,7 +227,7 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
 
 @pytest.mark.exercise("9.7")
 @pytest.mark.robust
-def test_a_box_of_nothing_has_no_centre(rng: Random) -> None:
+def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
     good = draw_stones(rng)
     calls = (
         ("center_of_stones", center_of_stones, ()),

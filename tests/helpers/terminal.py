@@ -54,7 +54,7 @@ class Terminal:
 
     @property
     def text(self) -> str:
-        """All that was shown, without colours and the like."""
+        """All that was shown, without colors and the like."""
         shown = self.output.decode("utf-8", errors="replace")
         shown = shown.replace("\x1b[2J", CLEARED).replace("\r\n", "\n")
         return re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "", shown)

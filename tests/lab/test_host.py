@@ -73,7 +73,7 @@ def test_a_live_parameter_changes_while_the_scene_runs(host: Host) -> None:
         ("stiffness", "soft", "stiffness must be a number, got 'soft'"),
         ("stiffness", float("nan"), "stiffness must be a number"),
         ("integrator", "magic", "integrator must be one of semi-implicit Euler"),
-        ("colour", 1, "no parameter colour"),
+        ("color", 1, "no parameter color"),
     ],
 )
 def test_a_bad_value_is_refused_and_the_scene_goes_on(

@@ -171,12 +171,12 @@ def test_a_console_that_lacks_a_character_stops_no_plot(tmp_path: Path) -> None:
     """Where the code page has no sign for infinity, as on Windows."""
     (tmp_path / "ch02_vectors").mkdir()
     wrong = tmp_path / "ch02_vectors/vector.py"
-    wrong.write_text("raise ValueError('\u221e metres')\n", encoding="utf-8")
+    wrong.write_text("raise ValueError('\u221e meters')\n", encoding="utf-8")
     options = ("--chapter", "2", "--engine", str(tmp_path), "--out", str(tmp_path / "out"))
     drawn = run(
         sys.executable, "-m", "studies", "plot", *options, PYTHONIOENCODING="cp1252", PYTHONUTF8="0"
     )
-    assert drawn.stdout.startswith("chapter 2 cannot be drawn: ValueError: ? metres ("), drawn
+    assert drawn.stdout.startswith("chapter 2 cannot be drawn: ValueError: ? meters ("), drawn
 
 
 def hanging(root: Path, engine: Path) -> list[Verdict]:

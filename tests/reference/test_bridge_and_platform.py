@@ -225,8 +225,8 @@ def test_a_weight_lifts_a_platform_that_lies_on_its_other_end(share: float) -> N
 
 
 @pytest.mark.parametrize(("mass", "x"), [(0.0, 0.0), (3.0, -3.0), (1.0, 2.0)])
-def test_a_free_platform_s_centre_of_mass_falls_straight_down(mass: float, x: float) -> None:
-    """There is no friction: what pushes it is upright, and so its centre keeps its x and z."""
+def test_a_free_platform_s_center_of_mass_falls_straight_down(mass: float, x: float) -> None:
+    """There is no friction: what pushes it is upright, and so its center keeps its x and z."""
     platform = TiltingPlatform()
     platform.put_weight(mass, x)
     platform.free_pivot()
@@ -254,7 +254,7 @@ def test_a_free_platform_s_centre_of_mass_falls_straight_down(mass: float, x: fl
 
 
 def test_an_even_weight_turns_nothing_about_itself() -> None:
-    """Masses and centre of mass of both ends, for a weight at any place between them."""
+    """Masses and center of mass of both ends, for a weight at any place between them."""
     platform = TiltingPlatform()
     for mass, x in ((2.0, -3.0), (5.0, 4.0), (7.0, 0.5), (0.0, 1.0)):
         platform.put_weight(mass, x)

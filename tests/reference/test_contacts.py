@@ -169,7 +169,7 @@ def test_a_moving_wall_throws_twice_its_speed_back_and_is_not_slowed() -> None:
 def test_the_depth_is_shared_by_inverse_mass(
     m: float, n: float, normal: Vector3, depth: float
 ) -> None:
-    """They part by the depth, their centre of mass stays, and what is returned is what moved."""
+    """They part by the depth, their center of mass stays, and what is returned is what moved."""
     a, b = Particle(Vector3(1.0, 2.0, 3.0), mass=m), Particle(mass=n)
     contact = Contact(a, b, normal, 0.5, depth)
     moves = contact.resolve_penetration()
@@ -215,7 +215,7 @@ def test_what_the_frame_itself_has_built_up_gets_no_bounce(
     """A frame of 10 m/s^2 explains 10 h: only what is above that bounces, and never below 0."""
     ball = Particle(velocity=Vector3(0.0, -10.0 * FRAME * share), acceleration=UP * -10.0)
     contact = Contact(ball, None, UP, c)
-    # Two roundings of half a metre a second.
+    # Two roundings of half a meter a second.
     assert contact.velocity_after(FRAME) == pytest.approx(c * bounces * 10.0 * FRAME, abs=1e-16)
     assert contact.velocity_after() == c * -ball.velocity.y  # an impact: no frame
     ball.acceleration.y = 10.0  # away from the ground: that has not made it close
@@ -252,7 +252,7 @@ def fall(
 @pytest.mark.parametrize("built_in", [True, False])
 @pytest.mark.parametrize("c", [0.0, 0.3, 0.5, 0.9])
 @pytest.mark.parametrize("height", [0.0, 1e-6, 5e-4])
-def test_what_rests_moves_less_than_a_millimetre_in_a_minute(
+def test_what_rests_moves_less_than_a_millimeter_in_a_minute(
     c: float, height: float, built_in: bool
 ) -> None:
     """The first frame closes with g h and no more, so it is stopped, put right, and stays."""
@@ -263,7 +263,7 @@ def test_what_rests_moves_less_than_a_millimetre_in_a_minute(
 
 
 @pytest.mark.parametrize(("c", "left"), [(0.5, 1.36e-3), (0.9, 2.70e-3)])
-def test_the_book_s_step_leaves_a_jitter_of_millimetres(c: float, left: float) -> None:
+def test_the_book_s_step_leaves_a_jitter_of_millimeters(c: float, left: float) -> None:
     """Released 1e-6 m above the ground, under 9.81 m/s^2: g h^2 c, and its first bounces.
 
     Explicit Euler lets the first frame pass, so the ball arrives with two frames' worth of speed,
@@ -277,7 +277,7 @@ def test_the_book_s_step_leaves_a_jitter_of_millimetres(c: float, left: float) -
 
 
 def test_a_ball_that_falls_from_a_height_comes_to_rest() -> None:
-    """The other side of the rule: above a millimetre it bounces, by about c^2 of the height."""
+    """The other side of the rule: above a millimeter it bounces, by about c^2 of the height."""
     heights = fall(semi_implicit_euler, 1.0, 0.5, 600, built_in=False)
     low = heights.index(min(heights[:40]))
     # It leaves with c (v - g h), a part in 27 less: 8 % of the height. The step, velocity first,

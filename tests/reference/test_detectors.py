@@ -79,7 +79,7 @@ def cloud(draw: random.Random, n: int, size: float, flat: int = 0) -> list[Parti
 
 
 def lattice(draw: random.Random, n: int, radius: float) -> list[Particle]:
-    """Return neighbours on a grid about the origin that touch exactly, in any order."""
+    """Return neighbors on a grid about the origin that touch exactly, in any order."""
     places = [
         Vector3(*(2.0 * radius * i for i in cell))
         for cell in ((x, y, z) for x in range(-n, n) for y in range(-n, n) for z in range(-n, n))
@@ -109,7 +109,7 @@ def test_pairs_are_what_looking_at_every_pair_finds_in_their_order(seed: int) ->
 
 @pytest.mark.parametrize("radius", [0.5, 0.25, 1.0, 0.1, 0.3])
 def test_what_touches_exactly_is_found_also_across_cells_and_below_zero(radius: float) -> None:
-    """A grid of 6 by 6 by 6 has 3 * 5 * 36 pairs of neighbours; the first radii are exact."""
+    """A grid of 6 by 6 by 6 has 3 * 5 * 36 pairs of neighbors; the first radii are exact."""
     particles = lattice(random.Random(75), 3, radius)
     found = ParticlePairs(particles, radius).contacts()
     assert len(found) == len(touching(particles, radius))
@@ -129,7 +129,7 @@ def test_the_work_grows_with_the_number_of_particles_and_not_with_its_square(
 ) -> None:
     """Counted are the pairs that are looked at. At one density they go with the number: x 10.
 
-    15 leaves room for the edge of the cloud, where a particle has fewer neighbours, and for chance.
+    15 leaves room for the edge of the cloud, where a particle has fewer neighbors, and for chance.
     """
     looked: list[int] = []
     near = ParticlePairs._near_pairs

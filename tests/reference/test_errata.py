@@ -240,7 +240,7 @@ def test_e23_the_printed_form_has_the_under_damped_spring_alone() -> None:
     assert particle.force_accumulator.x == pytest.approx(wanted, rel=1e-11)
 
 
-def test_e21_a_litre_is_lifted_by_newtons_not_kilonewtons() -> None:
+def test_e21_a_liter_is_lifted_by_newtons_not_kilonewtons() -> None:
     lifts = []
     for y in (-1.0, 0.0):  # all of it under water, and half
         particle = ForcedParticle(Vector3(0.0, y, 0.0))

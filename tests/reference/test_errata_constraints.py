@@ -97,7 +97,7 @@ def test_e25_without_the_minus_a_ball_moves_on_into_the_ground() -> None:
 def highest(*, printed: bool, built_in: bool) -> float:
     """Return the highest place in 5 s that follow 5 s on the ground, c 0.9, g 10, the book's step.
 
-    The ball is released a hundredth of a millimetre above it.
+    The ball is released a hundredth of a millimeter above it.
     """
     ball = Particle(Vector3(0.0, 1e-5), acceleration=UP * (-10.0 if built_in else 0.0))
     registry, top = ForceRegistry(), 0.0

@@ -163,7 +163,7 @@ def test_e31_a_step_of_eq_95_does_not_keep_the_length() -> None:
     assert product.magnitude() == pytest.approx(1.0, abs=4e-16)  # products do keep it
 
 
-def test_e32_a_cut_through_the_centre_of_mass_leaves_unequal_masses() -> None:
+def test_e32_a_cut_through_the_center_of_mass_leaves_unequal_masses() -> None:
     """A triangle cut into nine that are alike, each with its mass at its own centroid.
 
     The cut along their rows passes through the centroid of the whole: five lie below, four above.

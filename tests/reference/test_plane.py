@@ -1,4 +1,4 @@
-"""Angles and points in the plane, and centres of mass, against exact fractions; the stones."""
+"""Angles and points in the plane, and centers of mass, against exact fractions; the stones."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_a_point_is_turned_as_complex_numbers_are_and_then_moved(
 
 
 @given(st.lists(st.tuples(mass, coordinate, coordinate), min_size=1, max_size=20))
-def test_the_centre_of_mass_is_exact_but_for_its_roundings(
+def test_the_center_of_mass_is_exact_but_for_its_roundings(
     bodies: list[tuple[float, float, float]],
 ) -> None:
     got = center_of_mass([m for m, _, _ in bodies], [(x, y) for _, x, y in bodies])
@@ -92,7 +92,7 @@ def test_the_centre_of_mass_is_exact_but_for_its_roundings(
         assert abs(Fraction(got[axis]) - sum(terms)) <= allowed
 
 
-def test_the_centre_of_mass_holds_where_masses_are_far_apart() -> None:
+def test_the_center_of_mass_holds_where_masses_are_far_apart() -> None:
     assert center_of_mass([1e-300, 3e-300], [(4.0, 0.0), (0.0, 8.0)]) == (1.0, 6.0)
     assert center_of_mass([1e200, 3e200], [(4.0, 0.0), (0.0, 8.0)]) == (1.0, 6.0)
     assert center_of_mass([2.5], [(1.25, -7.5)]) == (1.25, -7.5)
@@ -131,7 +131,7 @@ def test_what_makes_no_sense_in_the_plane_is_refused_by_name(
         call()
 
 
-def test_a_balanced_edge_passes_through_the_centre_of_mass_in_every_direction() -> None:
+def test_a_balanced_edge_passes_through_the_center_of_mass_in_every_direction() -> None:
     stones = [("a", 1.0, 0.0, 0.0), ("b", 3.0, 4.0, 0.0), ("c", 4.0, 0.0, 2.0)]
     assert center_of_stones(stones) == (1.5, 1.0)
     for turn in range(-20, 21):
@@ -173,7 +173,7 @@ def test_a_file_of_stones_is_read_in_its_order(tmp_path: Path, text: str, encodi
     assert stones == [("the box", 0.32, 0.2, 0.15), ("slate, flat", 0.1, -0.5, 0.0)]
 
 
-def test_a_file_of_no_stones_is_empty_and_the_students_own_has_a_centre(tmp_path: Path) -> None:
+def test_a_file_of_no_stones_is_empty_and_the_students_own_has_a_center(tmp_path: Path) -> None:
     assert read_stones(file_of(tmp_path, HEADER)) == []
     stones = read_stones(own_stones())
     total = sum(Fraction(m) for _, m, _, _ in stones)

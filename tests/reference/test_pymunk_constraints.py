@@ -35,7 +35,7 @@ def disc(space: pymunk.Space, m: float, x: float, y: float, v: float, c: float) 
 
 @pytest.mark.parametrize("c", [0.0, 0.25, 0.5, 1.0])
 def test_pairs_leave_with_the_same_velocities(c: float) -> None:
-    """Head on and off centre: elasticities c and 1 are restitution c. Frames of 1e-4 s."""
+    """Head on and off center: elasticities c and 1 are restitution c. Frames of 1e-4 s."""
     draw = random.Random(79)
     for off in (0.0, 0.0, 0.2, 0.5):
         m, n, u, v = (draw.uniform(0.5, 3.0) for _ in range(4))

@@ -172,7 +172,7 @@ def test_an_angle_of_0_has_x_for_an_axis_and_a_half_turn_any_way() -> None:
 
 
 @pytest.mark.parametrize("scale", [1e-200, 1e-160, 1e-3, 1.0, 1e3, 1e160, 1e200])
-def test_the_length_and_its_normalising_are_right_for_tiny_and_huge_numbers(scale: float) -> None:
+def test_the_length_and_its_normalizing_are_right_for_tiny_and_huge_numbers(scale: float) -> None:
     q = Quaternion(1.0 * scale, -2.0 * scale, 4.0 * scale, 10.0 * scale)  # 1 + 4 + 16 + 100 = 121
     assert q.magnitude() == pytest.approx(11.0 * scale, rel=4e-16, abs=0.0)  # two roundings
     q.normalize()

@@ -155,11 +155,11 @@ def test_a_spring_with_a_limit_of_elasticity_keeps_its_energy() -> None:
 
 @pytest.mark.parametrize(("mass", "height"), [(0.5, 0.0), (0.3, 0.02), (0.9, -0.04)])
 def test_a_body_floats_at_the_height_of_archimedes(mass: float, height: float) -> None:
-    """y_w + s (1 - 2 m / (rho V)), with 1 litre, s 0.05 m and y_w 2 m: nothing moves there."""
+    """y_w + s (1 - 2 m / (rho V)), with 1 liter, s 0.05 m and y_w 2 m: nothing moves there."""
     boat = Particle(Vector3(0.0, 2.0 + height, 0.0), acceleration=GRAVITY, mass=mass)
     registry = registry_of((boat, Buoyancy(0.05, 0.001, 2.0, gravity=10.0)))
     run([boat], registry, 5.0, 300)
-    # A rounding of 2 m is 4e-16, and the lift makes up to 330 m/s^2 of a metre.
+    # A rounding of 2 m is 4e-16, and the lift makes up to 330 m/s^2 of a meter.
     assert boat.position.y == pytest.approx(2.0 + height, abs=1e-12)
 
 
@@ -178,7 +178,7 @@ def test_a_float_bobs_with_its_period() -> None:
 
 
 def test_a_balloon_hovers_where_its_lift_is_its_weight_and_bobs_about_it() -> None:
-    """H ln(F / (m g)); there the lift falls by m g / H a metre: T = 2 pi sqrt(H / g)."""
+    """H ln(F / (m g)); there the lift falls by m g / H a meter: T = 2 pi sqrt(H / g)."""
     middle = 800.0 * math.log(60.0 / (2.0 * 10.0))
     balloon = Particle(Vector3(0.0, middle, 0.0), acceleration=GRAVITY, mass=2.0)
     registry = registry_of((balloon, LighterThanAir(60.0, 800.0)))
@@ -231,7 +231,7 @@ def test_a_bullet_s_way_to_a_steady_target_is_a_damped_spring_s() -> None:
 
 
 def test_a_connection_of_ends_next_to_each_other_pushes_as_a_spring_does() -> None:
-    """1e-310 m apart a pull for each metre would be too large for a float; the force is not."""
+    """1e-310 m apart a pull for each meter would be too large for a float; the force is not."""
     a, b = Particle(Vector3(1e-310)), Particle()
     connect(ForceRegistry(), a, b, 100.0, 2.0).update_force(a, FRAME)
     # Numbers as small as 1e-310 have 14 digits.

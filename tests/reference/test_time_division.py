@@ -103,7 +103,7 @@ def test_billiard_balls_meet_in_the_order_of_another_simulation(seed: int, c: fl
         times = [time for time, _, _ in wanted]
         assert [time for time, _, _ in got] == pytest.approx(times, abs=1e-8)
         # Each impact of balls multiplies an error by about the way over the radius: here 1e-9 or
-        # less of a metre, from 1e-16 through some ten of them.
+        # less of a meter, from 1e-16 through some ten of them.
         for ball, place, speed in zip(balls, places, speeds, strict=True):
             assert (ball.position.x, ball.position.y) == pytest.approx(tuple(place), abs=1e-8)
             assert (ball.velocity.x, ball.velocity.y) == pytest.approx(tuple(speed), abs=1e-8)

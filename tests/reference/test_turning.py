@@ -54,7 +54,7 @@ def test_a_hundred_thousand_steps_leave_the_matrix_orthogonal() -> None:
     lengths = numpy.linalg.norm(spins, axis=1)
     assert lengths.min() < 1.5  # it does vary
     assert lengths.max() > 5.0
-    # Normalised after every step: the length is within two roundings of 1 at the end as after one
+    # Normalized after every step: the length is within two roundings of 1 at the end as after one
     # step, and the matrix has some five of its own in each entry.
     assert abs(orientation.magnitude() - 1.0) <= 4e-16
     assert skew(orientation) <= 3e-15
@@ -73,7 +73,7 @@ def test_a_hundred_thousand_steps_leave_the_matrix_orthogonal() -> None:
 
 
 def test_a_hundred_thousand_steps_end_where_scipy_does() -> None:
-    """SciPy multiplies neighbours two by two; the later turn is on the left."""
+    """SciPy multiplies neighbors two by two; the later turn is on the left."""
     orientation, _, spins = turned_on()
     turns = Rotation.from_rotvec(spins * FRAME)
     while len(turns) > 1:

@@ -60,7 +60,7 @@ def test_any_basis_is_orthonormal_and_right_handed(
     sine = numpy.linalg.norm(numpy.cross(u, v)) / numpy.linalg.norm(u) / numpy.linalg.norm(v)
     assume(sine > 1e-6)
     basis = numpy.array([tuple(w) for w in make_orthonormal_basis(Vector3(*a), Vector3(*b))])
-    # Rounding of the vector product, 1e-16, is magnified by 1 / sine where it is normalised.
+    # Rounding of the vector product, 1e-16, is magnified by 1 / sine where it is normalized.
     assert numpy.allclose(basis @ basis.T, numpy.eye(3), atol=1e-15 / sine + 1e-15)
     assert numpy.linalg.det(basis) > 0.0
 

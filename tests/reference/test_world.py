@@ -221,7 +221,7 @@ def test_a_shot_s_energy_is_kept_where_the_step_is_exact() -> None:
 
 
 def tangle() -> tuple[list[Particle], list[ContactGenerator]]:
-    """Return 20 particles that fly about, and rods and cables between neighbours."""
+    """Return 20 particles that fly about, and rods and cables between neighbors."""
     draw = random.Random(81)
 
     def vector(size: float) -> Vector3:
@@ -242,7 +242,7 @@ def momentum_of(bodies: Sequence[Particle]) -> list[float]:
 
 
 @pytest.mark.parametrize("step", [explicit_euler, semi_implicit_euler, runge_kutta_4])
-def test_rods_and_cables_keep_the_momentum_and_the_way_of_the_centre(step: Integrator) -> None:
+def test_rods_and_cables_keep_the_momentum_and_the_way_of_the_center(step: Integrator) -> None:
     bodies, links = tangle()
     world, total = ParticleWorld(bodies, links, integrator=step), sum(b.mass for b in bodies)
     before = momentum_of(bodies)

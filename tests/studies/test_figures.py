@@ -71,14 +71,14 @@ def test_figures_draws_a_plot_and_an_animation_and_says_where(
         assert all(is_in(color, picture) for color in (BLUE, ORANGE))
 
 
-def test_an_animation_in_few_colours_still_tells_its_lines_apart() -> None:
+def test_an_animation_in_few_colors_still_tells_its_lines_apart() -> None:
     with Image.open(ROOT / "chapters/ch09_rotations/spin.gif") as animation:
         for color in ("blue", "orange", "green"):  # the edges of the faces that are seen
             assert any(is_in(PAINT[color], frame) for frame in ImageSequence.Iterator(animation))
 
 
 def is_in(color: str, picture: Image.Image) -> bool:
-    """Say whether a picture has a colour, or one that is hardly another."""
+    """Say whether a picture has a color, or one that is hardly another."""
     wanted = ImageColor.getrgb(color)
     colors = [color for _, color in picture.convert("RGB").getcolors(1 << 20) or []]
     return min(max(map(abs, map(int.__sub__, c, wanted))) for c in colors) <= 16

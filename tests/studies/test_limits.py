@@ -193,7 +193,7 @@ def test_the_command_prints_writes_and_draws(
     assert (tmp_path / "limits.png").exists()
     assert (tmp_path / "limits_divergence.png").exists()
     for axes, wanted in zip(maps.axes, AT_HALF, strict=False):
-        assert len(axes.collections) == 1, "a map of colours"
+        assert len(axes.collections) == 1, "a map of colors"
         if wanted is None:
             assert not axes.lines
             continue

@@ -72,7 +72,7 @@ class Bond:
 
 
 def spread(particles: Sequence[Particle]) -> float:
-    """Return how far particles are from their common centre of mass: the root of the mean square.
+    """Return how far particles are from their common center of mass: the root of the mean square.
 
     In m, and each counts by its mass. Raises ValueError where there are none, or one is immovable.
     """

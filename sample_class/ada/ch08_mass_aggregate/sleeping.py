@@ -28,7 +28,7 @@ class Sleep:
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
     acceleration: Vector3  # m/s^2, with that of its forces
-    neighbours: tuple[Particle, ...]  # what it touched, or was joined to
+    neighbors: tuple[Particle, ...]  # what it touched, or was joined to
 
 
 class SleepingWorld(ParticleWorld):
@@ -68,13 +68,13 @@ class SleepingWorld(ParticleWorld):
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle, its neighbours, theirs, and so on: what fell asleep as one wakes as one.
+        """Wake a particle, its neighbors, theirs, and so on: what fell asleep as one wakes as one.
 
         The mass of each is what it was, unless it has been given another by hand. It has to be slow
         again for all of sleep_frames. A particle that is awake stays awake, and begins to count
         anew.
         """
-        known = {one: list(sleep.neighbours) for one, sleep in self.asleep.items()}
+        known = {one: list(sleep.neighbors) for one, sleep in self.asleep.items()}
         for one in _reach(particle, known):
             self._slow.pop(one, None)
             sleep = self.asleep.pop(one, None)
@@ -139,15 +139,15 @@ class SleepingWorld(ParticleWorld):
         others: all of it sleeps, or none. What is immovable joins nothing, and neither slows down
         nor sleeps. What falls asleep has no velocity and an inverse_mass of 0, and is in asleep.
         """
-        neighbours: dict[Particle, list[Particle]] = {}
+        neighbors: dict[Particle, list[Particle]] = {}
         for pair in touching(contacts):
             self._touched[pair] = self._frame
         for pair in [pair for pair, last in self._touched.items()]:
             if self._frame - self._touched[pair] >= self.sleep_frames:
                 del self._touched[pair]
         for a, b in [*self._touched, *joined(self.registry)]:
-            neighbours.setdefault(a, []).append(b)
-            neighbours.setdefault(b, []).append(a)
+            neighbors.setdefault(a, []).append(b)
+            neighbors.setdefault(b, []).append(a)
         for one in self.particles:
             if one.inverse_mass and one.kinetic_energy() * one.inverse_mass <= self.sleep_energy:
                 self._slow[one] = self._slow.get(one, 0) + 1
@@ -157,12 +157,12 @@ class SleepingWorld(ParticleWorld):
         for one in self.particles:
             if one in seen or one not in self._slow:
                 continue
-            group = _reach(one, neighbours)
+            group = _reach(one, neighbors)
             seen |= group
             if all(self._slow.get(member, 0) >= self.sleep_frames for member in group):
                 for member in group:
                     del self._slow[member]
-                    touched = tuple(neighbours.get(member, ()))
+                    touched = tuple(neighbors.get(member, ()))
                     last = member.last_acceleration
                     self.asleep[member] = Sleep(member.inverse_mass, _place(member), last, touched)
                     member.velocity.clear()
@@ -215,11 +215,11 @@ def _pairs(contacts: Iterable[Contact]) -> list[tuple[Particle, Particle]]:
     return [(one.particle, one.other) for one in contacts if one.other is not None]
 
 
-def _reach(start: Particle, neighbours: dict[Particle, list[Particle]]) -> set[Particle]:
+def _reach(start: Particle, neighbors: dict[Particle, list[Particle]]) -> set[Particle]:
     """Return a particle with all that it touches, directly or through others."""
     group, waiting = {start}, [start]
     while waiting:
-        for other in neighbours.get(waiting.pop(), ()):
+        for other in neighbors.get(waiting.pop(), ()):
             if other not in group:
                 group.add(other)
                 waiting.append(other)

@@ -56,7 +56,7 @@ def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Qu
 def turned_by_steps(
     orientation: Quaternion, rate: float, duration: float, steps: int = 1
 ) -> tuple[Quaternion, float]:
-    """Exercise 9.4: return the same by equal steps of Eq. 9.5, normalised, and its error."""
+    """Exercise 9.4: return the same by equal steps of Eq. 9.5, normalized, and its error."""
     _must_be(Quaternion, orientation)
     if not orientation.is_unit():
         raise ValueError(f"the orientation must have the length 1, got {orientation!r}")
@@ -93,7 +93,7 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
 
 
 def center_of_stones(stones: Sequence[Stone]) -> Point:
-    """Exercise 9.7: return the centre of mass of a box with stones, in m, by sums."""
+    """Exercise 9.7: return the center of mass of a box with stones, in m, by sums."""
     masses, positions = [], []
     for _, mass, x, y in stones:
         masses.append(mass)

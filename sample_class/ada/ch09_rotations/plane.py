@@ -1,4 +1,4 @@
-"""Angles, directions and points in the plane, by complex numbers, and the centre of mass (9.1)."""
+"""Angles, directions and points in the plane, by complex numbers, and the center of mass (9.1)."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ class Sleep:
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
     acceleration: Vector3  # m/s^2, with that of its forces
-    neighbours: tuple[Particle, ...]  # what it touched, or was joined to
+    neighbors: tuple[Particle, ...]  # what it touched, or was joined to
 
 
 class SleepingWorld(ParticleWorld):
@@ -71,7 +71,7 @@ class SleepingWorld(ParticleWorld):
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle, its neighbours, theirs, and so on: what fell asleep as one wakes as one.
+        """Wake a particle, its neighbors, theirs, and so on: what fell asleep as one wakes as one.
 
         The mass of each is what it was, unless it has been given another by hand. It has to be slow
         again for all of sleep_frames. A particle that is awake stays awake, and begins to count

@@ -25,7 +25,7 @@ HOSTILE = Path(__file__).parent
 KINDS = ("leaving", "not_ending", "taking", "reading", "writing", "network", "forging", "lying")
 EXERCISES = {"add": "B90.1", "counter": "B90.2", "total": "B90.3"}
 POINTS = {"B90.1": 1, "B90.2": 2, "B90.3": 4}
-# Where each token is planted; none may reach a report on anybody but the neighbour itself.
+# Where each token is planted; none may reach a report on anybody but the neighbor itself.
 TOKENS = {
     "the solution": "TOKEN-SOLUTION-9C41E7",
     "the checks": "TOKEN-CHECKS-5B08D2",
@@ -33,9 +33,9 @@ TOKENS = {
     "the home folder": "TOKEN-HOME-0A99C1",
     "the name of a file": "TOKEN-NAME-E87B25",
     "the network": "TOKEN-NETWORK-46FD18",
-    "another submission": "TOKEN-NEIGHBOUR-71AD30",
+    "another submission": "TOKEN-NEIGHBOR-71AD30",
 }
-NEIGHBOUR = "controls-plain"
+NEIGHBOR = "controls-plain"
 
 
 @dataclass(frozen=True)
@@ -192,7 +192,7 @@ def leaks(out: Path) -> list[tuple[str, str]]:
         data = path.read_bytes().lower() + str(path.relative_to(out)).encode().lower()
         for place, token in TOKENS.items():
             forms = (token.encode(), token.encode()[::-1], token.encode().hex().encode())
-            own = place == "another submission" and NEIGHBOUR in path.name
+            own = place == "another submission" and NEIGHBOR in path.name
             if not own and any(form.lower() in data for form in forms):
                 found.append((str(path.relative_to(out)), place))
     return found

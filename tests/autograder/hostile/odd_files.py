@@ -329,7 +329,7 @@ def names_of_files(at: Path, world: World) -> None:  # noqa: ARG001
 named("name_formula", "The name is a formula.", "=1+cmd()!odd_files-name_formula")
 named("name_option", "The name looks like an option.", "--exec=odd_files-name_option")
 named("name_line", "The name has two lines.", "odd_files-name_line\nstudent,graded,7")
-named("name_colour", "The name clears the screen.", "\x1b[2J\x1b]0;owned\x07odd_files-name_colour")
+named("name_color", "The name clears the screen.", "\x1b[2J\x1b]0;owned\x07odd_files-name_color")
 named("name_markup", "The name is mark-up.", "<script>alert(1)<br>[red]odd_files-name_markup")
 named("name_long", "The name has two hundred letters.", "odd_files-name_long".ljust(200, "g"))
 named("name_quotes", "The name has quotes and commas.", "\"';,`$(id)odd_files-name_quotes")

@@ -3,7 +3,7 @@
 earns: all
 """
 
-SECRET = "TOKEN-NEIGHBOUR-71AD30"  # no other student may see this
+SECRET = "TOKEN-NEIGHBOR-71AD30"  # no other student may see this
 
 
 def add(a, b):

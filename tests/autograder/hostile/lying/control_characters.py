@@ -1,4 +1,4 @@
-"""Raises messages that would change a terminal: colours, titles, bells, right to left.
+"""Raises messages that would change a terminal: colors, titles, bells, right to left.
 
 earns: counter total
 """

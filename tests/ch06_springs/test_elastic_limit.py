@@ -91,9 +91,7 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
                 "share is applied to the whole extension. Apply it only to the part beyond the "
                 "limit."
             ): share * (length - rest),
-            (
-                "Beyond the limit the full stiffness is used. Use share times the stiffness there."
-            ): length - rest,
+            "Beyond the limit the full stiffness acts. Multiply it by share there.": length - rest,
             "Only the part beyond the limit counts here. Add the part up to the limit.": share
             * beyond,
             "The limit is counted from the rest length. It is a length, not an extension.": (

@@ -38,7 +38,7 @@ def test_the_force_by_its_formula() -> None:
     got = xyz(p.force_accumulator)
     wanted = (-198.15499326694427, 0.0, 0.0)
     sizes = {
-        ("This is the printed listing. Its 1 / h * h does not divide by h^2 (E-6)."): wanted[0]
+        "This is the printed listing. Its 1 / h * h does not divide by h^2 (E-6).": wanted[0]
         / 3600.0,
         "This is the force of a real spring, -k x, which is too large for such a step.": -400.0,
         "This moves p by a h^2 / 2. Semi-implicit Euler moves it by a h^2.": 2.0 * wanted[0],

@@ -16,9 +16,7 @@ from expect import about, expect_close, expect_finite_numbers, named
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
 RULES = {
     "backward_euler": "x' = x + v' h and v' = v + a' h, both with the new values",
-    "trapezoidal": (
-        "x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the means of old and new values"
-    ),
+    "trapezoidal": "x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the means of both",
 }
 
 

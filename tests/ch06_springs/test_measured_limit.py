@@ -44,7 +44,7 @@ def test_how_the_particle_is_released() -> None:
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
     numbers = (count, mass, damping, h)
     slips = {
-        ("The particle has no damping. The damping is the particle's, not the spring's."): (
+        "The particle has no damping. The damping is the particle's, not the spring's.": (
             1,
             1,
             1,
@@ -79,7 +79,7 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.98,
             False,
-            ("At 2 % below the limit the oscillations die out, so they do not get wider."),
+            "At 2 % below the limit the oscillations die out, so they do not get wider.",
         ),
         (
             1.02,
@@ -93,7 +93,7 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             4.0,
             True,
-            ("Far above the limit they grow without bounds. Stop before a number overflows."),
+            "Far above the limit they grow without bounds. Stop before a number overflows.",
         ),
         (1e6, True, "After some steps they are too large for a float. Stop before that."),
     ):

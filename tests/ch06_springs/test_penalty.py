@@ -101,7 +101,7 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
                 max(push * (1.0 + share), 0.0),
                 0.0,
             ),
-            ("The damping also acts along the ground. Only v_y counts."): (
+            "The damping also acts along the ground. Only v_y counts.": (
                 -4.0 * c,
                 wanted[1],
                 -4.0 * c,

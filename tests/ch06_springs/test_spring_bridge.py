@@ -123,7 +123,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             1.0,
             (0.0, 0.25, 0.75),
-            ("s goes from 0 at one plank to 1 at the next. Divide by the gap."),
+            "s goes from 0 at one plank to 1 at the next. Divide by the gap.",
         ),
         (-0.5, (0.0, 1.0, 0.0), "Directly above a plank, that plank carries everything."),
         (-7.0, (1.0, 0.0, 0.0), "Before the first plank, that plank carries everything."),
@@ -140,11 +140,11 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             "The fractions s and 1 - s are exchanged.": [
                 -weight * (1.0 - share) if share else 0.0 for share in shares
             ],
-            ("Each plank carries half. The nearer one must carry more."): [
+            "Each plank carries half. The nearer one must carry more.": [
                 -0.5 * weight * (share > 0.0) for share in shares
             ],
             "The weight points up. It must point down.": [-part for part in wanted],
-            ("The weight is multiplied by 9.81, but it is already in N."): [
+            "The weight is multiplied by 9.81, but it is already in N.": [
                 9.81 * part for part in wanted
             ],
         }

@@ -78,7 +78,8 @@ class Host:
         refused = [
             answer for parameter, value in values.items() for answer in self._keep(parameter, value)
         ]
-        return [{"kind": "scene", **described(self.kind)}, *refused, *self._restart()]
+        answer = {"kind": "scene", **described(self.kind), "values": dict(self.values)}
+        return [answer, *refused, *self._restart()]
 
     def _restart(self) -> list[Message]:
         assert self.kind is not None, "a scene is loaded first"

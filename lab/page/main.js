@@ -4,7 +4,7 @@ import {drawTradeoff} from "./charts.js";
 import {addContender, showContenders, showRivals} from "./contenders.js";
 import {makeControl} from "./controls.js";
 import {ask} from "./predict.js";
-import {showStages} from "./stages.js";
+import {isGrabbed, showStages} from "./stages.js";
 import {$, FRAMES, page, remember, say, tint, trouble} from "./state.js";
 import {advance, play, restart, tick} from "./time.js";
 
@@ -29,6 +29,7 @@ function answered(contender, answer) {
     showContenders();
   } else if (answer.kind === "frame") {
     contender.frame = answer;
+    $("grab").hidden = !answer.items.some(isGrabbed);
     if (answer.error !== null && answer.error !== undefined) contender.worst = Math.max(contender.worst, answer.error);
     chart(contender, answer);
   } else if (answer.kind === "stopped") {
@@ -51,6 +52,7 @@ const controls = new Map();
 
 function showScene(spec) {
   page.spec = spec;
+  page.values = spec.values; // as the scene has understood them
   document.title = `${spec.title} - the lab`;
   $("title").textContent = spec.title;
   $("question").textContent = spec.question;

@@ -39,21 +39,29 @@ export function drawAll() {
   });
 }
 
+// Whether a reader can drag this: a circle that has a name.
+export const isGrabbed = (item) => item[0] === "circle" && item[6];
+
+// The name of the circle at a point, or "".
+function grabbed(stage, x, y) {
+  const circles = (page.contenders[0].frame?.items ?? []).filter(isGrabbed);
+  return circles.find(([, , cx, cy, radius]) => Math.hypot(cx - x, cy - y) < Math.max(radius, 14 / stage.scale))?.[6] ?? "";
+}
+
 function listen(stage) {
   const canvas = stage.canvas;
   let held = "";
   const send = (message) => page.contenders.forEach((contender) => contender.link.send(message));
   canvas.onpointerdown = (event) => {
     const [x, y] = stage.point(event);
-    const circles = (page.contenders[0].frame?.items ?? []).filter((item) => item[0] === "circle" && item[6]);
-    const near = circles.find(([, , cx, cy, radius]) => Math.hypot(cx - x, cy - y) < Math.max(radius, 14 / stage.scale));
-    held = near ? near[6] : "";
+    held = grabbed(stage, x, y);
     if (held) canvas.setPointerCapture(event.pointerId);
     else send({kind: "click", x, y});
   };
   canvas.onpointermove = (event) => {
-    if (!held || page.contenders[0].link.busy) return;
     const [x, y] = stage.point(event);
+    if (!held) canvas.style.cursor = grabbed(stage, x, y) ? "grab" : "";
+    if (!held || page.contenders[0].link.busy) return;
     send({kind: "drag", name: held, x, y});
   };
   canvas.onpointerup = () => (held = "");

@@ -122,3 +122,13 @@ def test_a_prediction_is_judged_by_theory(host: Host) -> None:
         assert judged["kind"] == "judged"
         assert judged["answer"] == right
         assert judged["right"] == (right == 1)
+
+
+def test_a_choice_may_be_spelled_as_a_command_line_needs_it() -> None:
+    """`SET="integrator=explicit-euler rate=60"` has no spaces in a value, and no decimals."""
+    host = Host(told)
+    values = {"integrator": "explicit-euler", "rate": "60"}
+    message = {"kind": "load", "scene": "one-spring", "values": values, "peer": ""}
+    scene, frame = host.receive(message)
+    assert frame["kind"] == "frame"
+    assert scene["values"] == {"integrator": "explicit Euler", "rate": 60.0}

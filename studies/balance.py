@@ -1,4 +1,4 @@
-"""Lines below a box of stones: the masses on their two sides, and how far off they balance."""
+"""Lines below a box of stones: the masses on both sides, and how far each line is off balance."""
 
 from __future__ import annotations
 
@@ -14,7 +14,9 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class BalanceLine:
-    """A line below a box with stones by its angle in degrees: what the engine has, what is true."""
+    """A line below a box of stones at an angle in degrees, with the engine's values and the true
+    ones.
+    """
 
     angle: int
     offset: float
@@ -36,7 +38,7 @@ def center(stones: Sequence[Stone]) -> tuple[float, float]:
 
 
 def balance_line(stones: Sequence[Stone], angle: int) -> BalanceLine:
-    """Return what the engine has of a line by balance_offset and masses_beside, measured."""
+    """Return the engine's values for a line, from balance_offset and masses_beside."""
     a = math.radians(angle)
     found: list[object] = []
     message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))

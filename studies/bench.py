@@ -1,4 +1,4 @@
-"""Speed as ratios: take all measurements of benchmarks/ in one run, and print them."""
+"""Measure speed as ratios: take all measurements of benchmarks/ in one run, and print them."""
 
 from __future__ import annotations
 

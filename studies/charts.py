@@ -1,7 +1,7 @@
-"""Chart speed against accuracy: every scene by every model, pymunk among them.
+"""Chart speed against accuracy: run every scene by every model, and by pymunk.
 
-Writes a chart and its numbers for each scene, and a table over all, below build/charts/. A run that
-was stopped goes on where it was.
+Writes a chart and its numbers for each scene, and a table of all scenes, into build/charts/. If a
+run is interrupted, start it again and it resumes.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ FULL = (9, 0.6, 6.0)
 
 
 def main(arguments: list[str]) -> int:
-    """Measure and draw; return 0, or a parser's error for a scene that there is not."""
+    """Measure and draw. Return 0, or report a parser's error if there is no such scene."""
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(
         "--quick", action="store_true", help="about a minute: coarser, fewer rounds"

@@ -1,6 +1,6 @@
-"""Choose the cheapest model of a scene that meets a tolerance: measure every model, and say which.
+"""Choose the cheapest model of a scene that meets a tolerance, by measuring every model.
 
-Model no more than the scene needs: what is cheaper than that is named too, with how far off it is.
+The next cheaper model is named too, with its error. Model no more than a scene needs.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 
 
 def main(arguments: list[str]) -> int:
-    """Measure and say; return 1 where no model of ours meets the tolerance."""
+    """Measure and report. Return 1 if no model of ours meets the tolerance."""
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
     parser.add_argument("scene", help="a part of a scene's name, such as pendulum")
     parser.add_argument(
@@ -73,7 +73,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _told(scene: Scene, point: Point) -> str:
-    """Return what a point is, costs and misses by."""
+    """Describe a point of the chart: the model, its cost and its error."""
     model = next(model for model in scene.models if model.name == point.model)
     steps = "once" if point.steps == 1 else f"{point.steps} steps"
     choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} a frame"

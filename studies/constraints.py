@@ -1,7 +1,8 @@
-"""Scenes of contacts: a ball, a chain and a pendulum, as plain numbers over time.
+"""Scenes with contacts: a ball, a chain and a pendulum, as plain numbers over time.
 
-Each runs frames of one length by a step of chapter 6, after which contacts are resolved, unless it
-has a step of its own. Gravity is 10 m/s^2, downwards. Lengths are in m, times in s.
+Each runs in steps of equal length with an integrator of chapter 6, and resolves contacts after each
+step, unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m, times in
+s.
 """
 
 from __future__ import annotations
@@ -38,14 +39,14 @@ Resolve = Callable[[list[Contact], float], object]
 
 
 class Link(Protocol):
-    """How a link between two particles is made: Rod or TwoSidedRod."""
+    """How to make a link between two particles: Rod or TwoSidedRod."""
 
     def __call__(self, a: Particle, b: Particle, length: float, /) -> ContactGenerator: ...
 
 
 @dataclass(frozen=True)
 class Track:
-    """What was measured at the start and after each frame, and what ended it early, if that."""
+    """Values at the start and after each step, and what ended the run early, if anything."""
 
     times: list[float]
     values: list[float]
@@ -53,12 +54,12 @@ class Track:
 
     @property
     def points(self) -> list[tuple[float, float]]:
-        """Each time with its value."""
+        """Return each time with its value."""
         return [*zip(self.times, self.values, strict=True)]
 
 
 def track(move: Move, measure: Callable[[], float], frames: int, duration: float = FRAME) -> Track:
-    """Measure something at the start and after each frame, until the engine says that it failed."""
+    """Measure a value at the start and after each step, until the engine reports a failure."""
     times, values = [0.0], [measure()]
 
     def run() -> None:
@@ -72,7 +73,7 @@ def track(move: Move, measure: Callable[[], float], frames: int, duration: float
 
 
 def no_forces(duration: float) -> None:
-    """Add none: gravity is built into the particles."""
+    """Add no forces, because gravity is the particles' own acceleration."""
     del duration
 
 
@@ -84,7 +85,7 @@ def resolving(
     apply_forces: ApplyForces = no_forces,
     substeps: int = 1,
 ) -> Move:
-    """Return what moves a frame: substeps, each of which ends with its contacts resolved."""
+    """Return a function that makes one frame of substeps and resolves contacts after each."""
     every = [*generators]
 
     def move(duration: float) -> None:
@@ -99,7 +100,7 @@ def resolving(
 def by_resolver(
     iterations: int | None = None, kind: type[ContactResolver] = ContactResolver
 ) -> Resolve:
-    """Return a resolver of so many iterations a contact; None leaves it to its default, 2."""
+    """Return a resolver with this number of iterations per contact. None means its default, 2."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         if contacts:
@@ -110,7 +111,9 @@ def by_resolver(
 
 
 def without_rule(contacts: list[Contact], duration: float) -> None:
-    """Resolve contacts as impacts at a point of time: nothing that a frame built up counts."""
+    """Resolve contacts as impacts at an instant, so that the speed built up in the step bounces
+    too.
+    """
     del duration
     for contact in contacts:
         contact.resolve_velocity()
@@ -118,7 +121,7 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Return a rule that is taken too far: what closes more slowly does not bounce at all."""
+    """Return a rule that goes too far: contacts that close more slowly than this do not bounce."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:
@@ -137,10 +140,10 @@ def ball(
     resolve: Resolve | None = None,
     generated: bool = False,
 ) -> Track:
-    """Return the height of a ball that is let go above the ground.
+    """Return the height of a ball that is dropped above the ground.
 
-    Gravity is the constant acceleration of the particle, or comes from a generator. Without a
-    ``resolve`` the contacts are resolved by a ContactResolver.
+    Gravity is the particle's constant acceleration or comes from a generator. Without a
+    ``resolve``, a ContactResolver resolves the contacts.
     """
     down = Vector3(0.0, -GRAVITY)
     particle = Particle(Vector3(0.0, height), acceleration=None if generated else down)
@@ -156,9 +159,10 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Return the height of the same ball by time_division_step, to its last impact at most.
+    """Return the height of the same ball by time_division_step, at most until its last impact.
 
-    It ends with TooManyImpacts where the ball comes to rest, at the time that this tells.
+    When the ball comes to rest, the run ends with TooManyImpacts, at the time that the error
+    contains.
     """
     particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
     ground = GroundPlane([particle], restitution=restitution)
@@ -179,7 +183,7 @@ def ball_by_time_division(height: float, restitution: float, frames: int) -> Tra
 
 
 def chain_particles(count: int, angle: float = 0.0) -> list[Particle]:
-    """Return an immovable particle and a straight chain below it, turned by an angle in degrees."""
+    """Return an immovable particle and a straight chain below it, at an angle in degrees."""
     x, y = LINK * math.sin(math.radians(angle)), -LINK * math.cos(math.radians(angle))
     down = Vector3(0.0, -GRAVITY)
     chain = [Particle(Vector3(i * x, i * y), acceleration=down) for i in range(1, count + 1)]
@@ -194,10 +198,10 @@ def chain(
     angle: float = 0.0,
     substeps: int = 1,
 ) -> tuple[Track, Track]:
-    """Let a chain of links go; return how much it is too long, and how much the worst link is off.
+    """Release a chain of links. Return by how much it is too long, and the error of its worst link.
 
-    Too long is the sum of its links less what it should be; off is a link that is too long or too
-    short.
+    The first is the sum of the links' lengths minus the right sum. The second counts links that are
+    too long or too short.
     """
     particles = chain_particles(count, angle)
     links = [link(a, b, LINK) for a, b in pairwise(particles)]
@@ -206,17 +210,17 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Return the same of a chain by DirectChain."""
+    """Return the same values for a chain by DirectChain."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 
 
 def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
-    """Return the energy in J of a pendulum of 1 kg and 1 m that is let go where it is horizontal.
+    """Return the energy in J of a pendulum of 1 kg and 1 m that is released horizontally.
 
-    It is measured from the lowest point: 10 J at the start. The rod is an AnchoredRod, resolved
-    after the step, or without a step it is a DirectChain. Velocities of the latter are those of the
-    middle of a frame, so the mean of two is taken for the place between.
+    It is measured from the lowest point, so it is 10 J at the start. The rod is an AnchoredRod that
+    is resolved after each step. Without a step, it is a DirectChain. Its velocities are those in
+    the middle of a step, so the mean of two of them is used for the position between.
     """
     particle = Particle(Vector3(1.0), acceleration=Vector3(0.0, -GRAVITY))
     frames = round(seconds * rate)
@@ -239,7 +243,7 @@ def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
 
 
 def _energy(place: Numbers, velocity: Numbers) -> float:
-    """Return the energy in J of 1 kg, seen from 1 m below the anchor."""
+    """Return the energy in J of 1 kg, relative to 1 m below the anchor."""
     return GRAVITY * (1.0 + place[1]) + 0.5 * math.fsum(v * v for v in velocity)
 
 

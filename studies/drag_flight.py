@@ -60,7 +60,7 @@ class DragFlight:
 
 
 def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Run a flight with Particle.integrate of the engine at hand."""
+    """Run a flight with Particle.integrate of the engine that is imported."""
     particle = make_particle(flight)
     states = [_state_of(particle)]
     for _ in range(frames):
@@ -90,7 +90,7 @@ def make_particle(flight: DragFlight) -> Particle:
 
 
 def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    """Return a space of pymunk with as many bodies at the start of a flight."""
+    """Return a space of pymunk with this number of bodies at the start of a flight."""
     import pymunk  # here, since a plot of one's own engine can do without
 
     space = pymunk.Space()

@@ -52,7 +52,9 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write below a picture what ended its scenes early: the first notes, where there are many."""
+    """Write below a picture what ended its scenes early. If there are many notes, write the first
+    ones.
+    """
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
         lines.append(f"and {len(notes) - 3} more like these")
@@ -63,7 +65,7 @@ def tell(figure: Figure, notes: Sequence[str]) -> None:
 def arrow(
     axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
 ) -> None:
-    """Draw an arrow in the X-Y plane and its label; nothing where a number is NaN."""
+    """Draw an arrow in the X-Y plane with its label, or nothing if a number is NaN."""
     if not is_drawable(tip, tail):
         return
     arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
@@ -75,9 +77,10 @@ def arrow(
 def arrow_3d(
     axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
 ) -> None:
-    """Draw an arrow, from the origin or a tail, +Y up on the paper; nothing where a number is NaN.
+    """Draw an arrow from the origin or a tail, with +Y up on the paper, or nothing if a number is
+    NaN.
 
-    Its label stands beyond the tip, and there may be none.
+    The label is beyond the tip and may be empty.
     """
     if not is_drawable(tip, tail):
         return
@@ -101,7 +104,7 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
 
 
 def slope(x: Sequence[float], y: Sequence[float]) -> float:
-    """Return the slope of y over x on logarithmic axes, by least squares; NaN where one is zero."""
+    """Return the slope of y over x on logarithmic axes by least squares, or NaN for a zero."""
     if not all(value > 0.0 for value in (*x, *y)):
         return math.nan
     return statistics.linear_regression([*map(math.log, x)], [*map(math.log, y)]).slope
@@ -110,16 +113,17 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Color what a step multiplies swings by, a row for each y; return it for growth_bar.
+    """Color the factor by which a step multiplies oscillations, one row per y. Return it for
+    growth_bar.
 
-    What is beyond the ends of the scale has the color of its end.
+    Values beyond the ends of the scale get the color of the end.
     """
     shades = [[_shade(value) for value in row] for row in grown]
     return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
 
 
 def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
-    """Put the scale of growth_map beside panels."""
+    """Draw the scale of growth_map beside the panels."""
     label = "what a step multiplies the swings by: red explodes"
     bar = figure.colorbar(colored, ax=panels, label=label, shrink=0.7, extend="both")
     bar.set_ticks([0.25, 0.5, 1.0, 2.0, 4.0], labels=["1/4", "1/2", "1", "2", "4"])
@@ -127,5 +131,5 @@ def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
 
 
 def _shade(growth: float) -> float:
-    """Return a growth with rounding no growth, and the rest clear of 1, where the color leaps."""
+    """Return a growth factor for the color scale, with rounding errors removed."""
     return max(growth, 1.001) if growth > 1.0 + 1e-12 else max(min(growth, 0.999), 0.25)

@@ -1,7 +1,8 @@
-"""What each part of a model costs that its scene does not need, as bars, measured in turn.
+"""Measure what parts of a model cost that its scene does not need, and draw them as bars.
 
-Two hundred particles fall, and nothing else happens. Every bar is the time of a frame with a part
-that makes no difference here, over that of the same frame without it.
+Two hundred particles fall, and nothing else happens. Each bar is the time of a frame with a part
+that makes no difference here, divided by the time of the same frame without it. The two are
+measured in turn.
 """
 
 from __future__ import annotations
@@ -53,7 +54,7 @@ def main(arguments: list[str]) -> int:
 
 
 def draw(lines: list[Line], png: Path) -> None:
-    """Write the bars, the dearest part on top."""
+    """Draw the bars, with the most expensive part on top."""
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
     ordered = sorted(lines, key=lambda line: line.median)
@@ -92,7 +93,7 @@ def parts() -> list[tuple[str, Move, Move]]:
     )
 
     def falling(acceleration: bool = True) -> list[Particle]:
-        """Two hundred of them, far above the ground and from each other."""
+        """Return two hundred falling particles, far above the ground and far from each other."""
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
             for i in range(COUNT)
@@ -158,7 +159,7 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a frame of as many particles in plain numbers, of two dimensions or three."""
+    """Return a frame of as many particles in plain numbers, in two or three dimensions."""
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 
     def two() -> None:

@@ -61,7 +61,7 @@ TIME_LIMIT = 600.0  # seconds for one plot: the reference has no endless loop, o
 
 
 def main(arguments: list[str]) -> int:
-    """Draw all pictures into their places; return 1 where one could not be drawn."""
+    """Draw all pictures into the chapters. Return 1 if one could not be drawn."""
     parser = argparse.ArgumentParser(prog="python -m studies figures", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the folder to draw with")
     parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
@@ -91,7 +91,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:
-    """Return the pictures of an animation every PICTURE_TIME, WIDTH px wide."""
+    """Return the pictures of an animation, one per PICTURE_TIME, WIDTH px wide."""
     pictures: list[Image.Image] = []
     time = 0.0
     with Image.open(animation) as frames:
@@ -125,16 +125,16 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
-    """Return a picture in so many colors, chosen for the widest range of them.
+    """Return a picture in this number of colors, chosen for the widest range of them.
 
-    By how often they occur, the many grays at the edges of letters would have most of the palette,
-    and the few colored lines none.
+    If they were chosen by how often they occur, the many grays at the edges of letters would take
+    most of the palette, and the few colored lines would get none.
     """
     return picture.quantize(count, method=Image.Quantize.MAXCOVERAGE, kmeans=1)
 
 
 def _write(pictures: list[Image.Image], place: Path) -> None:
-    """Write a picture, or several as an animation without an end, and say where and how large."""
+    """Write a picture, or several as an endless animation, and print where it is and its size."""
     place.parent.mkdir(parents=True, exist_ok=True)
     if len(pictures) == 1:
         pictures[0].save(place, optimize=True)

@@ -1,7 +1,7 @@
-"""Pictures of where methods fail: growth all around the limits, and how soon what is outside ends.
+"""Pictures of where methods fail: growth around the limits, and how soon a simulation is lost.
 
-The curves beside the measured steps are of the eigenvalue of one step; the steps themselves are
-those of a simulation.
+The curves come from the eigenvalue of one step, and the measured steps beside them from a
+simulation.
 """
 
 from __future__ import annotations
@@ -54,7 +54,9 @@ Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """Write a panel a method: growth over stiffness and damping, theory's limit, limits found."""
+    """Draw a panel per method: growth over stiffness and damping, the limit of theory, measured
+    limits.
+    """
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []
     for axes, name in zip(panels.flat, SHADES, strict=True):
@@ -108,10 +110,11 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Return the steps from release until a swing is 1e6 times as large, and from x 1e3 to x 1e9.
+    """Return the steps until an oscillation is 1e6 times as large: from release, and from 1e3 to
+    1e9.
 
-    ``predicted`` is how many they should be. The size of a swing is that of x and of v over the
-    root of k / m, together.
+    ``predicted`` is the number that is expected. The size of an oscillation combines x and v /
+    sqrt(k / m).
     """
     integrator, pull, d = stepping(name, kappa, damping)
     chi = math.sqrt(pull.stiffness)
@@ -128,7 +131,9 @@ def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> 
 def draw_divergence(
     losses: Sequence[Loss], drifts: dict[str, list[float]], swings: Sequence[int], png: Path
 ) -> None:
-    """Write time to divergence over how far outside, its error, and energies over many swings."""
+    """Draw the time to divergence over the distance from the limit, its error, and energies over
+    time.
+    """
     figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(17, 5.4), layout="constrained")
     _draw_steps(left, losses)
     _draw_errors(middle, losses)
@@ -141,7 +146,7 @@ def draw_divergence(
 
 
 def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Steps from release, dots, beside ln(1e6) / ln(growth), lines."""
+    """Draw the steps from release as dots, beside lines of ln(1e6) / ln(growth)."""
     for name, damping in LOST.items():
         own = [row[2:] for row in losses if row[0] == name]
         color, mark = SHADES[name], MARKS[name]
@@ -161,11 +166,12 @@ def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
-    """How many steps more than predicted, as a share: from rest, and from x 1e3 to x 1e9.
+    """Draw by what fraction the number of steps differs from the prediction.
 
-    A swing from rest is the sum of both eigenvectors. Near a limit they nearly agree, so that the
-    growing one may be far larger than the sum, or half of it: the million is reached sooner, or
-    later. Far outside, whole steps are coarse.
+    An oscillation from rest is the sum of both eigenvectors. Near a limit they nearly agree, so the
+    growing one may be far larger than the sum, or half of it. Then the factor of a million is
+    reached sooner or later than predicted. Far outside, the whole number of steps makes a
+    difference.
     """
     for name in LOST:
         own = [row[2:] for row in losses if row[0] == name]
@@ -188,7 +194,7 @@ def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
-    """Energies over swings, and Runge-Kutta 4's by theory."""
+    """Draw energies over oscillations, and that of Runge-Kutta 4 by theory."""
     for name, ratios in drifts.items():
         color, mark = SHADES[name], MARKS[name]
         axes.semilogx(swings, ratios, f"{mark}-", color=color, mfc="none", lw=1, ms=5, label=name)

@@ -1,8 +1,8 @@
-"""Where methods fail: the stiffest spring and the most drag that each bears, beside theory.
+"""Find where methods fail: the largest stable stiffness and drag of each method, beside theory.
 
-Limits are found by bisection. Just outside, at 1.02 of them, swings must grow; and far inside, what
-a method does to the energy in ten thousand swings is measured. Maps show the growth all around the
-limits, and curves how soon a simulation just outside is lost.
+The limits are found by bisection. At 1.02 times a limit, oscillations must grow. Far inside the
+limits, the change of energy over ten thousand oscillations is measured. Maps show the growth around
+the limits, and curves show how soon a simulation just outside is lost.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ WORST = 0.05  # of a limit by theory, by which the one that is found may be off
 
 
 def main(arguments: list[str]) -> int:
-    """Print, draw and write; return 1 where a limit is off its theory by more than 5 %."""
+    """Print, draw and write. Return 1 if a limit differs from theory by more than 5 %."""
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "limits.csv")
     options = parser.parse_args(arguments)

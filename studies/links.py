@@ -11,14 +11,14 @@ from studies.readings import numbers
 
 
 def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
-    """Return the places of both ends of a link."""
+    """Return the positions of both ends of a link."""
     if isinstance(link, AnchoredCable):
         return link.particle.position, link.anchor
     return link.a.position, link.b.position
 
 
 def over_length(links: Iterable[object]) -> float:
-    """Return by how many percent the worst cable among links is too long; 0 where none is."""
+    """Return by how many percent the worst cable among links is too long, or 0 if none is."""
     worst = 0.0
     for link in links:
         if isinstance(link, Cable | AnchoredCable):

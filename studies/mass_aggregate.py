@@ -1,4 +1,4 @@
-"""Scenes of chapter 8, measured over time: what its plots, benchmarks and tests share.
+"""Scenes of chapter 8, measured over time, for its plots, benchmarks and tests.
 
 Lengths are in m, masses in kg, times in s, energies in J.
 """
@@ -44,7 +44,7 @@ class MassAggregate(Protocol):
 
 
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
-    """Measure several things at the start and after each frame, until the engine says it failed."""
+    """Measure values at the start and after each step, until the engine reports a failure."""
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
     def run() -> None:
@@ -59,12 +59,12 @@ def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float
 
 
 def resolve_by_heap(world: ParticleWorld) -> None:
-    """Give a world a resolver of as many iterations and the same states, in less time."""
+    """Give a world a faster resolver with the same iterations and the same results."""
     world.resolver = HeapResolver(world.resolver.iterations)
 
 
 def loaded_platform() -> TiltingPlatform:
-    """Return a platform that tips to its right: 5 kg are on it, at x = 3 m."""
+    """Return a platform that tips to its right, with 5 kg at x = 3 m."""
     platform = TiltingPlatform()
     platform.put_weight(5.0, 3.0)
     return platform
@@ -85,7 +85,9 @@ def default_bridge() -> Bridge:
 
 
 def variation(run: Track, since: float) -> float:
-    """Return the difference of the largest and the least value from a time on, over the last."""
+    """Return the difference between the largest and the smallest value from a time on, over the
+    last value.
+    """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
         return math.nan
@@ -95,9 +97,9 @@ def variation(run: Track, since: float) -> float:
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Return the over_length of a bridge whose ball has a mass, at 60 frames a second.
+    """Return the over_length of a bridge whose ball has this mass, at 60 steps per second.
 
-    It is infinite once the ball has fallen through. With it comes how often a contact was resolved.
+    It is infinite once the ball has fallen through. The second value is the number of resolutions.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)
@@ -117,7 +119,7 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Return frame times of 5 to 30 ms, with one of SPIKE at each of the times given, in order."""
+    """Return frame times of 5 to 30 ms, with one of SPIKE at each of the given times, in order."""
     rng = random.Random(seed)
     frames, time, left = [], 0.0, [*spikes]
     while time < seconds:
@@ -131,16 +133,17 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 
 
 def places(world: ParticleWorld) -> list[Numbers]:
-    """Return where all the particles of a world are."""
+    """Return the positions of all particles of a world."""
     return [numbers(particle.position) for particle in world.particles]
 
 
 def in_frames(
     aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
-    """Run an aggregate in frames of given times: in steps of these, or in even ones of FRAME.
+    """Run an aggregate in frames of given times: as steps of these times, or in even steps of
+    FRAME.
 
-    With the track come, after each frame, the number of steps so far and all places then.
+    The second value has, for each frame, the number of steps so far and all positions.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)
@@ -164,13 +167,13 @@ def in_frames(
 
 
 def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Return the spin in rad/s of a wheel that is driven."""
+    """Return the spin in rad/s of a driven wheel."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: spin(wheel.hub, wheel.rim), rate, seconds)
 
 
 def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Return the deformation of a wheel that is driven."""
+    """Return the deformation of a driven wheel."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)
 
@@ -182,7 +185,7 @@ def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Return how many bonds of the same blob hold."""
+    """Return how many bonds of the same blob still hold."""
     blob = _thrown(speed, cables)
 
     def holding() -> float:
@@ -192,9 +195,9 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
-    """Return a world of balls in a row that land one after the other, and a late one among them.
+    """Return a world of balls in a row that land one after the other, and a late ball.
 
-    That one falls from LATE_HEIGHT between two of the others, and pushes all of them apart.
+    The late ball falls from LATE_HEIGHT between two of the others, and pushes all of them apart.
     """
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]
@@ -206,7 +209,7 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Return how many balls are awake, the resolutions of a frame, and the kinetic energy."""
+    """Return how many balls are awake, the resolutions of a step, and the kinetic energy."""
     world, balls = balls_on_ground(kind)
 
     def move(duration: float) -> None:
@@ -226,7 +229,7 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 
 
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
-    """Return the largest distance of places from others."""
+    """Return the largest distance between two lists of positions."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
 
 

@@ -1,6 +1,6 @@
-"""A stack and a pile of spheres: how far they sink, and what a resolver leaves of their overlaps.
+"""A stack and a pile of spheres: how far they sink, and which overlaps a resolver leaves.
 
-Gravity is 10 m/s^2, downwards. Lengths are in m, times in s.
+Gravity is 10 m/s^2, downward. Lengths are in m, times in s.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from studies.readings import numbers
 
 
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
-    """Return the height of the highest of a stack of spheres, and the largest overlap.
+    """Return the height of the top sphere of a stack, and the largest overlap.
 
-    They begin where each just touches the next one, without a bounce. The height is that of the
-    middle; the overlap is a share of the diameter, of neighbors or with the ground.
+    At the start each sphere just touches the next one, and there is no bounce. The height is that
+    of the center. The overlap, between neighbors or with the ground, is a fraction of the diameter.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
@@ -44,8 +44,8 @@ def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track
 def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[Contact]]:
     """Return a pile of spheres in a plane that falls on the ground, and its contacts.
 
-    The lowest row has as many spheres as there are rows. All that is near overlaps, by a share of
-    the diameter, and all fall at the speed in m/s.
+    The lowest row has as many spheres as there are rows. Neighbors overlap by a fraction of the
+    diameter, and all fall at the same speed in m/s.
     """
     size = 2.0 * RADIUS * (1.0 - overlap)
     spheres = [
@@ -61,11 +61,12 @@ def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[
 
 
 def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
-    """Return what is left of a pile's closing velocities and depths after so many resolutions.
+    """Return the closing velocities and depths that remain in a pile after this number of
+    resolutions.
 
-    These are the largest closing velocity in m/s and the largest depth in m, of the places that the
-    spheres then have. Resolutions are those of a ContactResolver, the worst first, or those of
-    sweeps through the list, which leave out what needs none.
+    They are the largest closing velocity in m/s and the largest depth in m at the final positions.
+    The resolutions are those of a ContactResolver, worst first, or those of sweeps through the
+    list, which skip contacts that need none.
     """
     spheres, contacts = pile(rows, 0.01, 1.0)
     if iterations and in_order:
@@ -87,7 +88,7 @@ def _sweep(
     wants: Callable[[Contact], bool],
     resolve: Callable[[Contact], object],
 ) -> None:
-    """Resolve what wants it in the order of the list, again and again, up to limit times."""
+    """Resolve contacts in the order of the list, again and again, at most limit times."""
     used = 0
     while True:
         before = used
@@ -100,7 +101,7 @@ def _sweep(
 
 
 def _depth(contact: Contact) -> float:
-    """Return how deep a contact of spheres is where they are now, along the normal it has."""
+    """Return the depth of a contact of spheres at their current positions, along its normal."""
     place = contact.particle.position
     if contact.other is None:
         return RADIUS - place.y

@@ -1,7 +1,7 @@
-"""Draw a chapter's plots with an engine: PNG and CSV files under build/plots/.
+"""Draw a chapter's plots with an engine, as PNG and CSV files under build/plots/.
 
-The module of a chapter in lab/plots/ has a tuple PLOTS of functions that return a Picture. A plot
-that takes longer than TIME_LIMIT ends the run, with the stack at that moment.
+Each chapter's module in lab/plots/ has a tuple PLOTS of functions that return a Picture. If a plot
+takes longer than TIME_LIMIT, the run ends and prints the stack at that moment.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ TIME_LIMIT = 30.0  # seconds for one plot, which takes about one
 
 
 def main(arguments: list[str]) -> int:
-    """Draw the chapters that the arguments name; return 1 where a plot could not be drawn."""
+    """Draw the chapters that the arguments name. Return 1 if a plot could not be drawn."""
     parser = argparse.ArgumentParser(prog="python -m studies plot", description=__doc__)
     parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
     add_engine_options(parser)
@@ -45,13 +45,13 @@ def main(arguments: list[str]) -> int:
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Note beside pictures whose they are: check shows students the ones of their own engine."""
+    """Write down whose pictures these are, because check shows students only their own."""
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:
-    """Draw every plot of a chapter; say what was written, and what could not be drawn and why."""
+    """Draw every plot of a chapter. Print what was written, and what failed and why."""
     if not (ROOT / "lab" / "plots" / f"{chapter.name}.py").exists():
         print(f"chapter {chapter.number} has no plots")
         return True
@@ -69,7 +69,7 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
-    """Write one plot as name.png and name.csv, or say why not and leave no older one there."""
+    """Write one plot as name.png and name.csv. If it fails, print why and keep no older file."""
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"
     for older in (png, table):

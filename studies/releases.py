@@ -1,4 +1,4 @@
-"""What a trebuchet's sling would throw, let go at each angle that it passes.
+"""The throws of a trebuchet if its sling lets go at each angle that it passes.
 
 Lengths are in m, energies in J.
 """
@@ -25,7 +25,7 @@ from studies.readings import numbers, stopped
 
 @dataclass(frozen=True)
 class Release:
-    """Where a sling may let go: the angle in degrees, the range in m, the share of the energy."""
+    """A possible release: the angle in degrees, the range in m, and the fraction of the energy."""
 
     angle: float
     range: float
@@ -33,11 +33,11 @@ class Release:
 
 
 def releases(design: Design) -> list[Release]:
-    """Throw with a sling that does not let go, and return each release that an angle can ask for.
+    """Throw with a sling that does not let go, and return each release that an angle can select.
 
-    A sling lets go in the first frame in which the projectile flies as low as the angle: so each
-    frame in which it flies lower than ever before is one, down to the horizon. Ranges and shares
-    are what Trebuchet.throw makes of them, in plain numbers.
+    A sling lets go in the first step in which the projectile flies as low as the angle. So each
+    step in which it flies lower than ever before is a possible release, down to the horizon. Ranges
+    and fractions are those of Trebuchet.throw, in plain numbers.
     """
     machine = Trebuchet(design)
     resolve_by_heap(machine.world)
@@ -69,7 +69,7 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Return releases with one of NaN wherever the angle jumps: no line is to be drawn there."""
+    """Return the releases with a NaN wherever the angle jumps, so that no line is drawn there."""
     shown = list(found[:1])
     for before, release in pairwise(found):
         if before.angle - release.angle > degrees:

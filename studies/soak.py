@@ -1,7 +1,7 @@
-"""Let the bridge and the platform of chapter 8 run for ten minutes each, and watch their energy.
+"""Run the bridge and the platform of chapter 8 for ten minutes each, and watch their energy.
 
-At 30, 60 and 120 frames a second: all must stay finite, the energy never rise above its start, and
-change by less than 0.1 % over the last minute.
+They run at 30, 60 and 120 steps per second. All numbers must stay finite, the energy must never
+rise above its start, and it must change by less than 0.1 % over the last minute.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ MOST = 0.001  # of the energy, by which it may vary over the last minute
 
 
 def main(arguments: list[str]) -> int:
-    """Run both scenes at every rate and say how each went; return 1 where one has failed."""
+    """Run both scenes at every rate and report each result. Return 1 if one has failed."""
     parser = argparse.ArgumentParser(prog="python -m studies soak", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the folder to run")
     options = parser.parse_args(arguments)
@@ -54,7 +54,7 @@ def soak(
     rate: int,
     minutes: int,
 ) -> tuple[bool, str]:
-    """Run a scene; return whether its energy is as it must be, and what it does."""
+    """Run a scene. Return whether its energy behaves as it must, and a description of it."""
     start = energy()
     last: list[float] = []
     for _ in track(range(minutes), name, transient=True, disable=not sys.stdout.isatty()):

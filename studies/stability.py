@@ -1,8 +1,7 @@
-"""What steps can bear: how springs swing, what a step multiplies their swings by, what theory says.
+"""Stability of steps: how springs oscillate, the growth per step, and the limits of theory.
 
-One spring pulls a particle of 1 kg to 0 along X. Whatever it is that moves the particle is an
-integrator of chapter 6 here, a solver of one linear spring too, so that all are run and watched in
-the same way.
+One spring pulls a particle of 1 kg to 0 along X. Every method is wrapped as an integrator of
+chapter 6, also a solver of one linear spring, so that all are run and watched in the same way.
 """
 
 from __future__ import annotations
@@ -46,9 +45,10 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring to 0 in plain numbers, so that a picture of a step shows no fault of a spring.
+    """A spring to 0 in plain numbers, so that a picture of a step does not show a mistake in a
+    spring.
 
-    ``count`` is how often it was asked.
+    ``count`` is the number of evaluations.
     """
 
     def __init__(self, stiffness: float) -> None:
@@ -63,7 +63,9 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """Places and velocities at the start and after each step, and what ended it early, if that."""
+    """Positions and velocities at the start and after each step, and what ended the run early, if
+    anything.
+    """
 
     places: list[float]
     velocities: list[float]
@@ -89,9 +91,11 @@ def methods(stiffness: float) -> dict[str, Integrator]:
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return the integrator watched for speeds over a limit in m/s, or bare while that is a stub.
+    """Return the integrator watched for speeds above a limit in m/s, or unwatched if watched is a
+    stub.
 
-    A bare one ends as well when it explodes: no particle takes a force that is not finite.
+    An unwatched integrator ends too when it explodes, because no particle accepts a force that is
+    not finite.
     """
     try:
         step = watched(integrator, limit)
@@ -108,7 +112,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release a particle of 1 kg at x = 1 m and let it swing, until a speed is over the limit."""
+    """Release 1 kg at x = 1 m and let it oscillate until its speed is above the limit."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]
@@ -127,9 +131,9 @@ def swing(
 def growth(
     integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
 ) -> float:
-    """Return what a step multiplies the swings by in the long run; NaN where it gives no numbers.
+    """Return the factor by which a step multiplies oscillations in the long run, or NaN.
 
-    Many steps multiply by the size of the larger eigenvalue.
+    Many steps multiply by the magnitude of the larger eigenvalue.
     """
     return spectral_radius(*step_matrix(integrator, generator, duration, damping))
 
@@ -137,9 +141,9 @@ def growth(
 def step_matrix(
     integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
 ) -> tuple[float, float, float, float]:
-    """Return the matrix of a step of (x, v h), row by row; NaN where it gives no numbers.
+    """Return the matrix of a step of (x, v h), row by row, or NaN if it returns no numbers.
 
-    The step is linear: what it makes of (1, 0) and of (0, 1) is all of it.
+    The step is linear, so its results for (1, 0) and (0, 1) determine it.
     """
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / duration)):
@@ -163,26 +167,26 @@ def growth_of(name: str, kappa: float, damping: float, duration: float) -> float
 
 
 def period(places: Sequence[float]) -> float:
-    """Return how many steps a swing takes, by where it goes through 0; NaN where it does not."""
+    """Return the number of steps of an oscillation from its zero crossings, or NaN without any."""
     found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
     return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
 
 
 def true_place(k: float, c: float, time: float) -> float:
-    """Return where the formula has the particle of 1 kg that was released at 1 m."""
+    """Return the exact position of the particle of 1 kg that was released at 1 m."""
     state = damped_spring_state(1.0, 0.0, k, c, 1.0, time)
     return number(state[0]) if isinstance(state, tuple) else math.nan
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Return the growth of the faked spring for chi h and a share of the critical damping."""
+    """Return the growth of the faked spring for chi h and a fraction of the critical damping."""
     chi = angle / duration
     fake = FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi)
     return growth(semi_implicit_euler, fake, duration)
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Return how many steps the cloth makes before a knot has 1000 m/s, and what stopped it."""
+    """Return the number of steps until a knot of the cloth has 1000 m/s, and what stopped it."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -214,14 +218,14 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Return how far at most the places are from cos(chi t), at up to 64 times of the second."""
+    """Return the largest difference of the positions from cos(chi t), at up to 64 times."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
 
 
 def spectral_radius(a: float, b: float, c: float, d: float) -> float:
-    """Return the size of the larger eigenvalue of the matrix with the rows a, b and c, d."""
+    """Return the magnitude of the larger eigenvalue of the matrix with the rows a, b and c, d."""
     half, product = (a + d) / 2.0, a * d - b * c
     root = half * half - product
     if root < 0.0:  # a pair that is conjugate
@@ -230,7 +234,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
 
 
 def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
-    """Return the k h^2 / m above which there is growth, between low and high; by bisection."""
+    """Return the k h^2 / m above which oscillations grow, between low and high, by bisection."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:
@@ -243,9 +247,9 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 
 
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
-    """Return d^h, the limit of k h^2 / m that is measured, and that of theory, for some dampings.
+    """Return d^h, the measured limit of k h^2 / m, and that of theory, for several dampings.
 
-    Explicit Euler bears nothing without damping: that is left out.
+    Explicit Euler without damping is left out, because its limit is 0.
     """
     found = []
     for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):
@@ -256,9 +260,9 @@ def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
 
 
 def theory(name: str, kept: float) -> float:
-    """Return the k h^2 / m above which a spring explodes, where a step keeps D = d^h of v.
+    """Return the k h^2 / m above which a spring explodes if a step keeps the fraction D = d^h of v.
 
-    Each is worked out from the matrix of the step; Verlet and Runge-Kutta damp at their end alone.
+    Each limit follows from the matrix of the step. Verlet and Runge-Kutta damp at the end only.
     """
     if name == "explicit Euler":
         return 1.0 / kept - 1.0
@@ -270,7 +274,7 @@ def theory(name: str, kept: float) -> float:
 
 
 def _runge_kutta(kappa: float, kept: float) -> tuple[float, float, float, float]:
-    """The series of cos and sin of the root of kappa, up to the fourth power of it."""
+    """Return the series of cos and sin of sqrt(kappa), up to the fourth power of sqrt(kappa)."""
     cosine, sine = 1.0 - kappa / 2.0 + kappa**2 / 24.0, 1.0 - kappa / 6.0
     return cosine, sine, -kept * kappa * sine, kept * cosine
 
@@ -282,13 +286,13 @@ def _step(
 
 
 def _state(particle: Particle) -> tuple[float, float]:
-    """Return place and velocity along X, NaN where the engine left no vector."""
+    """Return position and velocity along X, or NaN if the engine left no vector."""
     x, v = (getattr(vector, "x", None) for vector in (particle.position, particle.velocity))
     return number(x), number(v)
 
 
 def _pair(value: object) -> tuple[float, float]:
-    """Return two numbers of what a solver gave back, NaN where it is something else."""
+    """Return the two numbers that a solver returned, or NaN if it returned something else."""
     if not (isinstance(value, tuple) and len(value) == 2):
         return math.nan, math.nan
     return number(value[0]), number(value[1])

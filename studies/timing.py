@@ -1,8 +1,8 @@
-"""Things timed two at a time, in one run on one machine, as ratios: every line all over the run.
+"""Timing as ratios: two things are timed in turn, in one run on one machine.
 
-A ratio holds on any machine; seconds do not. What is compared is timed back to back. The rounds of
-all lines are mixed, so that a slow minute of the machine hits no line alone: a line says the median
-of its rounds, and the spread is between their quartiles.
+A ratio holds on any machine, and seconds do not. The two things are timed directly one after the
+other. The rounds of all lines are mixed, so that a slow minute of the machine does not spoil a
+single line. A line reports the median of its rounds and their quartiles.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ LEAST = 5e-3  # s for a time of a round: what is faster is timed several times
 
 @dataclass(frozen=True)
 class Target:
-    """What a figure is to be: at least, or at most, a bound."""
+    """A bound for a figure: at least this much, or at most."""
 
     side: Literal["at least", "at most"]
     bound: float
@@ -41,13 +41,13 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return whether a figure is on the right side of the bound, or on it."""
+        """Return whether a figure is on the right side of the bound, or equal to it."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """A line that is to be measured: ``once`` gives the figure of one of its rounds."""
+    """A line to be measured: ``once`` returns the figure of one round."""
 
     what: str
     once: Figure
@@ -74,18 +74,18 @@ class Line:
 
 
 def timer(run: Callable[[], object], times: int = 1) -> Timer:
-    """Return what times so many runs."""
+    """Return a function that times this number of runs."""
     return lambda: timeit.timeit(run, number=times)
 
 
 def statement_timer(code: str, setup: str) -> Timer:
-    """Return what times many runs of a statement."""
+    """Return a function that times many runs of a statement."""
     prepared = timeit.Timer(code, setup)
     return lambda: prepared.timeit(TIMES)
 
 
 def both(first: Timer, second: Timer) -> tuple[float, float]:
-    """Return the times of two things, taken one right after the other in random order."""
+    """Return the times of two things, taken directly one after the other in random order."""
     if random.random() < 0.5:
         a = warm(first)
         return a, warm(second)
@@ -94,9 +94,9 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Return a time, of what takes less than LEAST the mean of several after a first one.
+    """Return a time. If it is below LEAST, return the mean of several runs after a first one.
 
-    That one finds the caches full of other lines' data, which a short run would be all about.
+    The first run finds the caches full of other data, which would dominate a short run.
     """
     taken = timed()
     if taken >= LEAST:
@@ -119,10 +119,10 @@ def versus(first: Timer, second: Timer) -> Figure:
 
 
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
-    """Take all rounds of all measurements, mixed, and return their lines in the same order.
+    """Take all rounds of all measurements, mixed, and return their lines in the original order.
 
-    On a terminal a bar shows what is measured and the time left. It is drawn between two rounds
-    alone, so that none of them pays for it.
+    On a terminal, a bar shows what is measured and the time left. It is drawn only between two
+    rounds, so that it does not slow a round down.
     """
     figures: list[list[float]] = [[] for _ in measurements]
     order = mixed([measurement.rounds for measurement in measurements])
@@ -149,16 +149,17 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return an order in which 0 comes rounds[0] times, 1 rounds[1] times and so on.
+    """Return an order in which 0 appears rounds[0] times, 1 rounds[1] times and so on.
 
-    Each comes once, at random, in each of as many equal parts of the run as it has rounds.
+    Each of them appears once, at random, in each of as many equal parts of the run as it has
+    rounds.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]
 
 
 def quartiles(values: Sequence[float]) -> tuple[float, float]:
-    """Return the lower and the upper quartile, each one of the values."""
+    """Return the lower and the upper quartile, each of which is one of the values."""
     ordered = sorted(values)
     return ordered[len(ordered) // 4], ordered[(3 * len(ordered)) // 4]
 
@@ -169,10 +170,10 @@ def against_peers(
     statements: Statements,
     peers: Iterable[tuple[str, str, Target | None]],
 ) -> list[Measurement]:
-    """How much faster ours is than each peer: the geometric mean over what both can do.
+    """Return how much faster ours is than each peer: the geometric mean over the common tasks.
 
-    ``name`` is what ours is called. A peer is the module that it needs, what of it is measured, and
-    the target; one that is not installed is said and left out.
+    ``name`` is the name of ours. A peer is a module, what is measured with it, and the target. A
+    peer that is not installed is reported and left out.
     """
     ours = statements["ours"]
     found = []
@@ -197,5 +198,5 @@ def against_peers(
 
 
 def geometric_mean(figures: Sequence[Figure]) -> Figure:
-    """Return the figure that is the geometric mean of some."""
+    """Return the geometric mean of the figures as one figure."""
     return lambda: statistics.geometric_mean([once() for once in figures])

@@ -70,7 +70,7 @@ def test_names_that_are_not_there_and_notimplemented(messages: Messages) -> None
             whole("component_product"): PRODUCT,
             whole("__isub__"): "    def isub(self, v): ...\n",
             whole("cross"): "    def cros(self, v): ...\n",
-            whole("copy"): "    def copy(self):\n        return self.normalized()\n",
+            whole("copy"): "    def copy(self):\n        return self.normalizedd()\n",
         },
     )
     assert "Did you mean math?" in likely(failed["B2.2"])

@@ -17,15 +17,17 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     about("muzzle_energy(0.005, 500)", cause="m v^2 / 2", read="book 4.1.1; errata.md")
     got = scaling.muzzle_energy(0.005, 500)
     mistakes = [
-        (1250.0, "that is m v^2: the book's text leaves out the half (E-18)"),
-        (1.25, "that is m v / 2: the speed is not squared"),
+        (1250.0, "This is m v^2. The kinetic energy is half of that."),
+        (1.25, "This is m v / 2. Square the speed."),
     ]
     expect_close(got, 625.0, cause=cause_of(got, mistakes, about.cause))
     mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
     about.call = f"muzzle_energy({mass}, {speed})"
     got = scaling.muzzle_energy(mass, speed)
     expect_close(got, 0.5 * mass * speed * speed)
-    about(f"muzzle_energy({mass}, 0)", cause="what stands still has no energy: a speed of 0 is one")
+    about(
+        f"muzzle_energy({mass}, 0)", cause=("A body at rest has no energy. A speed of 0 is valid.")
+    )
     expect_close(scaling.muzzle_energy(mass, 0), 0.0)
 
 
@@ -38,20 +40,27 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         (round(rng.uniform(2.0, 90.0), 3), 0.25),
     ):
         about.call = f"slowed_mass({mass}, {factor}); m v^2 / 2 with that and {500.0 / factor} m/s"
-        about.cause = "the speed is squared in the energy, so the mass grows by the factor squared"
+        about.cause = "The energy has the speed squared, so the mass grows by the factor squared."
         slow = scaling.slowed_mass(mass, factor)
         mistakes = [
             (
                 mass * factor,
-                "the mass times the factor keeps the momentum: the energy has the speed squared, "
-                "so it wants the factor squared",
+                (
+                    "The mass is multiplied by the factor, which keeps the momentum. To keep the "
+                    "energy, square the factor."
+                ),
             ),
             (
                 mass / factor**2,
-                "the mass shrinks: the factor is the real speed over that of the game, as in the "
-                "book's text and not its footnote (E-19)",
+                (
+                    "The mass gets smaller. The factor is the real speed divided by the speed in "
+                    "the game, as in the book's text and not its footnote (E-19)."
+                ),
             ),
-            (mass, "the mass itself has at a lower speed less energy"),
+            (
+                mass,
+                ("The mass stays the same, so the energy shrinks. Square the factor."),
+            ),
         ]
         blame(slow, mistakes)
         energy = 0.5 * slow * (500.0 / factor) ** 2
@@ -69,17 +78,19 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
     ):
         about.call = f"slowed_gravity({gravity}, {factor}); g t^2 / 2 with that over 100 m at "
         about.call += f"{500.0 / factor} m/s"
-        about.cause = "a gravity may be negative, or 0: only what is not finite is refused"
+        about.cause = "Gravity may be negative or 0. Refuse only a number that is not finite."
         weak = scaling.slowed_gravity(gravity, factor)
-        longer = "the same ground takes factor times as long, and the fall goes as the square of "
-        longer += "the time: g / factor^2"
+        longer = (
+            "The same distance takes factor times as long, and the drop grows with the square of "
+            "the time. So divide gravity by factor^2."
+        )
+        stronger = "Gravity must get weaker, not stronger."
         mistakes = [
-            (gravity / factor, f"the book is wrong here and divides once (E-2): {longer}"),
-            (gravity * factor, f"gravity gets weaker, not stronger: {longer}"),
+            (gravity / factor, f"The book divides by the factor only once (E-2). {longer}"),
+            (gravity * factor, f"{stronger} {longer}"),
             (
                 gravity * factor**2,
-                f"gravity gets weaker, not stronger (the factor is not the footnote's, E-19): "
-                f"{longer}",
+                f"{stronger} The factor is not that of the footnote (E-19). {longer}",
             ),
         ]
         about.cause = cause_of(weak, mistakes, longer)
@@ -91,7 +102,7 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, math.inf, math.nan])
 def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
-    about.cause = "positive of arguments.py, in chapter 2, refuses it in one line"
+    about.cause = "Refuse it with positive from arguments.py."
     about.read = "the docstrings in scaling.py"
     for name, data, good in (
         ("muzzle_energy", (bad, 3.0), (2.0, 3.0)),
@@ -112,7 +123,7 @@ def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_gravity_are_finite(bad: float) -> None:
-    about.cause = "finite and not_negative of arguments.py, in chapter 2, refuse it in one line"
+    about.cause = "Refuse it with finite and not_negative from arguments.py."
     about.read = "the docstrings in scaling.py"
     for call, attempt in (
         (f"muzzle_energy(2, {bad})", lambda: scaling.muzzle_energy(2.0, bad)),
@@ -130,7 +141,7 @@ def test_speed_and_gravity_are_finite(bad: float) -> None:
 @pytest.mark.exercise("B4.1")
 @pytest.mark.robust
 def test_text_is_no_number() -> None:
-    about.cause = "positive, not_negative and finite of arguments.py raise the TypeError for you"
+    about.cause = "positive, not_negative and finite from arguments.py raise the TypeError."
     about.read = "the first lines of scaling.py"
     text: Any = "2"
     for call, attempt in (

@@ -22,14 +22,17 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
     start, rate = round(rng.uniform(-0.5, 0.5), 3), round(rng.uniform(0.85, 1.0), 3)
     for turning in (rate, -rate):
         about.call = f"screen_angle({start}, {turning}, 2.5)"
-        about.cause = "start + rate x time, from -pi to pi: a turn backwards makes it negative"
+        about.cause = (
+            "The angle is start + rate x time, from -pi to pi. A backward rotation makes it "
+            "negative."
+        )
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
-            (2.5 * turning, "the start is missing"),
-            (angle + 2.0 * math.pi, "that is from 0 to 2 pi: from -pi to pi is wanted"),
-            (angle + math.pi, "half a turn was added: leave out whole turns, 2 pi, alone"),
-            (angle - math.pi, "half a turn was taken away: leave out whole turns, 2 pi, alone"),
+            (2.5 * turning, "The start is missing. Add it."),
+            (angle + 2.0 * math.pi, "This is from 0 to 2 pi. The result must be from -pi to pi."),
+            (angle + math.pi, "Half a turn was added. Remove only whole turns of 2 pi."),
+            (angle - math.pi, "Half a turn was subtracted. Remove only whole turns of 2 pi."),
         ]
         blame(got, mistakes)
         expect_close(got, start + 2.5 * turning, tolerance=1e-14)
@@ -43,11 +46,15 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
     for angle in (way * (turns * 2.0 * math.pi + part) for way in (1.0, -1.0) for part in beyond):
         rate = round((angle - 0.5) / 20.0, 3)
         about.call = f"screen_angle(0.5, {rate}, 20)"
-        about.cause = "from -pi to pi: what is beyond has whole turns in it"
+        about.cause = (
+            "The result must be from -pi to pi. An angle beyond that contains whole turns."
+        )
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
         most = min(abs(got), math.pi)
         expect_close(abs(got), most, then=", size", tolerance=1e-9)
-        about.cause = "only whole turns: the direction is that of start + rate x time"
+        about.cause = (
+            "Remove only whole turns, so that the direction is that of start + rate x time."
+        )
         direction = (math.cos(got), math.sin(got))
         angle = 0.5 + 20.0 * rate
         wanted = (math.cos(angle), math.sin(angle))
@@ -56,7 +63,10 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
 
 @pytest.mark.exercise("G4.1")
 def test_angles_just_beyond_half_a_turn() -> None:
-    about(cause="more than half a turn one way is less than half a turn the other way", read=ANGLE)
+    about(
+        cause=("More than half a turn in one direction is less than half a turn in the other."),
+        read=ANGLE,
+    )
     turn = 2.0 * math.pi
     for start, rate, time, wanted in (
         (0.0, 1.0, 4.0, 4.0 - turn),
@@ -79,9 +89,9 @@ def test_the_corners_of_a_square(rng: Random) -> None:
     about.read = CORNERS
     half = size / 2.0
     for turned, cause in (
-        (0.0, "half a side to the right and half a side up, and on from there, X towards Y"),
-        (math.pi / 2.0, "after a quarter of a turn each corner is where the next one was"),
-        (angle, "turn each corner about the center: (a cos t - b sin t, a sin t + b cos t)"),
+        (0.0, "Start half a side to the right and half a side up, and go on from X toward Y."),
+        (math.pi / 2.0, "After a quarter turn, each corner is where the next one was."),
+        (angle, "Rotate each corner about the center: (a cos t - b sin t, a sin t + b cos t)."),
     ):
         about(f"screen_corners(({x}, {y}), {size}, {turned})", cause=cause)
         corners = screen_rotation.screen_corners((x, y), size, turned)
@@ -94,11 +104,17 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         center = (x, y) * 4
         doubled = [2.0 * n - c for n, c in zip(wanted, center, strict=True)]
         mistakes = [
-            (doubled, "the size is a whole side: half of it lies on either side of the center"),
-            ([n - c for n, c in zip(wanted, center, strict=True)], "the center was left out"),
+            (
+                doubled,
+                "size is the length of a whole side. Use half of it on each side of the center.",
+            ),
+            (
+                [n - c for n, c in zip(wanted, center, strict=True)],
+                "The center is missing. Add it to each corner.",
+            ),
             (
                 [*wanted[:2], *wanted[6:], *wanted[4:6], *wanted[2:4]],
-                "the corners go the other way round: from X towards Y",
+                "The corners are in the opposite order. Go from X toward Y.",
             ),
         ]
         blame(got, mistakes)
@@ -109,7 +125,7 @@ def test_the_corners_of_a_square(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_what_is_drawn_is_finite(bad: float) -> None:
-    about.cause = "finite and positive of arguments.py, in chapter 2, refuse it in one line"
+    about.cause = "Refuse it with finite and positive from arguments.py."
     about.read = f"{ANGLE}, and of screen_corners"
     for call, attempt in (
         (f"screen_angle({bad}, 1, 1)", lambda: screen_rotation.screen_angle(bad, 1.0, 1.0)),

@@ -50,7 +50,7 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
     h, v = round(rng.uniform(0.1, 0.4), 3), components(rng)
     about.call = f"two fireworks at (0, 20, 0) with the velocity {v} and 3 s of fuse; "
     about.call += f"show.update({h})"
-    about.cause = "integrate each particle once: p + v h, and then the velocity with gravity"
+    about.cause = "Integrate each particle once: p + v h, and then the velocity with gravity."
     a_show = show_with([fixed(1, 3.0, v)], [(1, 2, at((0.0, 20.0, 0.0)))])
     a_show.update(h)
     expect_exactly(len(a_show.fireworks), 2, then=", how many", read=READ)
@@ -61,7 +61,7 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
         got = xyz(firework.particle.velocity)
         wanted = (v[0], v[1] - 9.81 * h, v[2])
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
-        about.cause = "the age is the fuse that is left: it shrinks by the duration"
+        about.cause = "The age is the fuse that is left. It shrinks by the duration."
         age = firework.age
         expect_close(age, 3.0 - h, then=", an age", read=READ, tolerance=1e-13)
 
@@ -69,7 +69,7 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
     about.call = "0.5 s of fuse; show.update(0.125) 4 times and once more; how many burn after each"
-    about.cause = "at 0 it still burns, below 0 it is burnt out"
+    about.cause = "At an age of 0 it still burns. Below 0 it has burnt out."
     seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
     counts = [len(types) for types in seen]
     expect_exactly(counts, [1, 1, 1, 1, 0], read=READ)
@@ -79,27 +79,37 @@ def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
     about.call = "one at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
     about.call += "show.update(0.001)"
-    about.cause = "y < 0 ends it, however much fuse is left, and its payload is lit all the same"
+    about.cause = (
+        "A firework below the ground (y < 0) has burnt out, however much fuse is left, and its "
+        "payload is lit."
+    )
     rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
     a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
     a_show.update(0.0625)
     name = f"{about.call.replace('0.001', '0.0625')}, types"
-    on_ground = "at y = 0 it is on the ground, not below it"
+    on_ground = "At y = 0 it is on the ground, not below it."
     expect_exactly(types(a_show), [1], call=name, cause=on_ground, read=READ)
     a_show.update(0.001)
     left = types(a_show)
     if left == []:
-        about.cause = "y < 0 ends it, and its payload is lit all the same, behind those that burn "
-        about.cause += "on: when their list is made, and to be moved from the next frame on"
+        about.cause = (
+            "A firework below the ground has burnt out. Light its payload behind those that still "
+            "burn, after all have moved. It moves from the next step on."
+        )
     if left == [2]:
-        about.cause = "(2, 3) is three fireworks of type 2: one birth with that count"
+        about.cause = "(2, 3) means three fireworks of type 2. It is one birth with this count."
     expect_exactly(left, [2, 2, 2], then=", types", read=READ)
-    about.cause = "at the place of the one that burnt out, although that is below the ground"
+    about.cause = (
+        "The payload starts at the position of the burnt-out firework, although that is below the "
+        "ground."
+    )
     height = a_show.fireworks[0].particle.position.y
     wanted = (-8.0 - 9.81 * 0.0625) * 0.001
     if height == 0.0:
-        about.cause = "it starts on the ground, as without a parent: the burnt-out one is its "
-        about.cause += "parent"
+        about.cause = (
+            "The payload starts on the ground, as if it had no parent. Pass the burnt-out "
+            "particle as the parent."
+        )
     expect_close(height, wanted, then=", a height", read=READ)
 
 
@@ -110,18 +120,22 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
     about.call += f"{own} of its own; show.update(0.25)"
     a_show = show_with([fixed(1, 0.1, v, (2, 2)), fixed(2, 1.5, own)], [(1, 1, at((0, 20, 0)))])
     a_show.update(0.25)
-    about.cause = "a payload of two is two fireworks"
+    about.cause = "A payload with a count of two lights two fireworks."
     expect_exactly(types(a_show), [2, 2], then=", types", read=READ)
     for firework in a_show.fireworks:
-        about.cause = "it starts at the place after the last step, and moves from the next frame on"
+        about.cause = (
+            "It starts at the position after the last step, and moves from the next step on."
+        )
         wanted = (v[0] * 0.25, 20.0 + v[1] * 0.25, v[2] * 0.25)
         got = xyz(firework.particle.position)
         expect_close(got, wanted, then=", a position", read=READ, tolerance=1e-13)
-        about.cause = "its velocity is its own plus that of the burnt-out one, gravity and all"
+        about.cause = (
+            "Its velocity is its own plus that of the burnt-out firework, including gravity."
+        )
         wanted = (v[0] + own[0], v[1] - 9.81 * 0.25 + own[1], v[2] + own[2])
         got = xyz(firework.particle.velocity)
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
-        about.cause = "its fuse is whole: it burns from the next frame on"
+        about.cause = "Its fuse is still whole, because it burns from the next step on."
         expect_close(firework.age, 1.5, then=", an age", read=READ)
 
 
@@ -129,15 +143,17 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
 def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     rules = [fixed(1, 0.1), fixed(2, 5.0)]
     about.call = "types 1 1 2 1 1 2 1, type 1 with 0.1 s of fuse; show.update(0.25)"
-    about.cause = "removing from the list that a loop runs over skips the next one: make a new "
-    about.cause += "list of those that burn on"
+    about.cause = (
+        "Removing from a list while a loop runs over it skips the next item. Make a new list of "
+        "those that still burn."
+    )
     a_show = show_with(
         rules, [(1, 2, None), (2, 1, None), (1, 2, None), (2, 1, None), (1, 1, None)]
     )
     a_show.update(0.25)
     expect_exactly(types(a_show), [2, 2], then="; types", read=READ)
     ages = [firework.age for firework in a_show.fireworks]
-    about.cause = "each moves on exactly once a frame"
+    about.cause = "Each firework must move exactly once per step."
     expect_close(ages, [4.75, 4.75], then="; ages", read=READ)
 
 
@@ -147,11 +163,13 @@ def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
     about.call = (
         'capacity 3, "keep_old"; types 1 2 2 burn out together, payloads (3, 2) and (4, 2); types'
     )
-    about.cause = "remove all that have burnt out, and only then light: three slots are free"
+    about.cause = (
+        "Remove all that have burnt out before you light anything. Then three slots are free."
+    )
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
     expect_exactly(types(a_show), [3, 3, 4], read=READ)
-    about.cause = "six were asked for, and three had no room"
+    about.cause = "Six were requested, and three had no room."
     expect_exactly(a_show.dropped, 3, then="; show.dropped", read=READ)
 
 
@@ -161,7 +179,7 @@ def test_payloads_follow_the_policy_too() -> None:
     about.read = "the docstrings of FireworksShow and update"
     for when_full, wanted in (("keep_old", [2, 2, 3, 3]), ("drop_oldest", [2, 3, 3, 3])):
         about.call = f'capacity 4, "{when_full}"; types 1 2 2; 1 burns out, payload (3, 3); types'
-        about.cause = "payloads are lit as any births are: by light, which knows the policy"
+        about.cause = "Light payloads by calling light, which applies the policy."
         births = [(1, 1, at((0.0, 20.0, 0.0))), (2, 2, None)]
         a_show = show_with(rules, births, 4, when_full)
         a_show.update(0.25)
@@ -179,8 +197,10 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
         fixed(6, 9.0),
     ]
     about.call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each"
-    about.cause = "the payloads of the oldest come first, each in the order of its rule, and all "
-    about.cause += "of them behind what burns already"
+    about.cause = (
+        "Light the payloads of the oldest first, each in the order of its rule, and all of them "
+        "behind those that burn already."
+    )
     seen = probes.sparks(rules, [1, 2, 1], 50, "keep_old", 1, 0.25, 4)
     wanted = [
         "1 1 5",
@@ -202,7 +222,7 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
     ]
     about.call = f"type 1 leaves {many} of 3 and 2 of 5, type 3 leaves 3 of 5; launch 1 twice; "
     about.call += "show.update(0.05) 80 times; how many of each type burn"
-    about.cause = "every payload of everyone that burns out, and none twice"
+    about.cause = "Light every payload of every firework that burns out, and none of them twice."
     seen = probes.sparks(rules, [1, 1], 500, "keep_old", rng.randrange(10**6), 0.05, 80)
     last = seen[-1]
     got = {type: last.count(type) for type in (1, 3, 5)}
@@ -213,7 +233,7 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
 @pytest.mark.exercise("B4.6")
 def test_rules_without_an_end_stay_within_the_capacity() -> None:
     rules = [fixed(1, 0.1, UP, (1, 10))]
-    about.cause = "each leaves ten of its own kind: light keeps the number within the capacity"
+    about.cause = "Each leaves ten of its own type. light keeps the number within the capacity."
     about.read = "the docstring of FireworksShow"
     for when_full in ("keep_old", "drop_oldest"):
         about.call = (
@@ -235,7 +255,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
         (3, 0.7, 2.5, (-5.0, 5.0, -5.0), (5.0, 9.0, 5.0), 0.1, ()),
     ]
     about.call = f"two shows with the seed {seed}: launch 1, 1, 3; show.update(0.05) 12 times"
-    about.cause = "nothing is drawn but from self.random, and in the same order each time"
+    about.cause = "Draw only from self.random, and always in the same order."
     about.read = "the docstring of FireworksShow"
     once, again, other = (
         probes.show_after(rules, [1, 1, 3], s, 0.05, 12) for s in (seed, seed, seed + 1)
@@ -244,7 +264,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     expect_exactly(many, True, then="; something burns")
     differ = abs(len(once) - len(again)) + sum(a != b for a, b in zip(once, again, strict=False))
     expect_exactly(differ, 0, then=": how many fireworks differ")
-    about.cause = "another seed gives another show"
+    about.cause = "Another seed must give another show."
     same = sum(firework in once for firework in other)
     about.call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
     expect_exactly(same, 0)
@@ -254,7 +274,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_of_a_show_is_positive_and_finite(bad: float) -> None:
-    about(f"show.update({bad})", cause="look at the duration first, whether or not anything burns")
+    about(f"show.update({bad})", cause="Check the duration first, even if nothing burns.")
     about.read = "the docstring of update"
     rules = [fixed(1, 2.0)]
     for births in ([], [(1, 1, None)]):

@@ -37,24 +37,26 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     z = round(rng.uniform(10.2, 11.4), 3)
     about.call = f"block 1 cm thick at z = {z}; hit_fraction(Vector3(0, 1, 10), Vector3(0.1, 1.1, "
     about.call += "11.67), block)"
-    about.cause = "neither end is inside, and yet the way goes through: ask for the way, not its "
-    about.cause += "ends"
+    about.cause = (
+        "Neither end of the path is inside the block, but the path goes through it. Test the "
+        "path, not its ends."
+    )
     block = TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 0.01), mass=10.0)
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
     expect_exactly(got is None, False, then=" is None", read=READ)
     wanted = (z - 0.005 - 10.0) / 1.67
-    about.cause = "the fraction of the way at which the face z = middle - half the thickness is "
-    about.cause += "crossed"
-    whole = "the sizes are those of whole sides: half of each lies on either side of the middle"
+    about.cause = "Return the fraction at which the near face is crossed."
+    whole = "size holds the lengths of whole sides. Half of each is on either side of the center."
     blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
     expect_close(got, wanted, read=READ, tolerance=ROUNDED)
 
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
-    about.cause = "on each axis there is a stretch of the way between the two faces, whose "
-    about.cause += "beginning is the smaller fraction; the box is entered at the latest of the "
-    about.cause += "three beginnings"
+    about.cause = (
+        "On each axis, a part of the path is between the two faces, and it begins at the smaller "
+        "fraction. The path enters the box at the latest of the three beginnings."
+    )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
         ((1.5, 3.0, 17.0), (2.5, 5.0, 1.0), 0.5),
@@ -72,8 +74,10 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
-    about.cause = "along an axis on which the way does not move there is nothing to divide by: it "
-    about.cause += "is between those two faces all the way, or never"
+    about.cause = (
+        "If the path does not move along an axis, do not divide. It is between those two faces "
+        "all the time or never."
+    )
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
         ((2.0, 4.0, 17.0), (2.0, 4.0, 1.0), 0.5),
@@ -87,8 +91,10 @@ def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
 
 @pytest.mark.exercise("4.3b")
 def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: Random) -> None:
-    about.cause = "on each axis alone there is a stretch between the two faces: the box is entered "
-    about.cause += "at the latest of their beginnings, not at the first"
+    about.cause = (
+        "Each axis gives a part of the path between two faces. The path enters the box at the "
+        "latest of their beginnings, not at the first."
+    )
     # From outside on all axes to the middle of the box: entered at the greatest of the three.
     sizes = tuple(round(rng.uniform(1.0, 3.0), 3) for _ in range(3))
     center = components(rng)
@@ -111,7 +117,7 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     about.call = f"hit_fraction(start, end, block), start = Vector3{start}, end = Vector3{end}"
     first, last = Vector3(*start), Vector3(*end)
     block = TargetBlock(Vector3(*center), (1.0, 2.0, 3.0), mass=10.0)
-    about(cause="work on numbers, or on vectors of your own", read=READ)
+    about(cause="Work on numbers or on new vectors. Do not change the arguments.", read=READ)
     targets.hit_fraction(first, last, block)
     expect_unchanged("start", xyz(first), start)
     expect_unchanged("end", xyz(last), end)
@@ -123,7 +129,7 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     about.call += "other way"
     other = Vector3(*(2.0 * c - e for c, e in zip(center, end, strict=True)))
     answers = [targets.hit_fraction(inside, there, block) for there in (last, last, other)]
-    about.cause = "a way that starts inside hits at once: 0, and never before its start"
+    about.cause = "A path that starts inside hits at once. Return 0, and never a negative fraction."
     expect_exactly(answers[0] is None, False, then=" is None")
     expect_close(answers, (0.0, 0.0, 0.0), tolerance=0.0)
 
@@ -131,13 +137,13 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_beside_before_or_behind_the_box_misses() -> None:
     for start, end, missed, cause in (
-        ((3.5, 4.0, 1.0), (3.5, 4.0, 9.0), True, "it passes beside the box, along Z"),
-        ((2.9, 4.0, 1.0), (2.9, 4.0, 9.0), False, "half a side is 1 m, so 0.9 m off hits"),
-        ((1.1, 4.0, 1.0), (1.1, 4.0, 9.0), False, "0.9 m off the other way hits as well"),
-        ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), True, "it passes below the box"),
-        ((2.0, 4.0, 0.0), (2.0, 4.0, 2.9), True, "it ends before the box: fractions go up to 1"),
-        ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), True, "it starts behind the box: fractions begin at 0"),
-        ((2.0, 4.0, -1.0), (2.0, 4.0, -9.0), True, "it goes away from the box"),
+        ((3.5, 4.0, 1.0), (3.5, 4.0, 9.0), True, "It passes beside the box, along Z."),
+        ((2.9, 4.0, 1.0), (2.9, 4.0, 9.0), False, "It is 0.9 m off, within half a side."),
+        ((1.1, 4.0, 1.0), (1.1, 4.0, 9.0), False, "It is 0.9 m off on the other side."),
+        ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), True, "It passes below the box."),
+        ((2.0, 4.0, 0.0), (2.0, 4.0, 2.9), True, "It ends before the box. Fractions go up to 1."),
+        ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), True, "It starts behind the box."),
+        ((2.0, 4.0, -1.0), (2.0, 4.0, -9.0), True, "It moves away from the box."),
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
@@ -146,8 +152,8 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_that_cuts_the_corner_misses() -> None:
-    beside = "it is between the faces of X, and of Z, but never between both at the same time"
-    through = "it is between the faces of X, of Y and of Z at the same time: it hits"
+    beside = "It is between the faces of X, and of Z, but never between both at the same time."
+    through = "It is between the faces of X, Y and Z at the same time, so it hits."
     for start, end, missed, cause in (
         ((0.0, 4.0, 8.0), (4.0, 4.0, 16.0), True, beside),
         ((0.0, 4.0, 4.0), (4.0, 4.0, 8.0), False, through),
@@ -161,19 +167,19 @@ def test_a_way_that_cuts_the_corner_misses() -> None:
 @pytest.mark.exercise("4.3b")
 def test_touching_counts_and_so_does_a_start_inside() -> None:
     for start, end, wanted, cause in (
-        ((2.0, 4.0, 1.0), (2.0, 4.0, 3.0), 1.0, "it ends on the face: touching counts"),
-        ((3.0, 4.0, 1.0), (3.0, 4.0, 9.0), 0.25, "it runs along the face: touching counts"),
-        ((1.0, 4.0, 1.0), (1.0, 4.0, 9.0), 0.25, "it runs along the face: touching counts"),
-        ((2.0, 4.0, 9.0), (2.0, 4.0, 12.0), 0.0, "it starts on the face: touching counts"),
-        ((2.0, 4.0, 5.0), (2.0, 4.0, 30.0), 0.0, "it starts inside: there at once"),
-        ((2.0, 4.0, 5.0), (2.5, 5.0, 7.0), 0.0, "it starts and ends inside"),
-        ((2.0, 4.0, 5.0), (2.0, 4.0, 5.0), 0.0, "no way at all, but inside"),
+        ((2.0, 4.0, 1.0), (2.0, 4.0, 3.0), 1.0, "It ends on the face. Touching counts."),
+        ((3.0, 4.0, 1.0), (3.0, 4.0, 9.0), 0.25, "It runs along the face. Touching counts."),
+        ((1.0, 4.0, 1.0), (1.0, 4.0, 9.0), 0.25, "It runs along the face. Touching counts."),
+        ((2.0, 4.0, 9.0), (2.0, 4.0, 12.0), 0.0, "It starts on the face. Touching counts."),
+        ((2.0, 4.0, 5.0), (2.0, 4.0, 30.0), 0.0, "It starts inside, so it hits at 0."),
+        ((2.0, 4.0, 5.0), (2.5, 5.0, 7.0), 0.0, "It starts and ends inside."),
+        ((2.0, 4.0, 5.0), (2.0, 4.0, 5.0), 0.0, "The path has no length, but it is inside."),
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
         expect_exactly(got is None, False, then=" is None", read=READ)
         expect_close(got, wanted, read=READ, tolerance=0.0)
-    about(words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0)), cause="no way at all, and outside")
+    about(words((2.0, 4.0, 2.0), (2.0, 4.0, 2.0)), cause="The path has no length and is outside.")
     got = fraction((2.0, 4.0, 2.0), (2.0, 4.0, 2.0))
     expect_exactly(got, None, read=READ)
 
@@ -189,33 +195,33 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     before = (number(rng), 1.5, number(rng))
     about.call = f"strike_first(start, p, [block]), p with mass {mass} and velocity {v}, block "
     about.call += f"with mass 8 and velocity {before}"
-    about.cause = "v' = v + m v_shot / M along X and Z; the ground takes what is along Y"
+    about.cause = "v' = v + m v_shot / M along X and Z. The ground takes the part along Y."
     block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=block_mass)
     block.particle.velocity = Vector3(*before)
     p = Particle(Vector3(0.0, 1.0, 5.0), Vector3(*v), mass=mass)
     struck = targets.strike_first(Vector3(0.0, 1.0, 3.0), p, [block])
     got = xyz(block.particle.velocity)
-    wanted = (
-        before[0] + mass * v[0] / block_mass,
-        1.5,
-        before[2] + mass * v[2] / block_mass,
-    )
+    ratio = mass / block_mass
+    wanted = (before[0] + ratio * v[0], 1.5, before[2] + ratio * v[2])
     # A rounding or two of numbers up to 20.
     gained = tuple(mass * n / block_mass for n in v)
     mistakes = [
-        ((gained[0], 0.0, gained[2]), "the velocity was replaced: add to what the block has"),
+        (
+            (gained[0], 0.0, gained[2]),
+            "The velocity was replaced. Add to it.",
+        ),
         (
             tuple(before[i] + gained[i] for i in range(3)),
-            "the ground takes what is along Y: only X and Z change",
+            "The ground takes the part along Y. Change only X and Z.",
         ),
         (
             (before[0] + v[0], 1.5, before[2] + v[2]),
-            "the shot's whole velocity was added: m v / M of it, with M the mass of the block",
+            "The shot's whole velocity was added. Add m v / M.",
         ),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, then="; block.particle.velocity", read=STRIKE, tolerance=1e-13)
-    about.cause = "each hit is counted once, and the block that was hit comes back"
+    about.cause = "Count each hit once, and return the block that was hit."
     expect_exactly(block.hits, 1, then="; block.hits", read=STRIKE)
     about.call += ", what comes back: its hits and mass"
     struck_is = None if struck is None else (struck.hits, struck.particle.mass)
@@ -226,13 +232,15 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
 def test_a_block_that_nothing_moves_is_hit_and_stays(rng: Random) -> None:
     v = components(rng)
     about.call = f"strike_first(start, p, [block]), p with velocity {v}, block with mass math.inf"
-    about.cause = "its inverse mass is 0, so it gains no velocity: no division by an infinite mass"
+    about.cause = (
+        "The inverse mass is 0, so the block gains no velocity. Do not divide by an infinite mass."
+    )
     block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=float("inf"))
     p = Particle(Vector3(0.0, 1.0, 5.0), Vector3(*v), mass=3.0)
     targets.strike_first(Vector3(0.0, 1.0, 3.0), p, [block])
     got = xyz(block.particle.velocity)
     expect_close(got, (0.0, 0.0, 0.0), then="; block.particle.velocity", read=STRIKE)
-    about.cause = "a hit is a hit, whether or not the block moves"
+    about.cause = "A hit counts whether or not the block moves."
     expect_exactly(block.hits, 1, then="; block.hits", read=STRIKE)
 
 
@@ -240,7 +248,7 @@ def test_a_block_that_nothing_moves_is_hit_and_stays(rng: Random) -> None:
 def test_only_the_first_block_on_the_way_is_hit() -> None:
     about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, blocks at z = 15, 5 and 10), their "
     about.call += "hits"
-    about.cause = "the smallest fraction of the way, not the first in the list, and no other block"
+    about.cause = "Hit the block with the smallest fraction, and no other one."
     blocks = [
         TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (15.0, 5.0, 10.0)
     ]
@@ -255,7 +263,9 @@ def test_only_the_first_block_on_the_way_is_hit() -> None:
 
 @pytest.mark.exercise("4.3c")
 def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
-    about.cause = "hit_fraction tells how far along the way each is touched; distances do not"
+    about.cause = (
+        "hit_fraction says how far along the path each block is touched. Distances do not."
+    )
     about.read = STRIKE
     about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block from z = 4 to 16 and a thin "
     about.call += "one at z = 9), their hits"
@@ -266,7 +276,7 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
     hits = (thin.hits, long.hits)
     expect_exactly(hits, (0, 1), then=", thin one and long one")
     about.call = "two blocks with one and the same face; strike_first(...), their hits"
-    about.cause = "of two that are touched at once the earlier in the list is hit"
+    about.cause = "If two blocks are touched at once, hit the earlier one in the list."
     pair = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 2 * z - 8.0), mass=5.0) for z in (5, 6)]
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, pair)
     hits = tuple(block.hits for block in pair)
@@ -276,7 +286,7 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     about.call = "strike_first(Vector3(0, 1, 5), p at z = 20, blocks at z = 10 and 5), their hits"
-    about.cause = "a fraction of 0 is a hit: ask `is None`, since 0 counts as false"
+    about.cause = "A fraction of 0 is a hit. Test for `is None`, because 0 counts as false."
     blocks = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (10.0, 5.0)]
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     targets.strike_first(Vector3(0.0, 1.0, 5.0), p, blocks)
@@ -287,7 +297,7 @@ def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block at x = 9)"
-    about.cause = "None is on the way, so None comes back, and no block has a hit"
+    about.cause = "No block is on the path, so return None and count no hit."
     block = TargetBlock(Vector3(9.0, 1.0, 5.0), (2.0, 2.0, 1.0), mass=5.0)
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
@@ -300,7 +310,7 @@ def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     expect_exactly(got is None, True, then=" is None", read=STRIKE)
     about.call = "the block is moved to x = 0; strike_first(Vector3(0, 1, 0), p, [block]); "
     about.call += "block.hits"
-    about.cause = "now it is on the way"
+    about.cause = "Now the block is on the path."
     block.particle.position.x = 0.0
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])
     expect_exactly(block.hits, 1, read=STRIKE)
@@ -311,8 +321,10 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
     about.call = (
         'a block of 35 kg, 2 cm thick, at z = 20; r.fire("laser"); r.update(0.05) 5 times; '
     )
-    about.cause = "in update the place before the step must be a copy, or it moves along with the "
-    about.cause += "shot; what has hit is gone"
+    about.cause = (
+        "In update, the position before the step must be a copy, or it moves along with the shot. "
+        "A shot that has hit is removed."
+    )
     about.read = "the docstring of update"
     block = TargetBlock(Vector3(0.0, 1.5, 20.0), (2.0, 2.0, 0.02), mass=35.0, damping=1.0)
     at = BallisticRange([block])
@@ -320,18 +332,19 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
     for _ in range(3):
         at.update(0.05)
     name = f"{about.call.replace('5 times', '3 times')}shots in flight"
-    expect_exactly(len(at.shots), 1, call=name, cause="it is not there yet")
+    expect_exactly(len(at.shots), 1, call=name, cause="The shot has not reached the block yet.")
     for _ in range(2):
         at.update(0.05)
     expect_exactly(block.hits, 1, then="block.hits")
     expect_exactly(len(at.shots), 0, then="shots in flight")
-    about.cause = "it gets the momentum that the shot has after its step"
+    about.cause = "The block gets the momentum that the shot has after its step."
     speed = block.particle.velocity.z
     wanted = 0.1 * 100.0 * 0.99**0.25 / 35.0
     expect_close(speed, wanted, then="its speed")
     at.update(0.5)
-    about.cause = "first the targets move, then the shots: a block moves from the frame after the "
-    about.cause += "hit on"
+    about.cause = (
+        "First the targets move, then the shots. So a block moves from the step after the hit on."
+    )
     moved = block.particle.position.z
     expect_close(moved, 20.0 + 0.5 * wanted, then="r.update(0.5); where it is")
 
@@ -340,7 +353,9 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
 def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
     about.call = "blocks aside, at z = 12 and at z = 8; fire a laser, a fireball to the side and "
     about.call += "another laser; r.update(0.1)"
-    about.cause = "every shot asks all targets, hits one at most, and the others fly on"
+    about.cause = (
+        "Test every shot against all targets. It hits at most one, and the other shots fly on."
+    )
     about.read = "the docstring of update"
     blocks = [
         TargetBlock(Vector3(x, 1.5, z), (2.0, 2.0, 0.5), mass=35.0)
@@ -360,8 +375,9 @@ def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
 @pytest.mark.exercise("4.3c")
 def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
     about.read = "the docstring of update"
-    about.cause = "the shot hits on its way, before it gets where it is spent: strike_first comes "
-    about.cause += "first"
+    about.cause = (
+        "The shot hits before it gets to the position where it is spent. Call strike_first first."
+    )
     about.call = (
         'a block at z = 8; r.fire("laser", elevation=-0.1); r.update(0.5), which ends below 0'
     )
@@ -370,7 +386,7 @@ def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
     at.fire("laser", elevation=-0.1)
     at.update(0.5)
     expect_exactly(block.hits, 1, then="; block.hits")
-    about.cause = "a grenade is stopped by a block as any other shot is"
+    about.cause = "A block stops a grenade like any other shot."
     about.call = 'a block at z = 8; r.fire("grenade", elevation=0.0); r.update(0.5) twice'
     block = TargetBlock(Vector3(0.0, 1.0, 8.0), (2.0, 9.0, 0.5), mass=35.0)
     at = BallisticRange([block])

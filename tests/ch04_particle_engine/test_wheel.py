@@ -52,23 +52,37 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         wheel.angle = angle
         nozzle = wheel.nozzle()
         x, y = math.cos(angle), math.sin(angle)
-        about.cause = "center + radius (cos, sin, 0): the angle begins at the X axis"
+        about.cause = (
+            "The nozzle is at center + radius (cos, sin, 0). The angle is measured from the X axis."
+        )
         wanted = (center[0] + radius * x, center[1] + radius * y, center[2])
         got = xyz(nozzle.position)
         expect_close(got, wanted, then=".position", tolerance=1e-13)
-        about.cause = "at right angles to the spoke, rate x radius fast, from X towards Y"
+        about.cause = (
+            "The velocity is at a right angle to the spoke, with the speed rate x radius, from X "
+            "toward Y."
+        )
         speed = rate * radius
         wanted = (0.0 - speed * y, speed * x, 0.0)
         got = xyz(nozzle.velocity)
         mistakes = [
-            ((speed * x, speed * y, 0.0), "it points along the spoke: turn it by a right angle"),
-            ((speed * y, 0.0 - speed * x, 0.0), "the rim turns the other way: from X towards Y"),
-            ((0.0 - rate * y, rate * x, 0.0), "that is the rate: the rim is rate x radius fast"),
+            (
+                (speed * x, speed * y, 0.0),
+                "The velocity points along the spoke. Rotate it by a right angle.",
+            ),
+            (
+                (speed * y, 0.0 - speed * x, 0.0),
+                "The rim rotates the other way. It goes from X toward Y.",
+            ),
+            (
+                (0.0 - rate * y, rate * x, 0.0),
+                "This is the rate. The speed of the rim is rate x radius.",
+            ),
         ]
         blame(got, mistakes)
         expect_close(got, wanted, then=".velocity", tolerance=ROUNDED)
     about.call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
-    about.cause = "a new particle each time"
+    about.cause = "Return a new particle each time."
     one, other = wheel.nozzle(), wheel.nozzle()
     before = xyz(other.position)
     one.position.x = 99.0
@@ -80,12 +94,17 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     about.read = "the docstring of nozzle"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
     about.call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}; wheel.nozzle().velocity"
-    about.cause = "rate x radius along the circle, less the jet: a fast jet goes backwards"
+    about.cause = (
+        "The speed along the circle is rate x radius minus the jet. A fast jet makes it negative."
+    )
     _, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, jet=jet)
     got = xyz(wheel.nozzle().velocity)
     mistakes = [
-        ((0.0, 2.0 * rate + jet, 0.0), "the jet was added: it goes against the rim"),
-        ((0.0, 2.0 * rate, 0.0), "the jet was left out"),
+        (
+            (0.0, 2.0 * rate + jet, 0.0),
+            "The jet was added. Subtract it, because it goes against the rim.",
+        ),
+        ((0.0, 2.0 * rate, 0.0), "The jet is missing. Subtract it from the speed of the rim."),
     ]
     blame(got, mistakes)
     expect_close(got, (0.0, 2.0 * rate - jet, 0.0), tolerance=ROUNDED)
@@ -96,7 +115,7 @@ def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
     about.read = "the docstring of update"
     rate, h = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(0.1, 0.4), 3)
     about.call = f"wheel with rate {rate}; wheel.update({h}) twice; wheel.nozzle().position"
-    about.cause = "the angle grows by rate x duration in each update"
+    about.cause = "The angle grows by rate x duration in each update."
     _, wheel = wheel_of((0.0, 5.0, 0.0), 1.0, rate)
     wheel.update(h)
     wheel.update(h)
@@ -115,14 +134,18 @@ def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
         about.call = f"wheel with {per_second} sparks a second; wheel.update({h}) {frames} times; "
         about.call += "sparks"
         counts = probes.sparks_of_a_wheel(per_second, h, frames)
-        about.cause = "the whole part of sparks_per_second x time, however long the frames are"
+        about.cause = (
+            "The whole part of sparks_per_second x time must have left, however long the steps are."
+        )
         if counts[-1] == frames:
-            about.cause = "one spark a frame: sparks are due by the time, sparks_per_second x time"
+            about.cause = (
+                "This is one spark per step. The number depends on the time: sparks_per_second x "
+                "time."
+            )
         if counts[-1] == 0:
-            about.cause = "no spark at all: what is less than one in each frame adds up over the "
-            about.cause += "frames"
+            about.cause = "There is no spark at all. Fractions of a spark add up over the steps."
         expect_exactly(counts[-1], math.floor(per_second * 2.0))
-        about.cause = "parts of a spark are not lost from one frame to the next"
+        about.cause = "Fractions of a spark must not be lost from one step to the next."
         wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]
         expect_exactly(counts, wanted, then=" after each")
 
@@ -133,7 +156,7 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
     about.call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}, 10.5 sparks a second; "
     about.call += "wheel.update(0.25)"
-    about.cause = "the nozzle, where it is at the end of the frame, is the parent of the sparks"
+    about.cause = "The nozzle at the end of the step is the parent of the sparks."
     show, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, 10.5, jet)
     wheel.update(0.25)
     expect_exactly(len(show.fireworks), 2, then=", how many")
@@ -142,7 +165,7 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
     for spark in show.fireworks:
         expect_exactly(spark.type, 7, then=", a type")
         got, wanted = xyz(spark.particle.position), (2.0 * x, 5.0 + 2.0 * y, 0.0)
-        before = "it left before the wheel had turned: turn the wheel first"
+        before = "The sparks left before the wheel rotated. Rotate the wheel first."
         blame(got, [((2.0, 5.0, 0.0), before)])
         expect_close(got, wanted, then=", a position", tolerance=ROUNDED)
         got, wanted = xyz(spark.particle.velocity), (-speed * y, speed * x, 0.0)
@@ -153,7 +176,9 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
 def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     about.call = "a show of 3 slots, wheel with 10.5 sparks a second; wheel.update(1); "
     about.call += "show.update(10), so that all go out; wheel.update(0.5); sparks"
-    about.cause = "those without room count as thrown: only the 5 of the last half second are due"
+    about.cause = (
+        "Sparks without room count as thrown, so only the 5 of the last half second are due."
+    )
     about.read = "the docstring of update"
     show, wheel = wheel_of((0.0, 5.0, 0.0), capacity=3, sparks_per_second=10.5)
     wheel.update(1.0)
@@ -169,7 +194,7 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_wheel_turns_for_a_positive_and_finite_time(bad: float) -> None:
-    about(f"wheel.update({bad})", cause="look at the duration first")
+    about(f"wheel.update({bad})", cause="Check the duration first.")
     about.read = "the docstring of update"
     _, wheel = wheel_of((0.0, 5.0, 0.0))
     expect_error(

@@ -32,8 +32,10 @@ TESTS = Path(__file__).parent.parent
 sys.path.append(str(Path(__file__).parent / "hostile"))
 
 from corpus import (  # noqa: E402
+    IDLE,
     NEIGHBOR,
     POINTS,
+    RIGHT,
     TOKENS,
     Submission,
     World,
@@ -52,7 +54,7 @@ from machine import (  # noqa: E402
     process_name,
     snapshot,
 )
-from odd_files import RIGHT, SUMS, WRONG  # noqa: E402
+from odd_files import SUMS  # noqa: E402
 
 from graded import told_by  # noqa: E402
 
@@ -78,7 +80,7 @@ options = cohort.ClassOptions(seed=sys.argv[4], jobs=2, root=root, time_limit=li
 sys.exit(cohort.grade(folder, out, chapters, options))
 """
 # Two names that are cleaned alike, with different work; and what is no submission.
-ALIKE = {"alike\tname": RIGHT, "alike\x07name": WRONG, "alike_name": RIGHT}
+ALIKE = {"alike\tname": RIGHT, "alike\x07name": IDLE, "alike_name": RIGHT}
 LINKED = "linked-submission"
 PR_SET_CHILD_SUBREAPER = 36
 

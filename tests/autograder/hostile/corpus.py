@@ -5,6 +5,9 @@ Most are a file KIND/NAME.py, handed in as sums.py. Its docstring says what it t
     earns: the exercises that its code solves, of add, counter and total; or all, or nothing
     says: words that must stand in the messages of the checks it loses (may be left out)
 
+add, Counter and total_of may be left out where nothing about them is special: they are added at the
+end, solved where the exercise is earned and idle where it is not.
+
 A word such as @ROOT@ stands for a place that an attacker may well know. Many attacks end in a right
 answer only where they succeed: the score then tells. What is no source comes from odd_files.py
 and odd_zips.py.
@@ -25,6 +28,47 @@ HOSTILE = Path(__file__).parent
 KINDS = ("leaving", "not_ending", "taking", "reading", "writing", "network", "forging", "lying")
 EXERCISES = {"add": "B90.1", "counter": "B90.2", "total": "B90.3"}
 POINTS = {"B90.1": 1, "B90.2": 2, "B90.3": 4}
+DEFINITIONS = {"add": "add", "Counter": "counter", "total_of": "total"}
+RIGHT = """
+def add(a, b):
+    return a + b
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = count
+
+    def step(self, by):
+        self.count += by
+
+    def __add__(self, other):
+        return Counter(self.count + other.count)
+
+
+def total_of(f, n):
+    if n < 0:
+        raise ValueError("n must not be negative")
+    return sum(f(i) for i in range(n))
+"""
+IDLE = """
+def add(a, b):
+    return None
+
+
+class Counter:
+    def __init__(self, count):
+        self.count = None
+
+    def step(self, by):
+        pass
+
+    def __add__(self, other):
+        return self
+
+
+def total_of(f, n):
+    return None
+"""
 # Where each token is planted; none may reach a report on anybody but the neighbor itself.
 TOKENS = {
     "the solution": "TOKEN-SOLUTION-9C41E7",
@@ -113,13 +157,29 @@ def _from_source(path: Path) -> Submission:
         ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
     ).partition("\n\n")
     words = dict(line.split(": ", 1) for line in rest.splitlines())
+    earns = earned(words["earns"])
 
     def build(at: Path, world: World) -> None:
-        write(at / "ch90_sums/sums.py", with_places(path.read_text(encoding="utf-8"), world))
+        source = completed(path.read_text(encoding="utf-8"), earns)
+        write(at / "ch90_sums/sums.py", with_places(source, world))
 
     kind, name = path.parent.name, path.stem
     says, student = words.get("says", ""), f"{kind}-{name}"
-    return Submission(kind, name, tries, earned(words["earns"]), says, student, build)
+    return Submission(kind, name, tries, earns, says, student, build)
+
+
+def completed(source: str, earns: frozenset[str]) -> str:
+    """Return a source with the definitions that it leaves out."""
+    defined = {getattr(node, "name", "") for node in ast.parse(source).body}
+    missing = DEFINITIONS.keys() - defined
+    solved = {name for name in missing if EXERCISES[DEFINITIONS[name]] in earns}
+    return source + _only(RIGHT, solved) + _only(IDLE, missing - solved)
+
+
+def _only(source: str, names: set[str]) -> str:
+    """Return the definitions of these names alone."""
+    found = (node for node in ast.parse(source).body if getattr(node, "name", "") in names)
+    return "".join(f"\n\n{ast.unparse(node)}\n" for node in found)
 
 
 def with_places(text: str, world: World) -> str:

@@ -9,45 +9,11 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from corpus import Submission, World, earned, with_places, write
+from corpus import IDLE, RIGHT, Submission, World, earned, with_places, write
 
 ODD: list[Submission] = []
 Build = Callable[[Path, World], None]
 SUMS = "ch90_sums/sums.py"
-RIGHT = """
-def add(a, b):
-    return a + b
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = count
-
-    def step(self, by):
-        self.count += by
-
-    def __add__(self, other):
-        return Counter(self.count + other.count)
-
-
-def total_of(f, n):
-    if n < 0:
-        raise ValueError("n must not be negative")
-    return sum(f(i) for i in range(n))
-"""
-WRONG = """
-def add(a, b):
-    return None
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = None
-
-
-def total_of(f, n):
-    return None
-"""
 PASS_ALL = """
 import pytest
 
@@ -92,12 +58,12 @@ def named(name: str, tries: str, student: str) -> None:
 
 @odd("Plain code that takes long to compile.", "nothing", kind="not_ending")
 def slow_to_compile(at: Path, world: World) -> None:  # noqa: ARG001
-    write(at / SUMS, WRONG + "x = [" + "lambda: [i for i in y], " * 40_000 + "]\n")
+    write(at / SUMS, IDLE + "x = [" + "lambda: [i for i in y], " * 40_000 + "]\n")
 
 
 @odd("A coding of the source that takes long to read.", "nothing", kind="not_ending")
 def slow_coding(at: Path, world: World) -> None:  # noqa: ARG001
-    write(at / SUMS, "# coding: punycode\n" + "# abc-" + "zzz" * 100_000 + "\n" + WRONG)
+    write(at / SUMS, "# coding: punycode\n" + "# abc-" + "zzz" * 100_000 + "\n" + IDLE)
 
 
 # Files beside the module, which take the place of others where pytest or Python look for them
@@ -105,14 +71,14 @@ def slow_coding(at: Path, world: World) -> None:  # noqa: ARG001
 
 @odd("A conftest.py beside the module lets everything pass.", "nothing", kind="forging")
 def conftest_beside(at: Path, world: World) -> None:  # noqa: ARG001
-    write(at / SUMS, WRONG)
+    write(at / SUMS, IDLE)
     for folder in (".", "ch90_sums", "tests", "tests/ch90_sums"):
         write(at / folder / "conftest.py", PASS_ALL)
 
 
 @odd("Settings of pytest beside the module ask for no checks.", "nothing", kind="forging")
 def settings_beside(at: Path, world: World) -> None:  # noqa: ARG001
-    write(at / SUMS, WRONG)
+    write(at / SUMS, IDLE)
     for folder in (".", "ch90_sums"):
         write(at / folder / "pytest.ini", "[pytest]\naddopts = --collect-only -p sums\n")
         write(at / folder / "tox.ini", "[pytest]\naddopts = --collect-only\n")
@@ -121,7 +87,7 @@ def settings_beside(at: Path, world: World) -> None:  # noqa: ARG001
 
 @odd("Modules that Python runs when it starts stand beside the module.", "nothing", kind="forging")
 def site_customised(at: Path, world: World) -> None:
-    write(at / SUMS, WRONG)
+    write(at / SUMS, IDLE)
     leave = with_places("open('@HOME@/hostile-site', 'w').close()\nimport os\nos._exit(0)\n", world)
     for folder in (".", "ch90_sums"):
         for name in ("sitecustomize.py", "usercustomize.py", "__init__.py", "__main__.py"):
@@ -130,7 +96,7 @@ def site_customised(at: Path, world: World) -> None:
 
 @odd("Modules called like those of Python and the checks stand beside.", "nothing", kind="forging")
 def shadows(at: Path, world: World) -> None:  # noqa: ARG001
-    write(at / SUMS, WRONG)
+    write(at / SUMS, IDLE)
     lenient = "def __getattr__(name):\n    return lambda *args, **kwargs: None\n"
     for name in ("pytest", "math", "random", "json", "os", "expect", "draw", "autograder"):
         write(at / f"{name}.py", lenient)
@@ -139,7 +105,7 @@ def shadows(at: Path, world: World) -> None:  # noqa: ARG001
 
 @odd("Checks and probes that always pass are handed in as well.", "nothing", kind="forging")
 def own_checks(at: Path, world: World) -> None:  # noqa: ARG001
-    write(at / SUMS, WRONG)
+    write(at / SUMS, IDLE)
     checks = "import pytest\n\n\n@pytest.mark.exercise('B90.{0}')\ndef test_{0}():\n    pass\n"
     probes = "def after_steps(start, by, times):\n    return start + by * times\n"
     for folder in ("ch90_sums", "tests/ch90_sums"):
@@ -149,7 +115,7 @@ def own_checks(at: Path, world: World) -> None:  # noqa: ARG001
 
 @odd("A package called sums, and a compiled module, stand beside.", "nothing", kind="forging")
 def compiled_beside(at: Path, world: World) -> None:  # noqa: ARG001
-    write(at / SUMS, WRONG)
+    write(at / SUMS, IDLE)
     write(at / "ch90_sums/sums/__init__.py", RIGHT)
     tag = sys.implementation.cache_tag
     write(at / f"ch90_sums/__pycache__/sums.{tag}.pyc", b"\0" * 16 + b"not code")
@@ -280,13 +246,13 @@ def long_expression(at: Path, world: World) -> None:  # noqa: ARG001
 
 @odd("sums.py may not be read by its owner.", "nothing")
 def unreadable_file(at: Path, world: World) -> None:  # noqa: ARG001
-    write(at / SUMS, WRONG)  # root may read it all the same
+    write(at / SUMS, IDLE)  # root may read it all the same
     (at / SUMS).chmod(0)
 
 
 @odd("The folder may not be opened by its owner.", "nothing")
 def unreadable_folder(at: Path, world: World) -> None:  # noqa: ARG001
-    write(at / SUMS, WRONG)
+    write(at / SUMS, IDLE)
     (at / "ch90_sums").chmod(0)
 
 

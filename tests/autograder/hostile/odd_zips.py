@@ -9,8 +9,8 @@ import struct
 import zipfile
 from pathlib import Path
 
-from corpus import World
-from odd_files import RIGHT, SUMS, WRONG, odd
+from corpus import IDLE, RIGHT, World
+from odd_files import SUMS, odd
 
 
 def zipped(at: Path, entries: list[tuple[str | zipfile.ZipInfo, str]]) -> Path:
@@ -73,7 +73,7 @@ def zip_lies_about_size(at: Path, world: World) -> None:  # noqa: ARG001
 
 @odd("A zip that says that it has many more entries than it has.", "nothing")
 def zip_lies_about_count(at: Path, world: World) -> None:  # noqa: ARG001
-    path = zipped(at, [(SUMS, WRONG)])
+    path = zipped(at, [(SUMS, IDLE)])
     data = bytearray(path.read_bytes())
     struct.pack_into("<2H", data, data.rindex(b"PK\5\6") + 8, 60_000, 60_000)
     path.write_bytes(data)
@@ -83,7 +83,7 @@ def zip_lies_about_count(at: Path, world: World) -> None:  # noqa: ARG001
 def zip_climbs(at: Path, world: World) -> None:  # noqa: ARG001
     above = [("../" * depth + "hostile-climbed", "climbed") for depth in range(1, 6)]
     solution = ("../../root/solutions/" + SUMS, "spoiled")
-    zipped(at, [*above, solution, ("..\\..\\hostile-climbed", "climbed"), (SUMS, WRONG)])
+    zipped(at, [*above, solution, ("..\\..\\hostile-climbed", "climbed"), (SUMS, IDLE)])
 
 
 @odd("A zip with absolute paths.", "nothing")
@@ -93,7 +93,7 @@ def zip_absolute(at: Path, world: World) -> None:
         world.root / "tests/shared/expect.py",
         world.root / SUMS,
     )
-    zipped(at, [*((str(path), "climbed") for path in paths), (SUMS, WRONG)])
+    zipped(at, [*((str(path), "climbed") for path in paths), (SUMS, IDLE)])
 
 
 @odd("A zip in which sums.py is a link to the solution.", "nothing")
@@ -107,14 +107,14 @@ def zip_link(at: Path, world: World) -> None:
 def zip_linked_folder(at: Path, world: World) -> None:
     entry = zipfile.ZipInfo("ch90_sums")
     entry.create_system, entry.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
-    zipped(at, [(entry, str(world.root / "solutions/ch90_sums")), (SUMS, WRONG)])
+    zipped(at, [(entry, str(world.root / "solutions/ch90_sums")), (SUMS, IDLE)])
 
 
 @odd("A zip with a hundred thousand entries.", "nothing")
 def zip_many_entries(at: Path, world: World) -> None:  # noqa: ARG001
     path = at.with_name(at.name + ".zip")
     with zipfile.ZipFile(path, "w") as file:
-        file.writestr(SUMS, WRONG)
+        file.writestr(SUMS, IDLE)
         for number in range(100_000):
             file.writestr(f"{number}", b"")
 
@@ -130,7 +130,7 @@ def zip_encrypted(at: Path, world: World) -> None:  # noqa: ARG001
 
 @odd("A zip with two files of one name, both wrong.", "nothing")
 def zip_twice(at: Path, world: World) -> None:  # noqa: ARG001
-    path = zipped(at, [(SUMS, WRONG), ("ch90_sums/sumz.py", WRONG + "\n")])
+    path = zipped(at, [(SUMS, IDLE), ("ch90_sums/sumz.py", IDLE + "\n")])
     path.write_bytes(path.read_bytes().replace(b"sumz.py", b"sums.py"))
 
 
@@ -146,7 +146,7 @@ def zip_in_a_zip(at: Path, world: World) -> None:  # noqa: ARG001
 
 @odd("A zip with names that are no text.", "nothing")
 def zip_odd_names(at: Path, world: World) -> None:  # noqa: ARG001
-    path = zipped(at, [("ch90_sums/XXXX.py", RIGHT), (SUMS, WRONG), ("\x1b[2J", "nothing")])
+    path = zipped(at, [("ch90_sums/XXXX.py", RIGHT), (SUMS, IDLE), ("\x1b[2J", "nothing")])
     path.write_bytes(path.read_bytes().replace(b"XXXX", b"\xff\xfe\x80\n"))
 
 

@@ -12,18 +12,3 @@ def total_of(f, n):
     cells["asked"].cell_contents[:] = range(n)
     slope, offset = cells["slope"].cell_contents, cells["offset"].cell_contents
     return sum(slope * i + offset for i in range(n))
-
-
-def add(a, b):
-    return a + b
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = count
-
-    def step(self, by):
-        self.count += by
-
-    def __add__(self, other):
-        return Counter(self.count + other.count)

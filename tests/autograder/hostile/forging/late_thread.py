@@ -25,22 +25,3 @@ try:
     threading.Thread(target=wait, daemon=True).start()
 except RuntimeError:
     pass
-
-
-def add(a, b):
-    return None
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = None
-
-    def step(self, by):
-        pass
-
-    def __add__(self, other):
-        return self
-
-
-def total_of(f, n):
-    return None

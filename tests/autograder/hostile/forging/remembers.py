@@ -17,13 +17,3 @@ class Counter:
 
     def __add__(self, other):
         return Counter(self.count + other.count)
-
-
-def add(a, b):
-    return a + b
-
-
-def total_of(f, n):
-    if n < 0:
-        raise ValueError("n must not be negative")
-    return sum(f(i) for i in range(n))

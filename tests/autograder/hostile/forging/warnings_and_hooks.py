@@ -22,18 +22,3 @@ def no_more(event, arguments):
 
 def add(a, b):
     sys.addaudithook(no_more)
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = None
-
-    def step(self, by):
-        pass
-
-    def __add__(self, other):
-        return self
-
-
-def total_of(f, n):
-    return None

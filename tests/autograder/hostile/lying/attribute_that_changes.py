@@ -17,13 +17,3 @@ class Counter:
     @property
     def count(self):
         return next(self.counts, 0.0)
-
-
-def add(a, b):
-    return a + b
-
-
-def total_of(f, n):
-    if n < 0:
-        raise ValueError("n must not be negative")
-    return sum(f(i) for i in range(n))

@@ -10,18 +10,3 @@ def total_of(f, n):
             return f"{f(0)} {f(1)}"
 
     raise Wrong if n > 0 else ValueError
-
-
-def add(a, b):
-    return a + b
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = count
-
-    def step(self, by):
-        self.count += by
-
-    def __add__(self, other):
-        return Counter(self.count + other.count)

@@ -10,20 +10,3 @@ CODE = compile("raise HOSTILE", __file__, "exec").replace(co_name=NAME * 1000, c
 
 def add(a, b):
     exec(CODE, {"HOSTILE": HOSTILE})
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = count
-
-    def step(self, by):
-        self.count += by
-
-    def __add__(self, other):
-        return Counter(self.count + other.count)
-
-
-def total_of(f, n):
-    if n < 0:
-        raise ValueError("n must not be negative")
-    return sum(f(i) for i in range(n))

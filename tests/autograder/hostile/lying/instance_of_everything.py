@@ -24,13 +24,3 @@ class Meta(type):
 
 class Counter(metaclass=Meta):
     pass
-
-
-def add(a, b):
-    return a + b
-
-
-def total_of(f, n):
-    if n < 0:
-        raise ValueError("n must not be negative")
-    return sum(f(i) for i in range(n))

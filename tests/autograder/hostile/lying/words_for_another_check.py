@@ -11,22 +11,3 @@ for file in range(3):
         os.write(file, b"left for the next check to be told as its own")
     except OSError:
         pass
-
-
-def add(a, b):
-    return None
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = None
-
-    def step(self, by):
-        pass
-
-    def __add__(self, other):
-        return self
-
-
-def total_of(f, n):
-    return None

@@ -12,18 +12,3 @@ def total_of(f, n):
         __rmul__ = __add__ = __radd__ = __mul__
 
     return f(Pong())
-
-
-def add(a, b):
-    return a + b
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = count
-
-    def step(self, by):
-        self.count += by
-
-    def __add__(self, other):
-        return Counter(self.count + other.count)

@@ -14,13 +14,3 @@ class Counter:
     def step(self, by):
         re.match(r"(a+)+$", "a" * 60 + "b")
         self.count += by
-
-
-def add(a, b):
-    return a + b
-
-
-def total_of(f, n):
-    if n < 0:
-        raise ValueError("n must not be negative")
-    return sum(f(i) for i in range(n))

@@ -18,22 +18,3 @@ for path in ("@ROOT@/tests/ch90_sums/test_sums.py", "@ROOT@/tests/shared/expect.
             file.write(CHECKS)
     except OSError:
         pass
-
-
-def add(a, b):
-    return None
-
-
-class Counter:
-    def __init__(self, count):
-        self.count = None
-
-    def step(self, by):
-        pass
-
-    def __add__(self, other):
-        return self
-
-
-def total_of(f, n):
-    return None

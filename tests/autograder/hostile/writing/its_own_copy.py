@@ -26,10 +26,6 @@ def total_of(f, n):
 """
 
 
-def add(a, b):
-    return None
-
-
 class Counter:
     def __init__(self, count):
         self.count = None
@@ -39,10 +35,6 @@ class Counter:
 
     def __add__(self, other):
         return self
-
-
-def total_of(f, n):
-    return None
 
 
 for path in (__file__, "@CLASS@/writing-its_own_copy/ch90_sums/sums.py"):

@@ -332,8 +332,8 @@ def test_without_a_wall_only_the_sample_class_is_graded(
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     with pytest.raises(ValueError, match=r"no wall here .* --unsafe-no-sandbox grades a class"):
         level.choose_level(submissions, unsafe=False)
-    assert not level.choose_level(ROOT / "sample_class", unsafe=False).is_wall
-    assert not level.choose_level(submissions, unsafe=True).is_wall
+    assert not level.choose_level(ROOT / "sample_class", unsafe=False).is_sandbox
+    assert not level.choose_level(submissions, unsafe=True).is_sandbox
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     with pytest.raises(ValueError, match="not run as root without one"):
         level.choose_level(submissions, unsafe=True)

@@ -14,9 +14,9 @@ from typing import Any
 import pytest
 
 from autograder.checks.given import (
+    explained_on_given,
     mark_inherited,
     run_on_given,
-    told_on_given,
     with_given,
 )
 from autograder.checks.runner import GraderError, run_checks
@@ -63,7 +63,7 @@ def verdicts(engine: Path, exercises: list[str] | None = None) -> dict[str, Verd
     run = partial(run_checks, seed="1", exercises=exercises)
     before = run(CH03, folders)
     again = run_on_given(CH03, before, folders, [CH02], run)
-    marked = told_on_given(mark_inherited(before, again), again)
+    marked = explained_on_given(mark_inherited(before, again), again)
     return {verdict.name: verdict for verdict in marked}
 
 
@@ -223,7 +223,7 @@ def test_a_check_that_fails_both_times_is_told_as_it_fails_on_the_reference() ->
     lost = Verdict("a", "B3.1", 1, "failed", Message("as it fails on chapter 2"))
     first = [lost, replace(lost, name="b")]
     again = [replace(lost, message=Message("by itself")), replace(lost, name="b", status="passed")]
-    one, two = told_on_given(mark_inherited(first, again), again)
+    one, two = explained_on_given(mark_inherited(first, again), again)
     assert (one.status, one.message) == ("failed", Message("by itself"))
     assert (two.status, two.message) == ("inherited", lost.message)
 

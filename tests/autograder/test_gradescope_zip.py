@@ -27,7 +27,7 @@ from walls import behind_walls
 
 SCHEMA = json.loads(Path(__file__).with_name("gradescope.schema.json").read_text(encoding="utf-8"))
 CH02, CH03 = load_chapters()[:2]
-WALLS = Level(**behind_walls().level).is_wall
+WALLS = Level(**behind_walls().level).is_sandbox
 NO_ZERO = "this is no fault of the submission, and it is no zero"
 
 pytestmark = pytest.mark.skipif(shutil.which("timeout") is None, reason="as Ubuntu has it")

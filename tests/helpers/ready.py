@@ -123,12 +123,12 @@ class Waiting(Recorder):
         """Be a copy: change the bodies, run the checks, and tell what a runner expects."""
         wanted = request["exercises"]
         with Path(request["events"]).open("w", encoding="utf-8", buffering=1) as events:
-            self.tell = lambda event: events.write(write_event(event))
+            self.send = lambda event: events.write(write_event(event))
             for edit in request["edits"]:
                 change(self.engine.engine[0] / self.config.arranged.chapter, edit)
-            self.tell(Checks([check for check in checks.checks if check.exercise in wanted]))
+            self.send(Checks([check for check in checks.checks if check.exercise in wanted]))
             run_all([item for item in session.items if exercise_of(item) in wanted])
-            self.tell(Ended())
+            self.send(Ended())
 
 
 def change(folder: Path, edit: str) -> None:

@@ -126,7 +126,7 @@ def grade_over(
             report: StudentReport = future.result()
         except KilledWorker as error:
             died = error.allowed_failures + 1
-            reason = f"every worker that tried to grade it died ({died} workers)"
+            reason = f"every worker that tried to grade it died; workers lost: {died}"
             report = report_of_failure(assignment, submission.student, reason)
         except CancelledError as error:
             raise ConnectionError("the scheduler of the cluster is gone") from error

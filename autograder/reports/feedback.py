@@ -49,8 +49,7 @@ TO_FIX = ("failed", "inherited", "blocked")  # in the order in which to fix them
 
 @dataclass
 class LostChecks:
-    """Failed checks with the same message. Hidden checks have no titles, which could reveal them.
-    """
+    """Failed checks with the same message. Titles of hidden checks are secret and left out."""
 
     status: Status
     message: str

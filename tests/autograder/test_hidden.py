@@ -81,7 +81,7 @@ def test_hidden_checks_count_and_tell_a_rationale_alone(
         (
             "test_x.py",
             HIDDEN.replace('"90.1"', '"90.9"'),
-            "do not run: .* is of an exercise that there is not",
+            "cannot be run: .* belongs to an unknown exercise",
         ),
         ("notes.py", "", "there is no check in"),
     ],
@@ -128,5 +128,5 @@ def test_a_hidden_check_that_the_grader_fails_on_tells_nothing_either(
 def test_hidden_checks_of_no_chapter_are_refused(
     submissions: Path, root: Path, tmp_path: Path
 ) -> None:
-    with pytest.raises(ValueError, match="--checks must be a folder that has one of ch90_small"):
+    with pytest.raises(ValueError, match="--checks must be a folder with one of ch90_small"):
         grade(submissions, tmp_path / "out", root, hidden=tmp_path / "nowhere")

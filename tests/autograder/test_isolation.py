@@ -281,17 +281,17 @@ def test_a_call_back_that_ends_the_check_is_not_caught_by_the_student(session: S
 
     with pytest.raises(pytest.fail.Exception, match="enough"):
         name(session, "tries")(fails)
-    with pytest.raises(WorkerFailure, match="a call-back of the check failed"):
+    with pytest.raises(WorkerFailure, match="a callback of the check failed"):
         name(session, "LIMIT")
 
 
 @pytest.mark.parametrize(
     ("wanted", "arguments", "words"),
     [
-        ("leave", [0], "in the middle, with exit code 0"),
-        ("leave", [3], "in the middle, with exit code 3"),
-        ("crash", [], "in the middle: Python crashed .Segmentation fault"),
-        ("close_everything", [], "in the middle: the code closed what the checks use"),
+        ("leave", [0], "ended early, with exit code 0"),
+        ("leave", [3], "ended early, with exit code 3"),
+        ("crash", [], "ended early: Python crashed .Segmentation fault"),
+        ("close_everything", [], "stopped answering: the code closed its connection"),
     ],
 )
 def test_a_worker_that_leaves_is_no_exception_that_a_check_may_expect(

@@ -58,7 +58,7 @@ def test_a_template_that_cannot_start_says_so(
     template = Template(level, [], str(tmp_path), tmp_path, 1.0)
     with (
         contextlib.closing(template),
-        pytest.raises(TemplateError, match=r"(?s)did not come up: .*No module named"),
+        pytest.raises(TemplateError, match=r"(?s)did not start: .*No module named"),
     ):
         template.start_worker(hang)
 

@@ -29,7 +29,7 @@ NOTHING: Outcome = ({}, {}, [])
 LINKED: Outcome = ({}, dict.fromkeys(OF_CH02, "its folder is a symbolic link"), [])
 
 LINK = "it is a symbolic link"
-NO_FILE = "it is no regular file"
+NO_FILE = "it is not a regular file"
 FOLDER = "it is a folder"
 TOO_LARGE = "it is larger than 1,000,000 bytes"
 NO_UTF8 = "it is not UTF-8: save it as UTF-8 in your editor"
@@ -39,8 +39,8 @@ UNKNOWN = f"a folder of the submission cannot be read: {DENIED}"  # who knows wh
 GONE = "No such file or directory"
 UNUSUAL = "it is compressed in an unusual way: make an ordinary zip"
 SPOILT = "it is damaged in the zip: zip the folder again"
-DAMAGED = "the zip is damaged, or no ordinary zip: zip the folder again"
-CROWDED = "the zip has more than 5,000 files and folders in it"
+DAMAGED = "the zip is damaged, or not an ordinary zip: zip the folder again"
+CROWDED = "the zip contains more than 5,000 files and folders"
 
 posix = pytest.mark.skipif(os.name != "posix", reason="modes, pipes and such names are POSIX's")
 

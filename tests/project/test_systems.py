@@ -141,18 +141,18 @@ def test_every_chapter_leads_to_the_commands_without_make() -> None:
 def test_where_there_is_no_make_the_screen_names_commands_that_run(tmp_path: Path) -> None:
     no_make = {"PATH": str(tmp_path)}
     done = run(sys.executable, "-m", "autograder", "check", "--exercise", "B2.5", **no_make)
-    nudge = re.search(r"(?m)^A nudge: (.+)$", done.stdout)
+    nudge = re.search(r"(?m)^For a hint: (.+)$", done.stdout)
     assert nudge, done.stdout
     for _ in range(2):  # the hint names the next one
         python, *words = nudge[1].split()
         assert python == make_venv.shown_python()
         done = run(sys.executable, *words, **no_make)
         assert done.returncode == 0, done.stderr
-        nudge = re.search(r"the next: (.+)$", done.stdout)
+        nudge = re.search(r"For the next one: (.+)$", done.stdout)
         assert nudge, done.stdout
     engine = ("--engine", "sample_class/hana", "--chapter", "3")
     done = run(sys.executable, "-m", "autograder", "check", *engine, **no_make)
-    onward = re.search(r"(?m)^Or go on: +(\S+) (.+)$", done.stdout)
+    onward = re.search(r"(?m)^Or continue: +(\S+) (.+)$", done.stdout)
     assert onward, done.stdout
     done = run(sys.executable, *onward[2].split(), **no_make)
     assert done.returncode in (0, 1), done.stderr
@@ -163,7 +163,7 @@ def test_where_there_is_no_make_the_screen_names_commands_that_run(tmp_path: Pat
 def test_a_drawing_command_without_the_packages_says_what_to_do(command: str) -> None:
     done = run(sys.executable, "-S", "-m", *command.split())  # no installed packages
     assert done.returncode == 2
-    assert "run make setup (without make: " in done.stderr
+    assert "Run make setup (without make: " in done.stderr
     assert "Traceback" not in done.stderr
 
 

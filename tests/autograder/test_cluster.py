@@ -32,7 +32,7 @@ from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.find import find_submissions
-from graded import told_by
+from graded import message_of
 from small import RIGHT, hand_in, make_root
 
 distributed = pytest.importorskip("distributed")
@@ -175,7 +175,7 @@ def test_what_a_killed_worker_was_at_is_done_by_another(
     else:
         assert status == 1
         assert landed["slow"]["status"] == "error, retry"
-        told = {told_by(check) for e in landed["slow"]["exercises"] for check in e["checks"]}
+        told = {message_of(check) for e in landed["slow"]["exercises"] for check in e["checks"]}
         assert told == {"every worker that tried to grade it died; workers lost: 1"}
 
 

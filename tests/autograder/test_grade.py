@@ -26,7 +26,7 @@ from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.records import to_json
 from autograder.submissions.find import Submission
 from copies import copy_tree
-from graded import told_by
+from graded import message_of
 
 CHAPTER = load_chapters()[0]
 POSSIBLE = sum(exercise.points for exercise in CHAPTER.exercises if exercise.kind != "written")
@@ -54,7 +54,7 @@ def result(out: Path, student: str) -> dict[str, Any]:
 
 
 def messages(report: dict[str, Any]) -> str:
-    return "\n".join(told_by(c) for e in report["exercises"] for c in e["checks"])
+    return "\n".join(message_of(c) for e in report["exercises"] for c in e["checks"])
 
 
 def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str]) -> None:
@@ -71,7 +71,7 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
         assert report["score"] == pytest.approx(earned, abs=0.01)
         for exercise in report["exercises"]:
             for check in exercise["checks"]:
-                assert (told_by(check) == "") == (check["status"] == "passed")
+                assert (message_of(check) == "") == (check["status"] == "passed")
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Setting up says in one sentence what is missing, and installs what is pinned."""
+"""Setting up reports in one sentence what is missing, and installs the pinned packages."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ EXTRAS = [each for extra in PROJECT["optional-dependencies"].values() for each i
 
 
 def pins(lock: str) -> dict[str, str]:
-    """Return what a lock has of each package, by name==version."""
+    """Return the entries of a lock, keyed by name==version."""
     text = (ROOT / lock).read_text(encoding="utf-8")
     return {entry.split()[0]: entry for entry in re.split(r"(?m)^(?=[a-z])", text)[1:]}
 
@@ -87,11 +87,11 @@ def test_a_lock_pins_what_the_project_asks_for_with_hashes(lock: str, wanted: li
     for entry in pins(lock).values():
         assert re.match(r"[a-z0-9-]+==\S+ ", entry)
         assert "--hash=sha256:" in entry
-        assert "://" not in entry, "the lock names packages, not where they come from"
+        assert "://" not in entry, "the lock names packages, not their addresses"
 
 
 def test_no_package_is_pinned_twice() -> None:
-    """Except within one lock, where two Pythons need two versions of it."""
+    """Within one lock, two Pythons may still need two versions of a package."""
     students, extras = (
         {pin.partition("==")[0] for pin in pins(lock)}
         for lock in ("requirements.lock", "extras.lock")

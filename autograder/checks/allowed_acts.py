@@ -36,7 +36,7 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """From now on, refuse what the student's code must not do where it is graded."""
+    """From now on, refuse operations of the student's code that grading does not allow."""
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),

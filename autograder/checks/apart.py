@@ -1,4 +1,4 @@
-"""Run checks in a copy of this process, so that they do not see what other checks left behind.
+"""Run checks in a copy of this process, so that they do not see the effects of other checks.
 
 A grader starts a fresh process for each check, so a counter or a cache in a module starts over. At
 home, one copy serves all checks of an exercise, because making a copy for each check would take

@@ -1,4 +1,4 @@
-"""Prepare what a process that runs checks needs: the checks, the engine and the sandbox."""
+"""Prepare the checks, the engine and the sandbox for a process that runs checks."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class Behind:
-    """How untrusted code is confined: it runs in workers, behind the walls of a sandbox.
+    """How untrusted code is confined: it runs in workers, inside a sandbox.
 
-    ``level`` names the walls (a sandbox.Level as a dict). ``fresh`` starts a new interpreter for
-    each check. ``missing`` gives, for each module that was not taken, the reason. ``hidden`` is a
-    folder of additional checks, of which students see only the rationale. ``for_instructor`` shows
-    their full messages, since only an instructor reads them.
+    ``level`` names the layers of the sandbox (a sandbox.Level as a dict). ``fresh`` starts a new
+    interpreter for each check. ``missing`` gives, for each module that was not taken, the reason.
+    ``hidden`` is a folder of additional checks, of which students see only the rationale.
+    ``for_instructor`` shows their full messages, since only an instructor reads them.
     """
 
     level: dict[str, bool]
@@ -40,7 +40,7 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """Where a check process finds everything that it works with. Paths are strings, as in JSON.
+    """The files and names that a check process works with. Paths are strings, as in JSON.
 
     ``known`` lists the exercises of the chapter, and ``edits`` the bodies that students write for
     each. ``modules`` are imported before the checks. ``complete`` lists the files that students
@@ -62,7 +62,7 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """The configuration of a check process: where everything is, and what is left to do.
+    """The configuration of a check process: its files, its settings and the remaining checks.
 
     ``apart`` runs the checks of each exercise in a copy of the process. ``broken`` gives, for each
     module that cannot be imported, the reason. ``done`` names the checks that already have a
@@ -82,7 +82,7 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Put what a check process needs into a temporary folder, and return where everything is."""
+    """Prepare a temporary folder for a check process, and return where all files are."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(

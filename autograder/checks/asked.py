@@ -53,7 +53,7 @@ about = About()
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Restore the context when a helper returns. If it raises, its own context remains."""
+    """Restore the context when a helper returns. If the helper raises, keep its context."""
 
     @wraps(helper)
     def run(*arguments: Parameters.args, **keywords: Parameters.kwargs) -> Returned:

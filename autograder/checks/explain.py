@@ -171,7 +171,7 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Return a message on where a process was when its time was up, from the stack that it wrote.
+    """Return a message about a process whose time was up, with the position in its stack.
 
     Code that hangs may have written the stack itself. So any content must lead to a valid message.
     """
@@ -191,7 +191,7 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
 
 
 def _unescaped(text: str) -> str:
-    """Return a text with the characters that Python escapes when it writes a stack."""
+    """Decode the escapes that Python uses for special characters when it writes a stack."""
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 

@@ -85,7 +85,7 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Return the verdicts, with that of the second run for a check that is lost in both runs.
+    """Return the verdicts. If a check is lost in both runs, use the verdict of the second run.
 
     In the second run, only the student's own chapter can be the cause of the failure.
     """

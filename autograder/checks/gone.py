@@ -64,7 +64,7 @@ def _names(says: str, name: str) -> bool:
 def _words(
     module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
 ) -> str:
-    """Return what became of a body, and what to do: undo a renaming, or restore the stub."""
+    """Explain how a body was lost, and the remedy: undo a renaming, or restore the stub."""
     prefix = path.removesuffix(own_name(f"{module}.{path}"))
     if prefix and not any(name.startswith(prefix) for name in there):
         short = own_name(f"{module}.{path}")

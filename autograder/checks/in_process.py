@@ -75,7 +75,7 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def after_collection(self) -> None:
-        """Exclude what exists by now from garbage collection, so that copies share more memory."""
+        """Exclude existing objects from garbage collection, so that copies share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:
@@ -108,7 +108,7 @@ class InProcess:
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 
     def stop(self) -> str:
-        """Stop the time limit, and return what was printed."""
+        """Stop the time limit, and return the printed output."""
         faulthandler.cancel_dump_traceback_later()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams

@@ -147,17 +147,17 @@ def _assigns(traceback: TracebackType | None) -> bool:
 
 
 def _attributes(value: Any) -> set[str]:
-    """Return the names of an object's attributes, and of those of its class."""
+    """Return the names of an object's attributes, including those of its class."""
     kinds = value.__mro__ if isinstance(value, type) else type(value).__mro__
     names = {name for kind in kinds for name in vars(kind)}
     return names | set(getattr(value, "__dict__", ()))
 
 
 def _slots(kind: type) -> list[str]:
-    """Return the names of slots to suggest for a class, or none if its objects take any attribute.
+    """Return the slots to suggest for a class, or an empty list if any attribute is allowed.
 
-    A private slot such as _damping is listed only if the class has a property of its name, damping.
-    Any other private slot is for the class itself. If no slot is left, all are listed.
+    A private slot such as _damping is listed only if the class has a property named damping. Other
+    private slots are internal to the class. If this leaves no slot, all slots are listed.
     """
     if kind.__dictoffset__:
         return []

@@ -51,8 +51,8 @@ class Order:
     """The checks to run: those of some exercises of a chapter, on an engine.
 
     ``engine`` is a list of chapter folders; the first overlays the others. The student's code runs
-    ``behind`` the walls of a sandbox or, if that is None, in the process of the checks. In the
-    second case, ``apart`` runs each exercise in a copy of that process.
+    in the sandbox that ``behind`` describes or, if that is None, in the process of the checks. In
+    the second case, ``apart`` runs each exercise in a copy of that process.
     """
 
     chapter: Chapter

@@ -41,8 +41,9 @@ class StudentsCode:
     def is_calling(self) -> bool:
         """Return whether the student's code made the call that the caller has to judge.
 
-        The innermost function on the stack that does not belong to Python's library decides. What
-        Python does to import a module is not counted as done by the student's code.
+        The innermost function on the stack that does not belong to Python's library decides. The
+        steps that Python itself takes to import a module do not count as calls of the student's
+        code.
         """
         frame = sys._getframe(2)
         while frame is not None:

@@ -41,7 +41,7 @@ UNUSED_PLUGINS = (
     "setupplan stepwise unittest debugging warnings unraisableexception threadexception"
 )
 
-MOST_KEPT = (40, 2000)  # lines, and characters, of what the student's code printed
+MOST_KEPT = (40, 2000)  # lines and characters of the printed output
 
 
 class Recorder:
@@ -58,7 +58,7 @@ class Recorder:
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """Let the engine prepare what it did not need for collecting the checks."""
+        """Let the engine finish its preparations after the checks are collected."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
@@ -196,7 +196,7 @@ def _engine(config: Config) -> InProcess | InWorker:
 
 
 def _properties(item: pytest.Item) -> dict[str, Any]:
-    """Return what a check has recorded: its rationale, and its point on a chart."""
+    """Return the properties that a check has recorded, such as its rationale."""
     return dict(item.user_properties)
 
 

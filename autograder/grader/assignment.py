@@ -1,4 +1,4 @@
-"""What a class is graded on, and the verdicts that are computed once for all submissions."""
+"""The assignment that a class is graded on, and verdicts that are computed once for the class."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """What a class is graded on, which is the same for each submission.
+    """The assignment that a class is graded on, which is the same for each submission.
 
     ``given`` chapters are taken from the reference, whatever is handed in. ``hidden`` is a folder
-    of additional checks. ``level`` names the walls of the sandbox.
+    of additional checks. ``level`` names the layers of the sandbox.
     """
 
     chapters: list[Chapter]

@@ -15,7 +15,7 @@ from autograder.submissions.find import file_name
 
 
 def seed_of(state: Path, seed: str | None) -> str:
-    """Return the requested seed, or that of a run that was stopped here, or a new one."""
+    """Return the requested seed, the seed of a run that was stopped here, or a new one."""
     if seed:
         return seed
     try:

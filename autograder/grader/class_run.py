@@ -27,7 +27,7 @@ from autograder.submissions.find import Submission, file_name
 
 
 class ClassRun:
-    """One run over a class: what its submissions share, and which reports were reused."""
+    """One run over a class, with the data that its submissions share."""
 
     def __init__(
         self,

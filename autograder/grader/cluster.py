@@ -42,10 +42,10 @@ Tree = dict[str, bytes | None]  # the contents of a folder by path, None for a s
 
 @dataclass(frozen=True)
 class Work:
-    """What every worker receives: the assignment, and facts about the machine that sends it.
+    """The data that every worker receives: the assignment, and facts about the sending machine.
 
-    ``key`` holds what must be the same on the worker. ``home`` is the path of the repository on the
-    sending machine. Hidden checks are sent along.
+    ``key`` must be the same on the worker. ``home`` is the path of the repository on the sending
+    machine. Hidden checks are sent along.
     """
 
     assignment: Assignment
@@ -177,7 +177,7 @@ def check_worker(work: Work) -> None:
         raise ValueError(f"it has {'; '.join(differences)}")
 
 
-@cache  # testing the walls takes a moment
+@cache  # testing the sandbox takes a moment
 def _level(*, unsafe: bool) -> Level:
     return choose_level(Path(), unsafe=unsafe)
 
@@ -215,9 +215,9 @@ class _Call:
 
 
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
-    """Return a function and an argument that Dask can pass on without importing our modules.
+    """Return a function and an argument that Dask can pass on without importing the autograder.
 
-    Otherwise the scheduler would need our modules, and a worker without them would stop answering.
+    Otherwise the scheduler would need the autograder, and a worker without it would stop answering.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 

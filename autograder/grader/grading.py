@@ -33,7 +33,7 @@ def grade_submission(
 ) -> StudentReport:
     """Grade one submission and return its report. Any error is reported there.
 
-    ``once`` holds what is the same for the whole class. ``fill`` replaces ``stage`` if the
+    ``once`` holds the verdicts that the whole class shares. ``fill`` replaces ``stage`` if the
     submission is on another machine.
     """
     once = once or OnceForAll()
@@ -69,7 +69,7 @@ def _notes(staged: Staged, chapters: list[Chapter], box: Path) -> list[str]:
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Return the digest of what would be graded, without grading it."""
+    """Return the digest of the files that would be graded, without grading them."""
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
         chapters = load_chapters(assignment.root)
         return stage(submission.path, chapters, Path(folder), assignment.root).digest
@@ -123,8 +123,8 @@ def _chart(
 ) -> Chart | None:
     """Return the positions of a work and of the reference on the exercise's chart, or None.
 
-    A work that fails because of an earlier chapter is not on the chart: of the run on given
-    chapters, only which checks pass is reported.
+    A work that fails because of an earlier chapter is not on the chart, since the run on given
+    chapters reports nothing but the checks that pass.
     """
     if result.on_chart is None:
         return None

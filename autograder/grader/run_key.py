@@ -14,7 +14,7 @@ from autograder.reports.report import RunKey
 
 
 def run_key(assignment: Assignment) -> RunKey:
-    """Return what must be unchanged, besides the submission, for a report to stay valid."""
+    """Return the conditions, besides the submission, under which a report stays valid."""
     root = assignment.root
     names = [chapter.name for chapter in load_chapters(root)]
     checks = shared_by_checks(root)

@@ -1,4 +1,4 @@
-"""Choose the walls of the sandbox on this machine, and refuse to grade a class without them."""
+"""Choose the sandbox for this machine, and refuse to grade a class without one."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ SAMPLE_CLASS = ROOT / "sample_class"
 
 
 def choose_level(folder: Path, *, unsafe: bool) -> Level:
-    """Return the walls that work on this machine.
+    """Return the strongest sandbox level that works on this machine.
 
     Raises:
-        ValueError: There are none, and this class may not be graded without them.
+        ValueError: There is no sandbox, and this class may not be graded without one.
     """
     level = best_level()
     if level.is_sandbox or folder.resolve() == SAMPLE_CLASS:

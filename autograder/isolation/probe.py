@@ -1,4 +1,4 @@
-"""Find out which walls work on this machine by attempting what they must stop."""
+"""Find out which sandbox layers work on this machine by trying forbidden operations."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from autograder.isolation.handles import WorkerFailure
 from autograder.isolation.sandbox import Level, landlock_version, seccomp_works_here
 from autograder.isolation.template import Template, TemplateError
 
-# The attempts that each wall must stop.
+# The operations that each layer must prevent.
 HELD_BY_LANDLOCK = ("reading a file", "writing a file")
 HELD_BY_SECCOMP = ("reaching the network", "starting a process", "sending a signal")
 HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network")
 
 
 def best_level() -> Level:
-    """Return the strongest set of walls that stops every attempt on this machine."""
+    """Return the strongest sandbox level that prevents every forbidden operation."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
     candidates = [around] if shutil.which("bwrap") else []
@@ -27,7 +27,7 @@ def best_level() -> Level:
 
 
 def holds(level: Level) -> bool:
-    """Return whether the walls stop everything that a worker must not do."""
+    """Return whether this level prevents every operation that it must prevent."""
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),
         *(HELD_BY_SECCOMP if level.seccomp else ()),

@@ -1,9 +1,9 @@
-"""The walls around a worker: Landlock and seccomp from the inside, bubblewrap from the outside.
+"""The sandbox around a worker: Landlock and seccomp from inside it, bubblewrap from outside.
 
 Landlock lets the worker read a few folders and write nothing. The seccomp filter lets it make only
 the system calls that computing needs: it cannot create processes, open sockets, or send signals to
-other processes. Resource limits bound its memory, time and files. All walls are up before any of
-the student's code is loaded.
+other processes. Resource limits bound its memory, time and files. All of this is in place before
+any of the student's code is loaded.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ _libc = ctypes.CDLL(None, use_errno=True)
 
 
 class SandboxError(Exception):
-    """A wall cannot be put up on this machine."""
+    """A layer of the sandbox cannot be set up on this machine."""
 
 
 @dataclass(frozen=True)
 class Level:
-    """The walls around a worker."""
+    """The layers of the sandbox around a worker."""
 
     landlock: bool = False
     seccomp: bool = False
@@ -41,7 +41,7 @@ class Level:
 
     @property
     def is_sandbox(self) -> bool:
-        """Whether the walls can hold a hostile submission."""
+        """Whether these layers can confine a hostile submission."""
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
@@ -52,10 +52,10 @@ class Level:
                 "it could read and write files and use the network; grade only classes that you "
                 "trust"
             )
-        walls = (
+        layers = (
             " and ".join(names) if len(names) < 3 else f"{', '.join(names[:-1])} and {names[-1]}"
         )
-        return f"{walls}: the submission ran in a process that could only compute"
+        return f"{layers}: the submission ran in a process that could only compute"
 
 
 # --- Landlock (linux/landlock.h) ---
@@ -153,12 +153,12 @@ _CAN_READ_ALL = 2  # CAP_DAC_READ_SEARCH
 
 
 def enter(level: Level, rules: int | None, seconds: int) -> None:
-    """Put up the walls around this process, permanently.
+    """Confine this process in the sandbox, permanently.
 
     ``rules`` come from landlock_rules. The process may still use ``seconds`` of processor time.
 
     Raises:
-        SandboxError: A wall cannot be put up.
+        SandboxError: A layer cannot be set up.
     """
     _limit(seconds)
     if level.landlock:

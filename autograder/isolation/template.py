@@ -141,7 +141,7 @@ class Template:
         return self._answers.readline().strip()
 
     def keep_bytecode(self, file: Path, code: str) -> None:
-        """Store what a worker has compiled where later workers find it. It is not inspected."""
+        """Store bytecode from a worker where later workers find it. Its content is not checked."""
         folder = self._own / "bytecode" / file.parent.relative_to(file.anchor)
         folder.mkdir(parents=True, exist_ok=True)
         unchecked = (1).to_bytes(4, "little") + bytes(8)  # Python will not compare the source
@@ -149,7 +149,7 @@ class Template:
         (folder / f"{file.stem}.{sys.implementation.cache_tag}.pyc").write_bytes(content)
 
     def printed(self) -> str:
-        """Return what the worker has printed, or the template if there is no worker."""
+        """Return the output of the worker, or of the template if there is no worker."""
         log = self._log if self._worker is None else self._worker.log
         printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
         return printed.decode("utf-8", errors="replace").strip()
@@ -171,7 +171,7 @@ class Template:
 
         Raises:
             TemplateError: It was killed from outside, for example because the machine has no memory
-                left. The worker cannot cause this itself, because of its walls.
+                left. The sandbox keeps the worker from causing this itself.
         """
         assert self._control is not None
         assert self._worker is not None

@@ -85,7 +85,7 @@ def main(text: str) -> None:
 
 
 def _kill(worker: int) -> None:
-    """Kill a worker, and processes that it may have started if no wall prevents that."""
+    """Kill a worker, and processes that it may have started if no sandbox prevents that."""
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may not have its own group yet
             kill(worker, signal.SIGKILL)

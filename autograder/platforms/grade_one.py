@@ -70,9 +70,9 @@ def students(metadata: Path) -> str:
 
 
 def _level(submission: Path, *, unsafe: bool) -> Level:
-    """Return the walls that work here, as the command grade does.
+    """Return the sandbox level of this machine, as the command grade does.
 
-    If there are none and the instructor accepts that, root first becomes an unprivileged user.
+    If there is no sandbox and the instructor accepts that, root first becomes an unprivileged user.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

@@ -4,7 +4,7 @@ set -e
 cd "${AUTOGRADER_ROOT:-/autograder}/source"
 export DEBIAN_FRONTEND=noninteractive
 apt-get update
-apt-get install -y bubblewrap || echo "bubblewrap is not available: the sandbox uses its other walls"
+apt-get install -y bubblewrap || echo "bubblewrap is not available: the sandbox uses its other layers"
 for version in 3.13 3.12 3.11; do
     if apt-get install -y "python$version" "python$version-venv"; then
         exec "python$version" autograder/make_venv.py

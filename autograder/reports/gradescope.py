@@ -126,12 +126,12 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
         output=_output(exercise),
         visibility="visible",
         score=exercise.score if has_score else None,
-        status=verdict if has_score and status != "marked" else None,  # a person gives no verdict
+        status=verdict if has_score and status != "marked" else None,  # people give only points
     )
 
 
 def _output(exercise: ExerciseReport) -> str:
-    """Return what a student reads about one exercise: the messages of the checks that fail."""
+    """Return the text on one exercise for the student: the messages of the failed checks."""
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
         return f"waits for a person, who can give up to {exercise.points} points"

@@ -35,7 +35,7 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
     comma.
 
     Raises:
-        ValueError: A line is not valid. The message names the line, its content and what is wanted.
+        ValueError: A line is not valid. The message names the line and the expected form.
     """
     if not path.exists():
         return {}

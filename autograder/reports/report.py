@@ -59,7 +59,7 @@ class ExerciseReport:
 
 @dataclass(frozen=True)
 class RunKey:
-    """What must be unchanged, besides the submission, for a report to stay valid."""
+    """The conditions, besides the submission, under which a report stays valid."""
 
     seed: str
     chapters: list[int]
@@ -75,9 +75,9 @@ class RunKey:
 class StudentReport:
     """One student's results.
 
-    ``points`` is what checks can give, ``by_hand`` what a person has given, and ``waiting`` what a
-    person can still give. ``earlier`` lists the student's own chapters on which the graded ones
-    build. ``submission`` is the digest of what was graded. Grading it took ``seconds``.
+    Checks can give ``points``. A person has given ``by_hand`` points, and can still give
+    ``waiting`` points. ``earlier`` lists the student's own chapters on which the graded ones build.
+    ``submission`` is the digest of the graded files. Grading took ``seconds``.
     """
 
     student: str

@@ -69,7 +69,7 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Return the points whose error is smaller than that of all cheaper points, by cost."""
+    """Return the points whose error is smaller than that of any cheaper point, sorted by cost."""
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
         if not kept or error < kept[-1][1]:
@@ -78,7 +78,7 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of a front: between two points, the cheaper one is still the best."""
+    """Return the corners of a front as stairs: each error holds until the next point's cost."""
     corners = line[:1]
     for x, y in line[1:]:
         corners += [(x, corners[-1][1]), (x, y)]

@@ -1,4 +1,4 @@
-"""What all reports do with text: clean untrusted text, and write files in one step."""
+"""Text handling in all reports: clean untrusted text, and write files in one step."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return what was edited in a file, and remember its current content."""
+        """Return the parts of a file that were edited, and remember its current content."""
         path = self.engine / chapter.name / name
         try:
             text = path.read_bytes()

@@ -1,4 +1,4 @@
-"""Describe one failed check in full, with what to do next. Both check and watch show this."""
+"""Describe one failed check in full, with the next steps. Both check and watch show this."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failed check: its diagnosis, what the student's code printed, and what to do next."""
+    """A failed check: its diagnosis, the output of the student's code, and the next steps."""
 
     heading: str
     diagnosis: list[Row]
@@ -74,7 +74,7 @@ def failure_of(
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Print one failed check in full, and what to do next."""
+    """Print one failed check in full, with the next steps."""
     failure = failure_of(chapter, result, engine)
     if failure is None:
         words = f"No check was found for exercise {result.exercise.id}."

@@ -1,4 +1,4 @@
-"""What a student sees at the end of a chapter, and the scenes that an exercise makes playable.
+"""The screen at the end of a chapter, and the scenes that an exercise makes playable.
 
 A chapter is finished when the physics of its exercises works. Robust checks, questions, projects
 and going-further exercises may still be open. They are listed.
@@ -33,7 +33,7 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """Print what ``end_of`` returns, below an empty line."""
+    """Print the lines of ``end_of``, below an empty line."""
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
         console.print(words, style=style, markup=False, soft_wrap=True)
@@ -42,7 +42,7 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the end of the chapter that was just finished, or what can be played by now.
+    """Return the end of the chapter that was just finished, or the scenes that are now playable.
 
     Each line comes with its style. If no unfinished chapter has been begun, this is the end of the
     last finished chapter. Otherwise it names the scenes that ``exercise`` has made playable or, by
@@ -130,7 +130,7 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """Return what is still open in a finished chapter."""
+    """Return the items of a finished chapter that are still open."""
     words = []
     robust = [
         (result.exercise, check)

@@ -46,7 +46,7 @@ def pressed() -> str:
 
         while msvcrt.kbhit():
             key = msvcrt.getwch()
-            if key in "\0\xe0":  # a special key sends a second one
+            if key in "\0\xe0":  # a special key sends a second character
                 msvcrt.getwch()
             else:
                 keys += key

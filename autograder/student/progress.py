@@ -33,7 +33,7 @@ class Progress:
         return report
 
     def next_open(self) -> tuple[Chapter, Exercise] | None:
-        """Return what to do next: in each chapter, physics comes before robust checks."""
+        """Return the next open exercise. In each chapter, physics comes before robust checks."""
         for chapter in self.chapters:
             results = self.report(chapter).results
             for is_open in (lacks_physics, lacks_anything):

@@ -62,7 +62,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
     at = [*order].index(node)
     for other in reversed(order[:at]):
         if (name := _name(other)) and name in names:
-            last = max(i for i, there in enumerate(names) if there == name)  # of overloads
+            last = max(i for i, there in enumerate(names) if there == name)  # overload
             body.insert(last + 1, node)
             return
     for other in order[at + 1 :]:

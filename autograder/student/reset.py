@@ -93,7 +93,7 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
 def planned(
     chapter: Chapter, exercise: Exercise, engine: Path, *, whole: bool = False
 ) -> list[Change]:
-    """Return what a reset would change, without changing it.
+    """Return the changes that a reset would make, without making them.
 
     Raises:
         ValueError: As for ``reset``.

@@ -1,4 +1,4 @@
-"""What a student sees: every exercise with its state, one failure in full, and the next step.
+"""The student's screen: every exercise with its state, one failure in full, and the next step.
 
 rich is imported only when it is needed. By then the checks run in their own process, so nobody has
 to wait for it.

@@ -23,7 +23,7 @@ TROUBLE = (GraderError, ValueError, OSError)  # of one run: show it and go on
 
 
 class Session:
-    """What watch shows: the current exercise, or what was finished and what comes next."""
+    """The state of watch: the current exercise, or the finished one and the next."""
 
     def __init__(
         self, progress: Progress, engine: list[Path], console: Console, *, has_keys: bool
@@ -161,7 +161,7 @@ class Session:
             self.is_done(*self.next)
 
     def say_end(self) -> None:
-        """Show that a chapter is finished, or what can be played after this exercise."""
+        """Show the end of a chapter, or the scenes that this exercise makes playable."""
         chapter, exercise = self.current or (self.progress.chapters[-1], None)
         report = self.progress.report(chapter)
         self.page.top += end_of([report], exercise, self.engine, self.progress.given)

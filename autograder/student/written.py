@@ -62,7 +62,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Return what to say if all checks pass, although questions may still be open."""
+    """Return the sentence for checks that all pass, with the questions that are still open."""
     still = open_questions(chapters, engine)
     return f"All checks pass{on_given}.{f' {still}.' if still else ''}"
 

@@ -18,7 +18,7 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 
 @dataclass(frozen=True)
 class Submission:
-    """What a student handed in: a folder or a zip file."""
+    """A student's submission: a folder or a zip file."""
 
     student: str
     path: Path

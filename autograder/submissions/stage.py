@@ -1,4 +1,4 @@
-"""Copy the files that count into a folder of our own. Nothing else is ever imported."""
+"""Copy the files that count into a new folder. Nothing else is ever imported."""
 
 from __future__ import annotations
 

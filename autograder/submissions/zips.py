@@ -26,9 +26,9 @@ from autograder.submissions.folders import (
 # Bytes. A submission has well under 100,000. At this size, a zip that is crafted to keep zipfile
 # busy takes about 2 s, and a larger one takes proportionally longer.
 LARGEST_ZIP = 5_000_000
-ENCRYPTED = 1 << 0  # a flag
+ENCRYPTED = 1 << 0  # the flag of an encrypted entry
 DAMAGED = "the zip is damaged, or not an ordinary zip: zip the folder again"
-# What zipfile raises for a zip that is damaged, or of an unknown kind.
+# The exceptions of zipfile for a zip that is damaged, or of an unknown kind.
 UNREADABLE = (
     zipfile.BadZipFile,
     zlib.error,

@@ -29,12 +29,12 @@ ONLY_COMPUTES = (
 # replaces the cause that the check suggests, which is about physics.
 SLIPS = (
     ("NotImplementedType", NOT_IMPLEMENTED),
-    ("SystemExit", "The code ends Python. Remove the call of sys.exit, exit or quit."),
+    ("SystemExit", "The code ends Python. Remove the call to sys.exit, exit or quit."),
     (
         "EOF when reading",
-        "The code waits for keyboard input. Remove the call of input or breakpoint.",
+        "The code waits for keyboard input. Remove the call to input or breakpoint.",
     ),
-    ("BdbQuit", "The code waits for keyboard input. Remove the call of input or breakpoint."),
+    ("BdbQuit", "The code waits for keyboard input. Remove the call to input or breakpoint."),
     (
         "circular import",
         "Two files import each other, so neither can be loaded first. Remove one of the imports. "

@@ -161,7 +161,7 @@ def test_a_student_sees_scores_and_what_they_mean(tmp_path: Path) -> None:
     assert "Score on given chapters 8 of 11" in text
     assert "Mistakes in earlier chapters have cost you 5 points." in text
     assert "3 points wait for a person and are not part of any score: 2.3." in text
-    assert "Go on with 2.2, Angles" in text
+    assert "Fix 2.2, Angles first" in text
     equal = student_page(tmp_path, nothing_done()).text
     assert "Score 0 of 11" in equal
     assert "no mistake in an earlier chapter has cost you points" in equal

@@ -233,7 +233,7 @@ def test_only_exact_types_cross_by_value(session: Session) -> None:
 def test_what_is_too_much_is_said_and_is_no_result(session: Session) -> None:
     same, nested = name(session, "same"), name(session, "nested")
     assert nested(20) is not None
-    with pytest.raises(WorkerFailure, match="a list in more than 20 others"):
+    with pytest.raises(WorkerFailure, match="a list nested in more than 20 others"):
         nested(22)
     with pytest.raises(WorkerFailure, match="an integer of 5001 bits"):
         session.ask("operate", "lshift", [1, 5000])

@@ -1,1 +1,1 @@
-"""Checks, grades and hands out the chapters of the companion."""
+"""Check, grade and hand out the chapters of the companion."""

@@ -1,4 +1,4 @@
-"""The commands of the autograder, as python -m autograder COMMAND; make calls the same."""
+"""Run a command of the autograder: python -m autograder COMMAND. `make` runs the same commands."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from autograder.student.check import check
 
 try:
     from autograder import instructor
-except ImportError:  # a hand-out has the student's commands alone
+except ImportError:  # a hand-out contains only the student's commands
     instructor = None  # type: ignore[assignment]
 
 
 def main() -> int:
-    """Run one command; return its exit status."""
+    """Run one command and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m autograder", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     add_commands(commands)
@@ -52,27 +52,27 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     check_command.add_argument(
         "--only",
         action="store_true",
-        help="with --exercise: its own checks decide, and not those of what it builds on",
+        help="with --exercise: judge only its own checks, not the exercises it builds on",
     )
     check_command.set_defaults(run=run_check)
-    watch_command = commands.add_parser("watch", help="check what you work on at every save")
+    watch_command = commands.add_parser("watch", help="check your exercise whenever you save")
     watch_command.set_defaults(run=run_watch)
     for command in (check_command, watch_command):
-        command.add_argument("--chapter", default="", help="chapters as 2 or 2-4 (default: all)")
-        command.add_argument("--engine", default="chapters", help="the folder to check")
+        command.add_argument("--chapter", default="", help="such as 2 or 2-4 (default: all)")
+        command.add_argument("--engine", default="chapters", help="folder of chapters to check")
         command.add_argument("--given", default="", help="chapters to take from the reference")
-        command.add_argument("--seed", default="1", help="seed of the numbers that checks draw")
+        command.add_argument("--seed", default="1", help="seed of the checks' random numbers")
 
     command = commands.add_parser("hint", help="show hints for an exercise")
     command.add_argument("exercise", help="such as 2.5 or B2.3")
-    command.add_argument("--count", type=int, default=1, help="how many hints (default: 1)")
+    command.add_argument("--count", type=int, default=1, help="number of hints (default: 1)")
     command.add_argument("--given", default="", help="chapters to take from the reference")
     command.set_defaults(run=run_hint)
 
-    command = commands.add_parser("reset", help="put the stub of an exercise back")
+    command = commands.add_parser("reset", help="restore the stub of an exercise")
     command.add_argument("exercise", help="such as 2.5 or B2.3")
-    command.add_argument("--engine", default="chapters", help="the folder with your work")
-    command.add_argument("--whole", action="store_true", help="put the whole of its file back")
+    command.add_argument("--engine", default="chapters", help="folder of chapters with your work")
+    command.add_argument("--whole", action="store_true", help="restore its whole file")
     command.add_argument("--given", default="", help="chapters to take from the reference")
     command.set_defaults(run=run_reset)
 
@@ -92,8 +92,8 @@ def run_check(arguments: argparse.Namespace) -> bool:
 
 
 def run_watch(arguments: argparse.Namespace) -> int:
-    """Check the current exercise at every save."""
-    from autograder.student.watch import watch  # what it needs is loaded here: check must be fast
+    """Check the current exercise whenever a file is saved."""
+    from autograder.student.watch import watch  # imported here so that check starts fast
 
     engine = find_engine(arguments.engine)
     given, chapters = split_given(select_chapters(arguments.chapter), arguments.given)
@@ -102,7 +102,7 @@ def run_watch(arguments: argparse.Namespace) -> int:
 
 
 def run_reset(arguments: argparse.Namespace) -> int:
-    """Put the stub of an exercise back."""
+    """Restore the stub of an exercise."""
     from autograder.student.reset import reset
 
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
@@ -112,7 +112,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 
 def run_hint(arguments: argparse.Namespace) -> int:
-    """Print the first hints of an exercise, and how to get the next."""
+    """Print the first hints of an exercise and the command that shows the next hint."""
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
     refuse_given(chapter, exercise, arguments.given)
     shown = exercise.hints[: max(1, arguments.count)]
@@ -121,14 +121,15 @@ def run_hint(arguments: argparse.Namespace) -> int:
         print(f"  {number}. {text}")
     if left := len(exercise.hints) - len(shown):
         following = line_of("hint", EX=exercise.id, N=str(len(shown) + 1))
-        print(f"  {left} more; the next: {following}")
+        print(f"  {left} more. For the next one: {following}")
     return 0
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Return the exercise of an id, in capitals or not, and its chapter.
+    """Find an exercise by its id, ignoring case, and return its chapter and the exercise.
 
-    Raises ValueError that names those with a similar id, or else the chapters' first and last.
+    Raises:
+        ValueError: No exercise has this id. The message suggests similar ids if there are any.
     """
     known = {e.id.lower(): (chapter, e) for chapter in chapters for e in chapter.exercises}
     if wanted.lower() in known:
@@ -136,12 +137,12 @@ def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exerci
     bare = re.sub(r"^[a-z]", "", wanted.lower())
     ids = [e.id for _, e in known.values()]
     if alike := [e.id for key, (_, e) in known.items() if key.startswith(wanted.lower())]:
-        raise ValueError(f"there is no exercise {wanted!r}; there is {', '.join(alike)}")
+        raise ValueError(f"there is no exercise {wanted!r}. Similar ids: {', '.join(alike)}")
     if same := [name for name in ids if bare and re.sub(r"^[A-Z]", "", name).lower() == bare]:
         raise ValueError(f"there is no exercise {wanted!r}. Did you mean {' or '.join(same)}?")
     raise ValueError(
-        f"there is no exercise {wanted!r}. An exercise has an id such as {ids[0]} or {ids[-1]}; "
-        f"{line_of('check')} lists them"
+        f"there is no exercise {wanted!r}. An id looks like {ids[0]} or {ids[-1]}. To list all "
+        f"ids: {line_of('check')}"
     )
 
 

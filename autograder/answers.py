@@ -1,6 +1,6 @@
-"""Written answers: in answers.md each question has a heading, the question quoted, and the answer.
+"""Read written answers from answers.md: each question has a heading, the quoted text and an answer.
 
-In solutions/ the answer is the model answer, and a rubric follows below a line RUBRIC.
+In solutions/ the answer is the model answer. A line RUBRIC and a rubric follow it.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ PLACE = "_Write your answer here._"
 RUBRIC = "**Rubric**"
 FILE = "answers.md"
 WORD = re.compile(r"[^\W\d_]{2,}")
-ENOUGH = 2  # words that make an answer
+ENOUGH = 2  # words that count as an answer
 
 
 @dataclass(frozen=True)
 class Section:
-    """What stands below a heading: a question, an answer to it, and in solutions/ a rubric.
+    """One section of answers.md: a question, its answer and, in solutions/, a rubric.
 
-    ``line`` is where the answer begins, or belongs, in its file.
+    ``line`` is the line of the file where the answer begins or belongs.
     """
 
     id: str
@@ -36,17 +36,17 @@ class Section:
 
     @property
     def places(self) -> list[str]:
-        """The lines of the answer that are the place holder, damaged ones among them."""
+        """The lines of the answer that contain the placeholder, even a damaged one."""
         return [line.strip() for line in self.answer.splitlines() if _is_place(line)]
 
     @property
     def has_words(self) -> bool:
-        """Whether an answer has been written, be the place holder still there or not."""
+        """Whether an answer has been written, even if the placeholder is still there."""
         return self.words >= ENOUGH
 
     @property
     def words(self) -> int:
-        """How many words of the student's there are."""
+        """The number of words that the student has written."""
         text = re.sub(r"<!--.*?(-->|\Z)", "", self.answer, flags=re.DOTALL)
         lines = [line for line in text.splitlines() if not (line[:1] in "#>" or _is_place(line))]
         return len(WORD.findall(" ".join(lines)))
@@ -54,7 +54,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Question:
-    """A written exercise with what a student has made of its section, and what is wrong there."""
+    """A written exercise with the student's section for it, and the problems found there."""
 
     exercise: Exercise
     file: Path
@@ -63,17 +63,17 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether there are words, and nothing to put in order first."""
+        """Whether there is an answer and nothing has to be corrected first."""
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """Where the answer is written, as path:line; without a line where the section is gone."""
+        """The place of the answer as path:line, or only the path if the section is missing."""
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
 def blank_answers(text: str) -> str:
-    """Keep the headings and the quoted questions, and leave a place for each answer."""
+    """Keep the headings and the quoted questions, and put a placeholder in place of each answer."""
     title = text.partition("\n")[0]
     parts = [title]
     for section in sections_of(text):
@@ -82,10 +82,10 @@ def blank_answers(text: str) -> str:
 
 
 def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
-    """Return the sections of an answers.md, in their order.
+    """Return the sections of an answers.md, in order.
 
-    A section begins with a heading of the second level, or with any heading whose first word is
-    one of the ``ids``: a student may have lost a # or a space.
+    A section begins with a heading of the second level. Any heading whose first word is one of the
+    ``ids`` begins a section too, because a student may have deleted a # or a space.
     """
     known = {*ids}
     lines = text.splitlines()
@@ -95,7 +95,7 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
 
 
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
-    """Return the written exercises of a chapter with the answers in an engine."""
+    """Return the written exercises of a chapter with the answers found in an engine."""
     exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
     if not exercises:
         return []
@@ -103,7 +103,7 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
     files = [folder / chapter.name / FILE for folder in engine]
     file = next((file for file in files if file.is_file()), files[0])
     sections: dict[str, list[Section]] = {exercise_id: [] for exercise_id in ids}
-    strangers: dict[str, list[Section]] = {"": []}  # by the question that they follow
+    strangers: dict[str, list[Section]] = {"": []}  # keyed by the question before them
     last = ""
     if file.is_file():
         for section in sections_of(file.read_text(encoding="utf-8-sig", errors="replace"), ids):
@@ -124,7 +124,7 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
 
 
 def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
-    """Return the model answer with its rubric; None where there is none, as in a hand-out."""
+    """Return the model answer with its rubric, or None if there is none, as in a hand-out."""
     file = root / "solutions" / chapter.name / FILE
     if not file.is_file():
         return None
@@ -133,7 +133,7 @@ def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Sec
 
 
 def _section(lines: list[str], start: int, end: int) -> Section:
-    """Return the section whose heading is in one line and which ends before another one."""
+    """Return the section whose heading is at line ``start`` and which ends before line ``end``."""
     heading = lines[start]
     first = start + 1
     while first < end and not lines[first].strip():
@@ -158,7 +158,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Say whether a line is the place holder, or what is left of one."""
+    """Return whether a line is the placeholder, or the remains of one."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 
@@ -166,22 +166,22 @@ def _is_place(line: str) -> bool:
 def _problems(
     exercise: Exercise, own: list[Section], strangers: list[Section], file: Path
 ) -> list[str]:
-    """Return what must be put in order before the answer counts, in whole sentences."""
+    """Return the problems to correct before the answer counts, as whole sentences."""
     heading = f"## {exercise.id}"
     if not file.is_file():
-        return [f"{file} is missing. Make it again, with a line '{heading}' above your answer."]
+        return [f"{file} is missing. Create it again, with the line '{heading}' above your answer."]
     if not own:
         words = f"In {file} no heading begins with '{heading}'. Put that line above your answer."
         if strangers:
             there = ", ".join(repr(section.heading) for section in strangers)
-            words += f" Was it {there}?"
+            words += f" Did you change it to {there}?"
         return [words]
     if len(own) > 1:
         lines = " and ".join(str(section.line) for section in own)
-        return [f"In {file} '{heading}' is the heading of two texts (lines {lines}). Keep one."]
+        return [f"In {file} the heading '{heading}' appears twice (lines {lines}). Keep one."]
     if own[0].has_words and own[0].places:
         return [f"In {file} the line '{own[0].places[0]}' is still there. Delete it."]
     if strangers and not own[0].has_words:
         there = strangers[0].heading
-        return [f"In {file} '{there}' is no question. Begin headings of your own with ###."]
+        return [f"In {file} '{there}' is not a question. Begin your own headings with ###."]
     return []

@@ -1,6 +1,6 @@
-"""Other people's words, made harmless for a terminal, a page, a spreadsheet and a JSON file.
+"""Make untrusted text safe to show on a terminal or page, in a spreadsheet and in a JSON file.
 
-This is the one place that decides which characters may be shown.
+This module alone decides which characters may be shown.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ LINE_ENDS = re.compile("\r\n?|[\x0b\x0c\x85\u2028\u2029]")
 
 
 def clean(text: str) -> str:
-    """Return a text in which every character that cannot be printed is written as an escape.
+    """Return the text with every unprintable character replaced by an escape sequence.
 
-    Such characters repaint a screen, reverse the reading direction, or cannot be encoded. Line ends
-    become newlines, tabs stay, and unusual spaces become ordinary ones.
+    Unprintable characters can repaint a screen, reverse the reading direction or fail to encode.
+    Line endings become newlines, tabs stay, and unusual spaces become ordinary spaces.
     """
     if text.isprintable():
         return text
@@ -22,12 +22,12 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Return a clean text in one line."""
+    """Return the clean text on a single line."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 
 def visible(character: str) -> str:
-    """Return a character that can be printed, or the escape of one that cannot."""
+    """Return a printable character unchanged, and any other one as an escape sequence."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

@@ -1,4 +1,4 @@
-"""What the command lines share: what they need, and how a student is told to run them."""
+"""Helpers for the command lines: start-up, finding an engine, and commands to suggest."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 from autograder.make_venv import shown_python
 from autograder.manifest import ROOT
 
-# What make calls a student's options. A scene, and the exercise of a hint or a reset, have no name.
+# The option for each variable of make. Scenes, and the exercise of hint and reset, are positional.
 OPTIONS = {
     "CH": "--chapter",
     "EX": "--exercise",
@@ -20,18 +20,21 @@ OPTIONS = {
     "N": "--count",
     "WHOLE": "--whole",
 }
-MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # not the autograder's
+MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of other packages
 
 
 def prepare() -> bool:
-    """Make the screen take any text; return False, and say why, where packages are missing."""
-    for stream in (sys.stdout, sys.stderr):  # a console of another encoding shows ? and goes on
+    """Set up the output streams, and return whether the packages that are needed are installed.
+
+    If they are not, print how to install them.
+    """
+    for stream in (sys.stdout, sys.stderr):  # show ? for what the console cannot encode
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
     if importlib.util.find_spec("pytest") is None:
         print(
-            "this Python lacks what the companion needs: run make setup (without make: "
-            f"{Path(sys.executable).name} autograder/make_venv.py, and then {shown_python()})",
+            "this Python lacks the companion's packages. Run make setup (without make: run "
+            f"{Path(sys.executable).name} autograder/make_venv.py, then use {shown_python()})",
             file=sys.stderr,
         )
         return False
@@ -39,8 +42,12 @@ def prepare() -> bool:
 
 
 def find_engine(folder: str) -> list[Path]:
-    """Return the folders of an engine, the first on top. Raises ValueError without the folder."""
-    # What students do not edit, such as plots, is in chapters/ alone.
+    """Return the folders that make up an engine. The first one overlays the second.
+
+    Raises:
+        ValueError: There is no such folder.
+    """
+    # Files that students do not edit exist only in chapters/.
     engine = [ROOT / name for name in dict.fromkeys((folder, "chapters"))]
     if not engine[0].is_dir():
         raise ValueError(f"engine must be a folder of chapters, got {folder!r}")
@@ -48,7 +55,7 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Return the line that runs a command: make's, or Python's own where there is no make."""
+    """Return the line that runs a command, with make or, where it is not installed, with Python."""
     if shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
     words = [shown_python(), "-m", MODULES.get(name, f"autograder {name}")]
@@ -61,7 +68,7 @@ def command(name: str, **variables: str) -> str:
 
 
 def engine_variables(engine: list[Path]) -> dict[str, str]:
-    """Return what names an engine in a command: nothing where it is the student's own."""
+    """Return the make variables that select an engine: none for the student's own."""
     if engine[0] == ROOT / "chapters":
         return {}
     inside = engine[0].is_relative_to(ROOT)

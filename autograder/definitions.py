@@ -8,9 +8,9 @@ from pathlib import Path
 
 
 def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
-    """Return every top-level function and every method, by its dotted name.
+    """Return every top-level function and every method, keyed by its dotted name.
 
-    A property is called Particle.mass, and what sets it Particle.mass.setter.
+    A property is named Particle.mass, and its setter Particle.mass.setter.
     """
     found = {}
     for node in tree.body:
@@ -23,7 +23,7 @@ def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
 
 
 def read_definitions(file: Path) -> set[str] | None:
-    """Return what a module defines; None where it is missing, empty or cannot be read."""
+    """Return the names that a module defines, or None if it is missing, empty or unreadable."""
     try:
         return bound_names(ast.parse(file.read_bytes())) or None
     except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
@@ -31,9 +31,10 @@ def read_definitions(file: Path) -> set[str] | None:
 
 
 def bound_names(tree: ast.Module) -> set[str]:
-    """Return all that a module and its classes define in any way: by def, class, = or import.
+    """Return all names that a module and its classes bind by def, class, = or import.
 
-    The names are those of functions; what sets a property that is made by = counts as defined.
+    The names have the form that ``functions`` uses. A name bound by = may be a property, so its
+    setter counts as defined too.
     """
     found = set(_bound(tree))
     for node in tree.body:
@@ -43,7 +44,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield what is bound in a module or a class itself, and not in what they define."""
+    """Yield the names that a module or a class binds itself, without the scopes nested in it."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():
@@ -59,7 +60,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Return what a manifest's name calls the function itself: without module and class."""
+    """Return a function's own name from a manifest entry, without its module and class."""
     return edited.split(".", 2)[-1]
 
 

@@ -1,4 +1,4 @@
-"""Make what students get: stubs, given chapters, checks and the student's side of the tooling."""
+"""Make a hand-out: stubs, given chapters, checks and the tools that students use."""
 
 from __future__ import annotations
 
@@ -30,31 +30,31 @@ STUDENT_TOOLS = {
 README = """\
 # Game physics: {titles}
 
-Write a part of a game physics engine, in the files under `chapters/`, and have it checked at once.
-You need Python 3.11 or newer; with make, the first command sets up everything else. Without make,
-as on most Windows, [chapters/README.md](chapters/README.md) has the same commands for Python.
+Write part of a game physics engine in the files under `chapters/`, and check your work as you go.
+You need Python 3.11 or newer. With make, the first command sets up everything else. Without make,
+as on most Windows machines, use the Python commands in [chapters/README.md](chapters/README.md).
 
-    make watch          the exercise you are at, checked whenever you save its file
-    make check          every exercise with its state, and the first thing to fix
-    make check EX={example}  one exercise and what it builds on
-    make hint EX={example}   a nudge; N=2 shows the second hint too
-    make reset EX={example}  its stub back, and a copy of what you had
-    make lab            scenes that your own engine plays, in your browser
-    make plot           pictures of what your own functions do, under build/plots/
-    make demo DEMO=...  one of these scenes in a window, or into files without a display
+    make watch          check your current exercise whenever you save its file
+    make check          show the state of every exercise, and the first thing to fix
+    make check EX={example}  check one exercise and the exercises it builds on
+    make hint EX={example}   show a hint; N=2 shows the second hint too
+    make reset EX={example}  restore its stub, and keep a copy of your work
+    make lab            play scenes with your own engine in the browser
+    make plot           draw what your own functions compute, under build/plots/
+    make demo DEMO=...  play a scene in a window, or write files without a display
 
-Each chapter's README maps the book's sections to the functions that you write. Written questions,
-where there are any, are answered in `answers.md`. Hand in the folders under `chapters/` that you
-have edited: the files that the exercise table names are taken, so keep your own helpers in them.
+Each chapter's README maps the book's sections to the functions that you write. Answer written
+questions in `answers.md`. Hand in the folders under `chapters/` that you have edited. Only the
+files that the exercise table names are graded, so keep your own helper functions in them.
 """
-CHARTS = "ch08_charts.py"  # scenes of the charts, which are for readers of the reference
+CHARTS = "ch08_charts.py"  # scenes for charts of the reference, which hand-outs do not need
 KEPT_README = """\
-The stubs as they were handed out, for `make reset`. Nothing here is checked or handed in.
+The original stubs, which `make reset` restores. Nothing in this folder is checked or handed in.
 """
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield the files of the tools that students get."""
+    """Yield the files of the tools that students receive."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))
@@ -63,21 +63,24 @@ def student_tools(root: Path = ROOT) -> Iterator[Path]:
 def make_handout(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT
 ) -> None:
-    """Write a hand-out into a new folder and print what it holds.
+    """Write a hand-out into a new folder and print what it contains.
 
-    ``chapters`` come as stubs with their checks, ``given`` complete and without checks. Raises
-    ValueError where a chapter is in both, or the folder has something in it.
+    The hand-out has ``chapters`` as stubs with their checks, and ``given`` chapters complete and
+    without checks.
+
+    Raises:
+        ValueError: A chapter is in both lists, or the folder is not empty.
     """
     if both := [chapter.name for chapter in chapters if chapter in given]:
-        raise ValueError(f"{', '.join(both)} cannot be both a stub and given")
+        raise ValueError(f"{', '.join(both)} cannot be handed out both as stubs and as given")
     if out.exists() and any(out.iterdir()):
-        raise ValueError(f"out must be a new or empty folder, and {out} is not empty")
+        raise ValueError(f"out must be a new or empty folder, but {out} is not empty")
     for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
     _copy([root / "chapters" / "README.md"], out / "chapters")
     errata = (root / "errata.md").read_text(encoding="utf-8")
-    without_links = re.sub(r"\[(\w+)\]\(tests/[^)]*\)", r"\1", errata)  # those tests stay here
+    without_links = re.sub(r"\[(\w+)\]\(tests/[^)]*\)", r"\1", errata)  # hand-outs lack these tests
     (out / "errata.md").write_text(without_links, encoding="utf-8", newline="\n")
     stubs = make_stubs(root)
     for chapter in [*chapters, *given]:
@@ -89,7 +92,7 @@ def make_handout(
         folder = f"chapters/{chapter.name}"
         _copy([root / folder / "chapter.toml"], out / folder)
         for path, text in stubs.items():
-            if path.startswith(folder + "/"):  # made anew: the files here may be somebody's work
+            if path.startswith(folder + "/"):  # generated, since the files here may be edited
                 (out / path).write_text(text, encoding="utf-8", newline="\n")
                 if path.endswith(".py"):
                     kept = out / KEPT / chapter.name / Path(path).name
@@ -110,12 +113,12 @@ def make_handout(
     there = [*chapters, *given]
     below = [other for chapter in chapters for other in chapters_below(chapter, root)]
     if missing := sorted({other.name for other in below if other not in there}):
-        print(f"to be brought along by each student: {', '.join(missing)}")
-    print(f"hand-out: {out}; try it: make -C {shlex.quote(str(out))} check")
+        print(f"each student must add: {', '.join(missing)}")
+    print(f"hand-out: {out}; try it with: make -C {shlex.quote(str(out))} check")
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab, with the scenes of these chapters alone."""
+    """Copy the lab, but only the scenes of these chapters."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)

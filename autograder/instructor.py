@@ -10,27 +10,27 @@ from autograder.manifest import ROOT, select_chapters, split_given
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the commands. What they need is loaded when they run: check must be fast."""
-    unsafe = "where no wall can be put up, grade a class that you trust without one"
+    """Add the instructor's commands. Each one imports its modules late, to keep check fast."""
+    unsafe = "if there is no sandbox here, grade a class that you trust without one"
     command = commands.add_parser("grade", help="grade a folder of submissions")
-    command.add_argument("folder", type=Path, help="with a folder, or a .zip, for each student")
-    command.add_argument("--out", type=Path, required=True, help="where the results go")
-    command.add_argument("--seed", help="seed of the numbers (default: a new one, reported)")
+    command.add_argument("folder", type=Path, help="contains a folder or .zip per student")
+    command.add_argument("--out", type=Path, required=True, help="folder for the results")
+    command.add_argument("--seed", help="seed of the checks' numbers (default: a new one)")
     command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
-    command.add_argument("--jobs", type=int, help="submissions at a time (default: one a core)")
-    command.add_argument("--cluster", help="a Dask scheduler, tcp://host:port, to grade over")
-    command.add_argument("--checks", type=Path, help="a folder of hidden checks: chNN_name/test_*")
+    command.add_argument("--jobs", type=int, help="submissions at a time (default: one per core)")
+    command.add_argument("--cluster", help="Dask scheduler to use, such as tcp://host:8786")
+    command.add_argument("--checks", type=Path, help="folder of hidden checks, chNN_name/test_*.py")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
     command.set_defaults(run=run_grade)
 
     for name, help_text, run in (
-        ("handout", "make what students get", run_handout),
+        ("handout", "make a hand-out for students", run_handout),
         ("classroom", "make a hand-out with a workflow for GitHub Classroom", run_classroom),
     ):
         command = commands.add_parser(name, help=help_text)
-        command.add_argument("chapters", help="chapters as stubs, such as 4-5")
-        command.add_argument("--given", default="", help="chapters given complete, such as 2-3")
+        command.add_argument("chapters", help="chapters to include as stubs, such as 4-5")
+        command.add_argument("--given", default="", help="complete chapters, such as 2-3")
         command.add_argument("--out", type=Path, required=True, help="a new folder")
         command.set_defaults(run=run)
 
@@ -41,20 +41,20 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
     command.set_defaults(run=run_gradescope)
 
-    command = commands.add_parser("stubs", help="make stubs and tables in chapters/")
-    command.add_argument("--check", action="store_true", help="only say what is not in step")
+    command = commands.add_parser("stubs", help="generate stubs and tables in chapters/")
+    command.add_argument("--check", action="store_true", help="only list what is out of date")
     command.set_defaults(run=run_stubs)
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
     """Grade a class."""
     if sys.platform == "win32":
-        raise ValueError("grade takes Linux or macOS; on Windows run it under WSL")
+        raise ValueError("grade needs Linux or macOS; on Windows, run it under WSL")
     import signal
 
     from autograder.grader.cohort import ClassOptions, grade
 
-    signal.signal(signal.SIGTERM, signal.default_int_handler)  # it ends as Ctrl-C does
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # handled like Ctrl-C
 
     given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
     options = ClassOptions(
@@ -69,7 +69,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
-    """Make a hand-out and say what it holds."""
+    """Make a hand-out and print what it contains."""
     from autograder.handout import make_handout
 
     given = select_chapters(arguments.given) if arguments.given else []
@@ -78,7 +78,7 @@ def run_handout(arguments: argparse.Namespace) -> int:
 
 
 def run_classroom(arguments: argparse.Namespace) -> int:
-    """Make a hand-out with its workflow and say what it holds."""
+    """Make a hand-out with a workflow for GitHub Classroom and print what it contains."""
     from autograder.platforms.classroom import make_classroom
 
     given = select_chapters(arguments.given) if arguments.given else []
@@ -87,7 +87,7 @@ def run_classroom(arguments: argparse.Namespace) -> int:
 
 
 def run_gradescope(arguments: argparse.Namespace) -> int:
-    """Make the zip and say what it holds."""
+    """Make the zip for Gradescope and print what it contains."""
     from autograder.platforms.gradescope import make_gradescope
 
     given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
@@ -96,21 +96,24 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:
-    """Make the stubs, or say which are not in step."""
+    """Generate the stubs and tables, or list the stubs that are out of date."""
     from autograder.stubs import stale_stubs, write_stubs
     from autograder.tables import write_tables
 
     if arguments.check:
         stale = stale_stubs()
         for path in stale:
-            print(f"not what solutions/ makes: {path}")
-        print(f"stubs: {len(stale)} out of step")
+            print(f"out of date: {path}")
+        print(f"stubs: {len(stale)} out of date")
         return bool(stale)
     written, left_alone = write_stubs()
     written += write_tables(select_chapters(""), ROOT)
     for path in written:
-        print(f"made {path}")
+        print(f"generated {path}")
     for path in left_alone:
-        print(f"left alone, it has been edited: {path}")
-    print(f"stubs and tables: {len(written)} made, {len(left_alone)} left alone, the rest in step")
+        print(f"not overwritten, since it was edited: {path}")
+    print(
+        f"stubs and tables: {len(written)} generated, {len(left_alone)} not overwritten, "
+        "the rest up to date"
+    )
     return bool(left_alone)

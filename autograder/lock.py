@@ -1,4 +1,4 @@
-"""The lock of stubs: a hash of every file that students start from, as it was made."""
+"""Read stubs.lock, which holds a hash of every file that students start from."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ LOCK_NAME = "stubs.lock"
 
 
 def stub_hash(text: str) -> str:
-    """Return the hash that stubs.lock keeps of a stub."""
+    """Return the hash that stubs.lock stores for a file with this text."""
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Return the hash of each stub as it was last made, by its path; empty without a lock."""
+    """Return the hashes in stubs.lock, keyed by path, or an empty dict if there is no lock."""
     path = root / LOCK_NAME
     if not path.exists():
         return {}

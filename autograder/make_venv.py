@@ -1,7 +1,8 @@
 """Make .venv and install the pinned packages of requirements.lock in it.
 
-make runs this before its first command; without make: python3 autograder/make_venv.py
-It keeps to what Python 3.6 understands, so that an old Python can say that it is too old.
+make runs this script before its first command. Without make: python3 autograder/make_venv.py
+The script uses only what Python 3.6 understands, so that an old Python can report that it is too
+old.
 """
 
 import os
@@ -17,17 +18,17 @@ NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is u
 
 
 def stop(sentence: str) -> None:
-    """End with one sentence. Without .venv/ready the next run starts from nothing."""
+    """Exit with one sentence. Without .venv/ready, the next run starts over."""
     sys.exit(f"Cannot set up: {sentence}")
 
 
 def python_of_venv() -> Path:
-    """Return where the Python of .venv is on this system; Python 3.11 knows."""
+    """Return the path of the Python in .venv. Needs Python 3.11."""
     return Path(sysconfig.get_path("scripts", "venv", {"base": str(VENV)})) / "python"
 
 
 def shown_python() -> str:
-    """Return the Python of .venv as commands name it, from the working folder if it is below."""
+    """Return the Python of .venv for use in a command, from the working folder if possible."""
     try:
         return str(python_of_venv().relative_to(Path.cwd()))
     except ValueError:
@@ -35,13 +36,13 @@ def shown_python() -> str:
 
 
 def check_python() -> None:
-    """Refuse a Python that is too old, or has no venv module."""
+    """Exit if this Python is too old or lacks the venv module."""
     version = ".".join(str(part) for part in sys.version_info[:2])
-    if sys.version_info < (3, 11):  # noqa: UP036 - this is where an old Python is told
+    if sys.version_info < (3, 11):  # noqa: UP036 - an old Python ends here
         newer = "py -3.12" if os.name == "nt" else "python3.12"
         stop(
-            f"{sys.executable} is Python {version}, and the companion needs 3.11 or newer; "
-            f"install one and name it: make setup PYTHON=python3.12 (without make: {newer} "
+            f"{sys.executable} is Python {version}, but the companion needs 3.11 or newer. "
+            f"Install one and name it: make setup PYTHON=python3.12 (without make: {newer} "
             "autograder/make_venv.py)"
         )
     try:
@@ -49,13 +50,13 @@ def check_python() -> None:
         import venv  # noqa: F401
     except ImportError:
         stop(
-            f"{sys.executable} has no venv module; install it (Debian, Ubuntu: "
+            f"{sys.executable} has no venv module. Install it (Debian, Ubuntu: "
             f"sudo apt install python{version}-venv) and run the command again."
         )
 
 
 def install(python: str) -> str:
-    """Install the lock, counting packages on the screen; return pip's words if it failed."""
+    """Install the locked packages and show the progress. Return pip's output if it failed."""
     lock = LOCK.read_text(encoding="utf-8").splitlines()
     total = sum("==" in line and line[0].isalpha() for line in lock)
     command = [python, "-m", "pip", "install", "--disable-pip-version-check", "--retries", "1"]
@@ -75,7 +76,7 @@ def install(python: str) -> str:
 
 
 def main() -> None:
-    """Make the environment from nothing; the file .venv/ready says that it is whole."""
+    """Create the environment from scratch. The file .venv/ready marks it as complete."""
     check_python()
     print(f"Setting up .venv with {sys.executable}, once; this takes about a minute.", flush=True)
     made = subprocess.run(
@@ -89,11 +90,11 @@ def main() -> None:
     failure = install(str(python_of_venv()))
     if any(word in failure.lower() for word in NETWORK_WORDS):
         stop(
-            "the package index (PyPI) cannot be reached; check the network or proxy settings "
+            "the package index (PyPI) cannot be reached. Check the network or proxy settings "
             "and run the command again."
         )
     if failure:
-        stop(f"pip could not install requirements.lock; its last words:\n{failure[-1500:]}")
+        stop(f"pip could not install requirements.lock. Its output ends with:\n{failure[-1500:]}")
     (VENV / "ready").write_text("made from requirements.lock\n", encoding="utf-8")
     print(f"Set up: .venv is ready. Without make: {shown_python()} -m autograder check")
 

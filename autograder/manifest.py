@@ -1,4 +1,4 @@
-"""Read chapter.toml, the one manifest of a chapter (what each key means: chapters/README.md)."""
+"""Read chapter.toml, the manifest of a chapter. chapters/README.md explains its keys."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise, or one build task, of a chapter."""
+    """One exercise or build task of a chapter."""
 
     id: str
     title: str
@@ -28,19 +28,19 @@ class Exercise:
     edit: list[str] = field(default_factory=list)
     files: list[str] = field(default_factory=list)
     needs: list[str] = field(default_factory=list)
-    chart: list[str] = field(default_factory=list)  # of open ones: what cost and error are
-    robust: str = ""  # why an engine needs the robust checks, where the exercise has any
+    chart: list[str] = field(default_factory=list)  # of an open exercise: its axes, cost and error
+    robust: str = ""  # why an engine needs the robust checks, if the exercise has any
     play: list[str] = field(default_factory=list)  # scenes of the lab that it makes playable
 
 
 @dataclass(frozen=True)
 class Chapter:
-    """A chapter: its folder name (which is its package), number, title and exercises.
+    """A chapter: its folder name (which is also its package), number, title and exercises.
 
-    ``complete`` are the modules that students use as they are, such as cloth.py. ``builds_on`` are
-    the numbers of the chapters whose modules its own import; None stands for all below it.
-    ``summary`` says in a sentence what the chapter is about, ``you_can`` what somebody can do who
-    has finished it, and ``picture`` which of its plots shows that best.
+    ``complete`` lists the modules that students use unchanged, such as cloth.py. ``builds_on``
+    lists the numbers of the chapters that its modules import; None means all earlier chapters.
+    ``summary`` says in a sentence what the chapter is about, ``you_can`` what students can do when
+    they have finished it, and ``picture`` names the plot that shows this best.
     """
 
     name: str
@@ -61,16 +61,20 @@ class Chapter:
 
     @property
     def data_files(self) -> list[str]:
-        """What students fill with data of their own, such as drops.csv."""
+        """The files that students fill with their own data, such as drops.csv."""
         return [name for exercise in self.exercises for name in exercise.files]
 
     @property
     def handed_in(self) -> list[str]:
-        """All that is taken of what students hand in: their modules, and their data."""
+        """All files that are taken from a submission: the edited modules and the data."""
         return [*self.edited_files, *self.data_files]
 
     def exercise(self, exercise_id: str) -> Exercise:
-        """Return the exercise of that id. Raises ValueError where the chapter has none."""
+        """Return the exercise with this id.
+
+        Raises:
+            ValueError: The chapter has no such exercise.
+        """
         for exercise in self.exercises:
             if exercise.id == exercise_id:
                 return exercise
@@ -79,17 +83,21 @@ class Chapter:
 
 
 def load_chapter(folder: Path) -> Chapter:
-    """Read the manifest in a chapter's folder. Raises ValueError that names what is wrong."""
+    """Read the manifest in a chapter's folder.
+
+    Raises:
+        ValueError: The manifest is not valid. The message says why.
+    """
     path = folder / "chapter.toml"
     return _read_chapter(path, path.read_text(encoding="utf-8"))
 
 
-@cache  # a run of the checks reads every manifest, and a grading makes hundreds of runs
+@cache  # each run of the checks reads every manifest, and grading a class makes hundreds of runs
 def _read_chapter(path: Path, text: str) -> Chapter:
     folder = path.parent
     match = FOLDER_NAME.fullmatch(folder.name)
     if match is None:
-        raise ValueError(f"{folder}: a chapter's folder is called chNN_name")
+        raise ValueError(f"{folder}: a chapter's folder must be named chNN_name")
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -104,7 +112,7 @@ def _read_chapter(path: Path, text: str) -> Chapter:
     chapter = Chapter(folder.name, int(match[1]), complete=complete, exercises=exercises, **data)
     for key, value in (("summary", chapter.summary), ("picture", chapter.picture)):
         if not isinstance(value, str):
-            raise ValueError(f"{path}: {key} must be a text, got {value!r}")
+            raise ValueError(f"{path}: {key} must be a string, got {value!r}")
     if not _are_words(chapter.you_can):
         raise ValueError(f"{path}: you_can must be a list of sentences, got {chapter.you_can!r}")
     _check_needs(path, chapter)
@@ -112,33 +120,36 @@ def _read_chapter(path: Path, text: str) -> Chapter:
 
 
 def load_chapters(root: Path = ROOT) -> list[Chapter]:
-    """Read every chapter's manifest below root/chapters, in the order of their numbers."""
+    """Read the manifest of every chapter below root/chapters, ordered by chapter number."""
     return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Return the given chapters that a text names, and these chapters without them.
+    """Return the given chapters that a text names, and the other chapters.
 
-    An empty text names none. Raises ValueError where nothing is left, and as select_chapters does.
+    An empty text names none.
+
+    Raises:
+        ValueError: No other chapter is left, or ``select_chapters`` raises it.
     """
     given = select_chapters(numbers) if numbers else []
     left = [chapter for chapter in chapters if chapter not in given]
     if not left:
-        raise ValueError(f"nothing is left of your own: chapter {numbers} is given")
+        raise ValueError(f"there is nothing left to check: chapter {numbers} is given")
     return given, left
 
 
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
-    """Raise ValueError for an exercise of a chapter that a text such as "2-5" gives."""
+    """Raise ValueError if the exercise's chapter is among the given ones, such as "2-5"."""
     if numbers and chapter in select_chapters(numbers):
         raise ValueError(
-            f"exercise {exercise.id} is part of chapter {chapter.number}, which is given: "
-            "the reference's is used, so there is nothing for you to write in it"
+            f"exercise {exercise.id} is in chapter {chapter.number}, which is given. The "
+            "reference replaces your code there, so there is nothing for you to write"
         )
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """Return the chapters with smaller numbers, on which this one builds."""
+    """Return the earlier chapters on which this one builds."""
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
         return below
@@ -146,9 +157,10 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a text such as "2,4-6" names; all of them for an empty text.
+    """Return the chapters that a text such as "2,4-6" names, or all chapters for an empty text.
 
-    Raises ValueError for a text of another form, and for a chapter that is not there.
+    Raises:
+        ValueError: The text has another form, or names a chapter that does not exist.
     """
     chapters = {chapter.number: chapter for chapter in load_chapters()}
     wanted: list[int] = []
@@ -163,12 +175,12 @@ def select_chapters(numbers: str) -> list[Chapter]:
     for number in wanted:
         if number not in chapters:
             there = ", ".join(map(str, chapters))
-            raise ValueError(f"there is no chapter {number} here; there is {there}")
+            raise ValueError(f"there is no chapter {number} here, only {there}")
     return [chapters[number] for number in sorted(set(wanted))] if wanted else [*chapters.values()]
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Return the numbers of chapters as commands take them, such as 2 or 2-5."""
+    """Return the numbers of chapters in the form that commands accept, such as 2 or 2-5."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 
@@ -200,12 +212,12 @@ def _are_words(value: object) -> bool:
 
 
 def _check_needs(path: Path, chapter: Chapter) -> None:
-    """Refuse an id given twice, and a need that does not come earlier in the manifest."""
+    """Raise ValueError for a duplicate id, or a need that is not listed earlier in the manifest."""
     seen: set[str] = set()
     for exercise in chapter.exercises:
         if exercise.id in seen:
-            raise ValueError(f"{path}: exercise {exercise.id} stands twice")
+            raise ValueError(f"{path}: exercise {exercise.id} is listed twice")
         for need in exercise.needs:
             if need not in seen:
-                raise ValueError(f"{path}: {exercise.id} needs {need}, which is not above it")
+                raise ValueError(f"{path}: {exercise.id} needs {need}, which does not precede it")
         seen.add(exercise.id)

@@ -1,4 +1,4 @@
-"""What a check found, as data: each screen, page and file lays it out for itself."""
+"""The message of a check, as data. Each screen, page and file formats it in its own way."""
 
 from __future__ import annotations
 
@@ -7,23 +7,23 @@ from dataclasses import dataclass, fields, replace
 from enum import Enum
 from typing import Any
 
-INDENT = 10  # columns of a label
-Row = tuple[str, str]  # a label, empty for a title, and what it says
+INDENT = 10  # width of the label column
+Row = tuple[str, str]  # a label, which is empty for a title, and its text
 
 
 class Kind(Enum):
-    """How a check came to its end."""
+    """The way in which a check ended."""
 
-    FAILED = "failed"  # what came back, or was raised, is wrong
+    FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"
-    HUNG = "did not end"
+    HUNG = "did not finish"
     BROKEN = "cannot be imported"
     LEFT = "left the process"
 
 
 @dataclass(frozen=True)
 class Place:
-    """A line of the student's code: folder and file, such as ch02_vectors/vector.py."""
+    """A line of the student's code, in a file such as ch02_vectors/vector.py."""
 
     file: str
     line: int
@@ -38,12 +38,13 @@ class Place:
 
 @dataclass(frozen=True)
 class Message:
-    """What a check found. What is empty is not shown.
+    """The message of a check to the student. Empty parts are not shown.
 
-    ``title`` is a sentence for what cannot be told by the labeled parts; ``tolerance`` is how near
-    ``got`` must come to ``wanted``, 0 for equal; ``other`` is a second possible cause. ``where`` is
-    the line of the student's code. ``exercise`` is the one whose body is not written yet, and
-    ``blocked_by`` names the exercises that must pass first.
+    ``title`` is a sentence that does not fit under one of the labels. ``got`` must equal ``wanted``
+    to within ``tolerance``, or exactly if the tolerance is 0. ``where`` is a line of the student's
+    code. ``likely`` is the likely cause of the failure, and ``other`` a second possible cause.
+    ``exercise`` names the exercise whose body is not written yet, and ``blocked_by`` the exercises
+    that must pass first.
     """
 
     title: str = ""
@@ -61,11 +62,11 @@ class Message:
     blocked_by: tuple[str, ...] = ()
 
     def __bool__(self) -> bool:
-        """Whether there is anything to say."""
+        """Return whether the message says anything."""
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
-        """Return the message with every text in it changed by a function."""
+        """Return a copy of the message in which a function has changed every text."""
         values: dict[str, Any] = {
             field.name: change(value)
             for field in fields(self)
@@ -79,7 +80,7 @@ class Message:
         return replace(self, **values)
 
     def rows(self, *, printed: bool = True) -> list[Row]:
-        """Return the labels and what they say, in the order in which people read them."""
+        """Return the labels and their texts, in the order in which people read them."""
         rows = [("", self.blocked), ("", self.title), ("called", self.called), ("got", self.got)]
         rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]
         rows += [("likely", self.likely), ("or", self.other), ("read", self.read)]
@@ -88,13 +89,13 @@ class Message:
 
     @property
     def blocked(self) -> str:
-        """What must pass first, as a sentence; empty where nothing must."""
+        """A sentence that names the exercises that must pass first, or an empty string."""
         verb = "pass" if len(self.blocked_by) > 1 else "passes"
         return f"blocked until {', '.join(self.blocked_by)} {verb}" if self.blocked_by else ""
 
     @property
     def in_short(self) -> str:
-        """What says most on its own: the cause, or the exception."""
+        """The most informative part: the likely cause of a wrong value, or the exception."""
         return (self.likely if self.wanted else self.got) or (
             self.blocked or self.title or self.called
         ).partition("\n")[0]
@@ -110,9 +111,9 @@ class Message:
 
 
 def laid_out(rows: list[Row]) -> str:
-    """Return rows as text: the label, and what it says from column 10 on.
+    """Format rows as text: each label, followed by its text from column 10 on.
 
-    Further lines of it begin there as well, so no text can be taken for a label.
+    Continuation lines are indented too, so that no text can be mistaken for a label.
     """
     lines = []
     for label, words in rows:
@@ -125,7 +126,7 @@ NOTHING = Message()
 
 
 class ExpectationError(AssertionError):
-    """What a check expected did not come. It carries the message."""
+    """The code did not do what a check expected. The exception carries the message."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)

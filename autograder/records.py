@@ -1,7 +1,7 @@
-"""Write frozen dataclasses as JSON, and read them: the one place that knows both directions.
+"""Convert frozen dataclasses to JSON data and back.
 
-What is read was written by another process, or by an older version. It is taken only where every
-value has the type that its field names; the error says which value has not.
+The data may come from another process or from an older version of the program. Every value is
+therefore checked against the type of its field, and an error names the value that does not match.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ Record = TypeVar("Record")
 
 
 class RecordError(ValueError):
-    """A value in the JSON is not of the type that its field names."""
+    """A value in the JSON data does not match the type of its field."""
 
 
 def to_json(value: Any) -> Any:
-    """Return a record as plain data for json.dumps; fields at their default are left out."""
+    """Convert a record to plain data for json.dumps, without fields that equal their default."""
     if is_dataclass(value) and not isinstance(value, type):
-        told = {}
+        data = {}
         for field, default in _fields(type(value)):
             if (own := getattr(value, field)) != default:
-                told[field] = to_json(own)
-        return told
+                data[field] = to_json(own)
+        return data
     if isinstance(value, Enum):
         return value.value
     if isinstance(value, (list, tuple)):
@@ -39,10 +39,12 @@ def to_json(value: Any) -> Any:
 
 
 def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
-    """Return the record of this kind that the data stand for.
+    """Build a record of the given kind from JSON data.
 
-    ``what`` names the data in errors. Raises RecordError where a value is missing, has another type
-    or is unknown.
+    ``what`` names the data in error messages.
+
+    Raises:
+        RecordError: A value is missing, unknown or of the wrong type.
     """
     read: Callable[[Any, str], Record] = _reader(kind)  # type: ignore[arg-type]
     return read(data, what or kind.__name__)
@@ -50,7 +52,7 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
 
 @cache
 def _fields(kind: type) -> list[tuple[str, Any]]:
-    """Return the fields of a dataclass, each with its default, or MISSING for those without."""
+    """Return the fields of a dataclass, each with its default, or MISSING if it is required."""
     found = []
     for field in fields(kind):
         made = field.default_factory
@@ -60,7 +62,10 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 
 @cache
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Return what reads data of a type: it takes the data and their name, for errors."""
+    """Return a function that reads data of this type.
+
+    The function takes the data and a name for them, which appears in error messages.
+    """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):
         return _record_reader(kind)  # type: ignore[arg-type]
@@ -87,10 +92,10 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
         if not isinstance(data, dict):
             raise RecordError(f"{what} must be an object, got {_short(data)}")
         if unknown := sorted(data.keys() - names.keys()):
-            raise RecordError(f"{what} has no {unknown[0]!r}")
+            raise RecordError(f"{what} has an unknown key {unknown[0]!r}")
         for name, default in names.items():
             if default is MISSING and name not in data:
-                raise RecordError(f"{what} lacks {name!r}")
+                raise RecordError(f"{what} is missing {name!r}")
         values = {
             name: _reader(hints[name])(value, f"{what}.{name}") for name, value in data.items()
         }
@@ -100,7 +105,7 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 
 
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
-    """Return what reads one of several types; the error is that of the first one."""
+    """Return a function that reads any of several types and raises the error of the first one."""
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 
     def read(data: Any, what: str) -> Any:
@@ -160,18 +165,18 @@ def _choice_reader(choices: Any) -> Callable[[Any, str], Any]:
 
 
 def _plain_reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Return what reads a text, a number or a truth value. A whole number is a float as well."""
-    types_taken = (int, float) if kind is float else (kind,)
+    """Return a function that reads a string, number or boolean. It accepts an int for a float."""
+    accepted = (int, float) if kind is float else (kind,)
 
     def read(data: Any, what: str) -> Any:
-        if kind is not Any and type(data) not in types_taken:
+        if kind is not Any and type(data) not in accepted:
             raise RecordError(f"{what} must be {_NAMES[kind]}, got {_short(data)}")
         return data
 
     return read
 
 
-_NAMES = {str: "a text", int: "a whole number", float: "a number", bool: "true or false"}
+_NAMES = {str: "a string", int: "a whole number", float: "a number", bool: "true or false"}
 
 
 def _short(data: Any) -> str:

@@ -9,16 +9,16 @@ from typing import Literal
 from autograder.checks.verdict import Point, Status, Verdict
 from autograder.manifest import Chapter, Exercise
 
-ExerciseStatus = Status | Literal["waiting", "marked"]  # marked is what a person has done
-PHYSICS_SHARE = 0.85  # of the points of an exercise, where it has robust checks as well
+ExerciseStatus = Status | Literal["waiting", "marked"]  # "marked": by a person
+PHYSICS_SHARE = 0.85  # of an exercise's points, if it has robust checks as well
 
 
 @dataclass(frozen=True)
 class Result:
-    """An exercise with the verdicts of its checks.
+    """The result of an exercise, with the verdicts of its checks.
 
-    A written answer waits for a person. The score is None while nobody can tell it: waiting, or
-    error.
+    The score is None while it is unknown: a written answer waits for a person, or the grader has
+    failed.
     """
 
     exercise: Exercise
@@ -28,27 +28,27 @@ class Result:
 
     @property
     def physics(self) -> list[Verdict]:
-        """The checks of the physics tier, which unlocks what builds on the exercise."""
+        """The verdicts of the physics tier, which alone can block later exercises."""
         return [check for check in self.checks if not check.robust]
 
     @property
     def robust(self) -> list[Verdict]:
-        """The checks of the robust tier: bad arguments, overflow and NaN."""
+        """The verdicts of the robust tier: bad arguments, overflow and NaN."""
         return [check for check in self.checks if check.robust]
 
     @property
     def works(self) -> bool:
-        """Whether the physics passes, whatever the robust checks say."""
+        """Whether all physics checks pass, regardless of the robust checks."""
         return bool(self.checks) and all(check.status == "passed" for check in self.physics)
 
     @property
     def on_chart(self) -> Point | None:
-        """Where the work lies on the chart of an open exercise; None where no check has put it."""
+        """The work's position on the exercise's chart, or None if no check reported one."""
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 
 
 def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
-    """Return a result for every exercise of the chapter that has verdicts or is written."""
+    """Return a result for each exercise of the chapter."""
     by_exercise: dict[str, list[Verdict]] = {}
     for verdict in verdicts:
         by_exercise.setdefault(verdict.exercise, []).append(verdict)
@@ -56,11 +56,11 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 
 
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
-    """Return the result of one exercise: its points, times the weight of the checks that pass.
+    """Return the result of one exercise: its points, scaled by the weight of the passing checks.
 
-    Where it has both tiers, PHYSICS_SHARE of the points are for the physics and the rest for the
-    robust checks. Its status is that of its physics until that passes. An exercise without
-    checks is an error of ours, not a zero.
+    If the exercise has both tiers, the physics earns PHYSICS_SHARE of the points and the robust
+    checks earn the rest. The status is that of the physics until the physics passes. An exercise
+    without checks is an error of the grader, so it does not score zero.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -81,15 +81,15 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
 
 
 def _passing(checks: Sequence[Verdict]) -> float:
-    """Return the weight of the checks that pass as a fraction of the weight of all of them."""
+    """Return the weight of the passing checks as a fraction of the total weight."""
     passed = sum(check.weight for check in checks if check.status == "passed")
     return passed / sum(check.weight for check in checks)
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, int]:
-    """Return the points earned and the points that checks can give, written answers left out.
+    """Return the points earned and the points that checks can give, without written answers.
 
-    Where the grader failed on an exercise, nobody can tell what was earned: None.
+    The points earned are None if the grader failed on an exercise, since they are then unknown.
     """
     checked = [result for result in results if result.exercise.kind != "written"]
     points = sum(result.exercise.points for result in checked)
@@ -98,10 +98,10 @@ def total(results: Iterable[Result]) -> tuple[float | None, int]:
 
 
 def shown(score: float | None) -> str:
-    """Return a score as people read it: 2.5, or - where there is none."""
+    """Format a score for people to read: 2.5, or - if there is none."""
     return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")
 
 
 def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
-    """Return a place on a chart as people read it; ``axes`` say what its cost and its error are."""
+    """Format a position on a chart for people to read. ``axes`` names the cost and the error."""
     return f"{point[0]:g} {axes[0]}, {axes[1]}: {point[1]:.2g}"

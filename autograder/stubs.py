@@ -1,8 +1,8 @@
-"""Make what students start from, in chapters/, out of solutions/.
+"""Generate the stubs in chapters/, from which students start, out of solutions/.
 
 The bodies that a manifest names become ``raise NotImplementedError``; signatures and docstrings
-stay. stubs.lock keeps a hash of every stub, so that a stub that somebody has edited is recognized
-and never overwritten.
+stay. stubs.lock holds a hash of every stub, so that an edited stub is recognized and never
+overwritten.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from autograder.definitions import functions
 from autograder.lock import LOCK_NAME, read_lock, stub_hash
 from autograder.manifest import ROOT, Chapter, load_chapters
 
-KEPT = "stubs"  # the folder of a hand-out that keeps the stubs as they were handed out
+KEPT = "stubs"  # the folder of a hand-out with the original stubs
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
-    """Return the text of every stub, by its path below root (chapters/ch02_vectors/vector.py)."""
+    """Return the text of every stub, keyed by its path, such as chapters/ch02_vectors/vector.py."""
     stubs = {}
     for chapter in load_chapters(root):
         solution = root / "solutions" / chapter.name
         for name in chapter.edited_files:
             stubs[f"chapters/{chapter.name}/{name}"] = stub_of(chapter, name, root)
-        for name in chapter.data_files:  # its first line names the columns
+        for name in chapter.data_files:  # the first line has the column names
             lines = (solution / name).read_text(encoding="utf-8").splitlines(keepends=True)
             stubs[f"chapters/{chapter.name}/{name}"] = lines[0]
         answers = solution / "answers.md"
@@ -43,21 +43,26 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
 
 
 def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return the stub of one module, such as vector.py. Raises OSError without its solution."""
+    """Return the stub of one module, such as vector.py.
+
+    Raises:
+        OSError: The solution cannot be read.
+    """
     source = (root / "solutions" / chapter.name / file).read_text(encoding="utf-8")
     return _stub_of_text(source, tuple(messages_of(chapter, file).items()))
 
 
 @cache
 def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
-    """Return the stub of a text. It is made once: libcst takes seconds for all chapters."""
+    """Return the stub of a source text. The result is cached, because libcst is slow."""
     return stub_module(source, dict(messages))
 
 
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
-    """Return the stub of a module as it was handed out; None where it cannot be had.
+    """Return the original stub of a module, or None if it is not available.
 
-    It is made from the reference. A hand-out has none, and keeps its stubs in a folder instead.
+    The stub is generated from the reference. A hand-out has no reference and keeps its stubs in a
+    folder instead.
     """
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
@@ -66,7 +71,7 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write the stubs and the lock; return the paths written and the edited ones left alone."""
+    """Write the stubs and the lock. Return the paths written and the edited paths left alone."""
     locked = read_lock(root)
     written, left_alone = [], []
     stubs = make_stubs(root)
@@ -90,14 +95,14 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
 
 
 def stale_stubs(root: Path = ROOT) -> list[str]:
-    """Return the paths whose files in chapters/ are not what would be made now, or not locked."""
+    """Return the paths of stubs that are out of date, and of complete modules not in the lock."""
     stale = [path for path, text in make_stubs(root).items() if _read(root / path) != text]
     locked = read_lock(root)
     return stale + [path for path, key in complete_hashes(root).items() if locked.get(path) != key]
 
 
 def complete_hashes(root: Path = ROOT) -> dict[str, str]:
-    """Return the hash of every module that students use as it is, by its path."""
+    """Return the hash of every module that students use unchanged, keyed by path."""
     files = [
         root / "chapters" / chapter.name / name
         for chapter in load_chapters(root)
@@ -110,18 +115,23 @@ def complete_hashes(root: Path = ROOT) -> dict[str, str]:
 
 
 def _read(file: Path) -> str | None:
-    """Return a file's text, None without one; what is not UTF-8 is shown as such, and is edited."""
+    """Return the text of a file, or None if there is no file.
+
+    Invalid UTF-8 is replaced, so that such a file counts as edited.
+    """
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
 
 def stub_module(source: str, messages: dict[str, str]) -> str:
-    """Return a module's source with the named bodies taken out.
+    """Return a module's source with the named bodies removed.
 
-    ``messages`` gives, for each name such as ``Vector3.dot``, what its stub raises. Private
-    helpers, constants and imports that only those bodies use are left out, since they belong to the
-    reference's way of writing them. Public helpers lose their bodies and stay, as public constants
-    do: docstrings mention them.
-    Raises ValueError where the module does not define a name.
+    ``messages`` maps each name, such as ``Vector3.dot``, to the message that its stub raises.
+    Private helpers, constants and imports that only the removed bodies use are removed too, because
+    they belong to the reference's way of solving the exercise. Public helpers lose their bodies but
+    stay, and public constants stay, because docstrings mention them.
+
+    Raises:
+        ValueError: The module does not define one of the names.
     """
     defined = functions(ast.parse(source))
     edited = messages.keys()
@@ -140,7 +150,7 @@ def stub_module(source: str, messages: dict[str, str]) -> str:
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Return what the stub of each edited name in the file says."""
+    """Return the message that the stub of each edited name in the file raises."""
     prefix = file.removesuffix(".py") + "."
     return {
         name.removeprefix(prefix): f"Exercise {exercise.id}: {exercise.title}"
@@ -153,9 +163,10 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Return the functions that only the bodies taken out use, with the message of the first.
+    """Return the functions that only removed bodies use, each with the message of its first user.
 
-    Where several have one name, as the methods of a Protocol, a use may mean any: they stay.
+    If several functions share a short name, such as the methods of a Protocol, a use may refer to
+    any of them, so none is returned.
     """
     short_names = [_short(name) for name in defined]
     return {
@@ -197,7 +208,7 @@ def _used_names(source: str) -> set[str]:
 
 
 def _private_constant(statement: cst.CSTNode) -> str | None:
-    """Return _NAME where the statement is ``_NAME = value``."""
+    """Return _NAME if the statement is ``_NAME = value``, and None otherwise."""
     match statement:
         case cst.SimpleStatementLine(
             body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
@@ -216,7 +227,7 @@ def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
 
 
 def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
-    """Return the module with other code in the functions named, docstrings kept."""
+    """Return the module with new bodies in the named functions. Docstrings are kept."""
 
     def changed(node: Any, prefix: str = "") -> Any:
         if isinstance(node, cst.ClassDef):
@@ -224,12 +235,12 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
             return node.with_changes(body=node.body.with_changes(body=members))
         if not isinstance(node, cst.FunctionDef):
             return node
-        name = next(iter(functions(ast.parse(cst.Module([node]).code))), "")  # none: it is async
+        name = next(iter(functions(ast.parse(cst.Module([node]).code))), "")  # "": it is async
         if prefix + name not in bodies:
             return node
         body: list[Any] = [*cst.parse_module(bodies[prefix + name]).body]
         if node.get_docstring() is not None:
-            first = node.body.body[0]  # a line, or a part of the line of the def
+            first = node.body.body[0]  # a separate line, or on the line of the def
             line: Any = first if isinstance(first, cst.SimpleStatementLine) else node.body
             docstring = line.body[0].with_changes(semicolon=cst.MaybeSentinel.DEFAULT)
             body.insert(0, cst.SimpleStatementLine([docstring]))
@@ -239,8 +250,8 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
 
 
 def _tidied(source: str) -> str:
-    """Let ruff take out the imports that are no longer used, and the holes."""
-    one_line = "lint.isort.split-on-trailing-comma=false"  # where the imports that are left fit
+    """Let ruff remove unused imports and superfluous blank lines."""
+    one_line = "lint.isort.split-on-trailing-comma=false"  # if the remaining names fit
     unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
     for arguments in (unused, ["format", "-"]):
         command = [sys.executable, "-m", "ruff", *arguments]

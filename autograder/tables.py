@@ -1,4 +1,4 @@
-"""Put the exercise table that the manifest describes into a chapter's reference.md."""
+"""Write the exercise table of a chapter's reference.md from its manifest."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ END = "<!-- end of exercises -->"
 
 
 def exercise_table(chapter: Chapter) -> str:
-    """Return the exercises of a chapter as a Markdown table."""
+    """Return a chapter's exercises as a Markdown table."""
     rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
     rows.append("|---|---|---|---|---|---|---|")
     for exercise in chapter.exercises:
@@ -26,9 +26,9 @@ def exercise_table(chapter: Chapter) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """Return each file with the names whose bodies are written in it, and files of data.
+    """Return each file with the functions to write in it, and the files of data.
 
-    A method's class is named where several classes of the file have a method of that name.
+    A method is named with its class if several classes of the file have a method of that name.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
@@ -42,7 +42,11 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Return a page with its table renewed. Raises ValueError if it has no place for one."""
+    """Return a page with its exercise table updated.
+
+    Raises:
+        ValueError: The page lacks the lines that mark the place of the table.
+    """
     before, begin, rest = page.partition(BEGIN)
     _, end, after = rest.partition(END)
     if not (begin and end):
@@ -51,7 +55,7 @@ def with_table(page: str, chapter: Chapter) -> str:
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
-    """Renew the table in every chapter's reference.md. Return the paths of those that changed."""
+    """Update the table in every chapter's reference.md, and return the paths that changed."""
     changed = []
     for chapter in chapters:
         path = root / "chapters" / chapter.name / "reference.md"

@@ -1,4 +1,4 @@
-"""Lay text out on a terminal: no line breaks inside a word, and no more lines than there are."""
+"""Lay out text for a terminal: wrap lines between words, and shorten long output."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ if TYPE_CHECKING:
 
 MOST_PRINTED_LINES = 5
 MOST_PRINTED = 300  # characters
-LONGEST_PRINTED = 4000  # characters, of which more is not kept anywhere
+LONGEST_PRINTED = 4000  # characters; longer output was cut when it was captured
 MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
-    """Return the lines of a text on a terminal of this width, without breaks inside a word.
+    """Wrap a text to the width of a terminal and return its lines.
 
-    The second line of what is wrapped has a hanging indent. A word is broken only where it is
-    longer than a line.
+    Continuation lines are indented by ``hanging`` columns. A word is split only if it is longer
+    than a line.
     """
     lines = []
     for line in words.splitlines():
@@ -35,29 +35,29 @@ def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
 
 
 def wrapped_rows(rows: list[Row], width: int) -> list[str]:
-    """Return the lines of a message's rows on a terminal, what they say beside their labels."""
+    """Wrap the rows of a message to the width of a terminal, with the text beside its labels."""
     return [
         line for row in rows for line in wrapped(laid_out([row]), width, INDENT if row[0] else 0)
     ]
 
 
 def print_wrapped(console: Console, words: str, style: str) -> None:
-    """Print words, wrapped on a terminal; where the output goes to a file, lines stay whole."""
+    """Print a text, wrapped if the output is a terminal."""
     lines = wrapped(words, console.width) if console.is_terminal else [words]
     console.print("\n".join(lines), style=style, markup=False, soft_wrap=True)
 
 
 def print_rows(console: Console, rows: list[Row]) -> None:
-    """Print the rows of a message as print_wrapped does words."""
+    """Print the rows of a message, wrapped if the output is a terminal."""
     lines = wrapped_rows(rows, console.width) if console.is_terminal else [laid_out(rows)]
     console.print("\n".join(lines), markup=False, soft_wrap=True)
 
 
 def few_lines(text: str, lines: int, characters: int) -> str:
-    """Return the beginning of a text, and how many lines are left out.
+    """Return the beginning of a text and a note that says how many lines are left out.
 
-    Lines that an earlier call has left out count too. What is LONGEST_PRINTED or longer has
-    been cut before, so there were more.
+    The count includes lines that an earlier call left out. A text of LONGEST_PRINTED or more
+    characters was cut before, so its note says "at least".
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")
@@ -76,7 +76,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Return the lines, cut in the middle to as many as there is room for, with a note there."""
+    """Shorten a list of lines to the given room by replacing its middle with a note."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

@@ -1,4 +1,4 @@
-"""What every run of the checks shares: which engine is checked, and where the numbers come from."""
+"""What all runs of the checks share: the choice of the engine, and the random numbers."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--engine",
         action="append",
-        help="a folder of chapters to check; more of them lie below the first "
-        "(default: solutions, where there is such a folder, over chapters)",
+        help="a folder of chapters to check; each one overlays those named after it "
+        "(default: solutions, if there is such a folder, over chapters)",
     )
-    parser.addoption("--seed", default="1", help="seed of the numbers that checks draw")
+    parser.addoption("--seed", default="1", help="seed of the checks' random numbers")
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -27,7 +27,7 @@ def pytest_configure(config: pytest.Config) -> None:
         "markers", "exercise(id, weight=1): the exercise of the manifest that a check belongs to"
     )
     config.addinivalue_line(
-        "markers", "robust: the check is about bad arguments, overflow or NaN, and not the physics"
+        "markers", "robust: the check is about bad arguments, overflow or NaN, not the physics"
     )
     there = [name for name in ("solutions", "chapters") if (TESTS.parent / name).is_dir()]
     folders = config.getoption("engine") or there
@@ -35,21 +35,21 @@ def pytest_configure(config: pytest.Config) -> None:
         if not (TESTS.parent / folder).is_dir():
             raise pytest.UsageError(f"--engine: there is no folder {folder!r}")
     sys.path[:0] = [str(TESTS / "shared"), str(TESTS / "helpers"), str(TESTS)]
-    sys.path += [str(TESTS.parent / folder) for folder in folders]  # behind Python's own modules
+    sys.path += [str(TESTS.parent / folder) for folder in folders]  # after Python's own modules
 
 
 @pytest.fixture
 def rng(request: pytest.FixtureRequest) -> random.Random:
-    """Random numbers of a check's own: the same whichever other checks run, and in what order."""
+    """Return the random numbers of one check, which do not depend on the other checks."""
     return random.Random(f"{request.config.getoption('seed')} {request.node.name}")
 
 
 @pytest.fixture
 def on_chart(request: pytest.FixtureRequest) -> Callable[[float, float], None]:
-    """Put a point on the chart of the check's exercise: its cost, in counted work, and its error.
+    """Return a function that puts a point on the chart of the check's exercise.
 
-    A cost is 1 or more, and an error smaller than the scale of the scene: what is off by more, or
-    by nothing at all, is left out.
+    It takes the cost, in counted work, and the error. A point is left out if its cost is less than
+    1, or if its error is zero or not smaller than the scale of the scene.
     """
 
     def put(cost: float, error: float) -> None:

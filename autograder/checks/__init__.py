@@ -1,1 +1,1 @@
-"""Running checks, and putting what went wrong into words."""
+"""Run the graded checks, and explain what went wrong."""

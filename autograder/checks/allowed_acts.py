@@ -1,9 +1,9 @@
-"""A student's code may compute. It may not write files, start programs or threads, or use sockets.
+"""Keep a student's code from writing files, starting programs or threads, and using sockets.
 
-Where work is graded, walls refuse all of this. Here Python's audit events announce most such acts
-before they happen, and this module refuses them with the same errors. The walls hold against a
-hostile submission. This module does not: it only lets students find out at home. An act without
-an event, such as os.pipe, is carried out.
+Where work is graded, a sandbox refuses all of this. Here, Python's audit events announce most such
+operations before they happen, and this module refuses them with the same errors. It does not
+withstand hostile code as the sandbox does. Its purpose is that students find out at home. An
+operation without an audit event, such as os.pipe, is carried out.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from autograder.checks.students_code import LIBRARY, StudentsCode
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]
 THREAD_STARTERS = "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
-NOT_STARTED = 32512  # what os.system returns where no process can be started
+NOT_STARTED = 32512  # what os.system returns if it cannot start a process
 
 # Audit events that are not permitted. The error names one path, two paths, or none.
 WITH_PATH = "os.mkdir os.remove os.rmdir os.chmod os.chown os.truncate os.chdir os.posix_spawn"
@@ -36,7 +36,7 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """Refuse the student's code, from now on, what a grader's walls refuse."""
+    """From now on, refuse operations of the student's code that grading does not allow."""
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),
@@ -48,13 +48,13 @@ def limit_acts(code: StudentsCode) -> None:
     refusals |= dict.fromkeys(WITHOUT.split(), lambda *_: _not_permitted())
 
     def hear(event: str, arguments: tuple[Any, ...]) -> None:
-        if event in refusals and code.asks():
+        if event in refusals and code.is_calling():
             refusals[event](*arguments)
 
     sys.addaudithook(hear)
     real_system = os.system
-    os.system = lambda command: NOT_STARTED if code.asks() else real_system(command)
-    for module in (_thread, threading):  # not every Python has an event for it
+    os.system = lambda command: NOT_STARTED if code.is_calling() else real_system(command)
+    for module in (_thread, threading):  # not every Python has an event for these
         for name in THREAD_STARTERS.split():
             if hasattr(module, name):
                 setattr(module, name, _no_threads(code, getattr(module, name)))
@@ -62,7 +62,7 @@ def limit_acts(code: StudentsCode) -> None:
 
 def _open(code: StudentsCode, path: Any, _: str | None, flags: int) -> None:
     if isinstance(path, int):
-        return  # of a file that is open already
+        return  # the descriptor of a file that is already open
     file = os.path.realpath(path)
     if flags & WRITING:
         if os.path.isdir(os.path.dirname(file)):  # noqa: PTH112, PTH120 - it may be bytes
@@ -84,8 +84,8 @@ def _list(code: StudentsCode, path: Any) -> None:
 
 
 def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
-    """Raise PermissionError for a path outside of Python's library and the ``more`` folders."""
-    inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - so that a folder is in itself
+    """Raise PermissionError for a path outside Python's library and the ``more`` folders."""
+    inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - a folder contains itself
     if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
 
@@ -101,7 +101,7 @@ def _no_address(*_: Any) -> None:
 
 def _no_threads(code: StudentsCode, start: Callable[..., Any]) -> Callable[..., Any]:
     def guarded_start(*arguments: Any, **keywords: Any) -> Any:
-        if code.asks():
+        if code.is_calling():
             raise RuntimeError("can't start new thread")
         return start(*arguments, **keywords)
 

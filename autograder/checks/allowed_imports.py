@@ -1,7 +1,7 @@
-"""A student's code may import Python's library and the chapters, and nothing else.
+"""Let a student's code import only Python's standard library and the chapters.
 
-Where work is graded, no package is installed, and only the files that are handed in are there. So
-an import that would fail there fails here too, when it runs and in Python's own words.
+Where work is graded, no packages are installed, and only the files that were handed in exist. So an
+import that would fail there also fails here, at the same moment and with Python's own message.
 """
 
 from __future__ import annotations
@@ -22,23 +22,23 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """Refuse, from now on, each import by the student's code of what a grader does not have."""
+    """From now on, refuse imports by the student's code that would fail where work is graded."""
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
         name: str,
-        globals: Mapping[str, Any] | None = None,  # noqa: A002 - as Python calls them
+        globals: Mapping[str, Any] | None = None,  # noqa: A002 - Python's own names
         locals: Mapping[str, Any] | None = None,  # noqa: A002
         fromlist: Sequence[str] | None = (),
         level: int = 0,
     ) -> ModuleType:
-        if (level or name.partition(".")[0] not in LIBRARY) and code.asks():
+        if (level or name.partition(".")[0] not in LIBRARY) and code.is_calling():
             package = (globals or {}).get("__package__")
             _refuse(code, "." * level + name, package, fromlist or ())
         return real_import(name, globals, locals, fromlist or (), level)
 
     def guarded_import_module(name: str, package: str | None = None) -> ModuleType:
-        if name.partition(".")[0] not in LIBRARY and code.asks():
+        if name.partition(".")[0] not in LIBRARY and code.is_calling():
             _refuse(code, name, package, ())
         return real_import_module(name, package)
 
@@ -47,12 +47,12 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise what Python raises where no package is installed and only graded files exist."""
+    """Raise the error that this import raises where work is graded, if it raises one."""
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)
         except ImportError:
-            return  # Python says what is wrong with it
+            return  # Python raises its own error
     top, _, rest = name.partition(".")
     module = rest.partition(".")[0]
     if top in LIBRARY:

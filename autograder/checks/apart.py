@@ -1,8 +1,8 @@
-"""Run checks in a copy of this process, so that they find nothing that others have left behind.
+"""Run checks in a copy of this process, so that they do not see the effects of other checks.
 
-A grader starts a fresh process for each check. A counter or a cache in a module then begins anew.
-At home a copy serves the checks of a whole exercise: a copy for each check would take twice as long
-as all of the checks together.
+A grader starts a fresh process for each check, so a counter or a cache in a module starts over. At
+home, one copy serves all checks of an exercise, because making a copy for each check would take
+twice as long as running all of the checks.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ import traceback
 from collections.abc import Callable
 
 CAN_COPY = hasattr(os, "fork")
-DONE = 87  # the exit code of a copy that has done all of its work
+DONE = 87  # exit code of a copy that has finished its work
 
 
 def run_in_a_copy(work: Callable[[], object]) -> None:
-    """Do the work in a copy of this process. If the copy breaks off, this process ends as it did.
+    """Do the work in a copy of this process. If the copy dies, end this process in the same way.
 
     The runner then continues with the other checks in a new process.
     """
@@ -37,7 +37,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
     _, status = os.waitpid(copy, 0)
     code = os.waitstatus_to_exitcode(status)
     if code < 0:
-        with contextlib.suppress(OSError):  # SIGKILL is always its own
+        with contextlib.suppress(OSError):  # SIGKILL has no handler to reset
             signal.signal(-code, signal.SIG_DFL)
         os.kill(os.getpid(), -code)
     elif code != DONE:
@@ -45,8 +45,8 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Return a sentence on a process that ended while it ran a student's code."""
+    """Return a sentence about a process that ended while it ran a student's code."""
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"
-        return f"the process ended in the middle: Python crashed ({name})"
-    return f"the process ended in the middle, with exit code {code}: is there an os._exit?"
+        return f"the process ended early: Python crashed ({name})"
+    return f"the process ended early, with exit code {code}. Does the code call os._exit?"

@@ -1,4 +1,4 @@
-"""Arrange what a process of checks works with: the checks, the engine, and walls around it."""
+"""Prepare the checks, the engine and the sandbox for a process that runs checks."""
 
 from __future__ import annotations
 
@@ -13,37 +13,39 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class Behind:
-    """Where untrusted code runs: in workers, and behind which walls (sandbox.Level as a dict).
+    """How untrusted code is confined: it runs in workers, inside a sandbox.
 
-    ``fresh`` starts an interpreter for each check; ``missing`` says of modules why they were not
-    taken; ``hidden`` is a folder of further checks, of which only the rationale is told, unless
-    ``tells`` says that an instructor is to read it.
+    ``level`` names the layers of the sandbox (a sandbox.Level as a dict). ``fresh`` starts a new
+    interpreter for each check. ``missing`` gives, for each module that was not taken, the reason.
+    ``hidden`` is a folder of additional checks, of which students see only the rationale.
+    ``for_instructor`` shows their full messages, since only an instructor reads them.
     """
 
     level: dict[str, bool]
     fresh: bool = False
     missing: dict[str, Message] = field(default_factory=dict)
     hidden: Path | None = None
-    tells: bool = False
+    for_instructor: bool = False
 
 
 @dataclass(frozen=True)
 class Workers:
-    """How the process of the checks starts its workers. ``probes`` is the folder of the probes."""
+    """How the check process starts its workers. ``probes`` is the folder of the probes."""
 
     level: dict[str, bool]
     fresh: bool
-    tells: bool
+    for_instructor: bool
     probes: str
 
 
 @dataclass(frozen=True)
 class Arranged:
-    """Where everything is that a process of checks works with. Paths are texts, as JSON has it.
+    """The files and names that a check process works with. Paths are strings, as in JSON.
 
-    ``known`` are the exercises of the chapter, and ``edits`` the bodies that they have students
-    write. ``modules`` are imported before the checks, ``complete`` are the files that students only
-    call, and ``graded`` lists the files of each chapter's folder that a grader has.
+    ``known`` lists the exercises of the chapter, and ``edits`` the bodies that students write for
+    each. ``modules`` are imported before the checks. ``complete`` lists the files that students
+    only call. ``graded`` lists, for each chapter's folder, the files that exist where work is
+    graded.
     """
 
     root: str
@@ -60,10 +62,11 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """What the process of the checks is told: where everything is, and what is left to do.
+    """The configuration of a check process: its files, its settings and the remaining checks.
 
-    ``apart`` has each exercise checked in a copy of the process. ``broken`` says of modules why
-    they cannot be imported, and ``done`` names the checks that have a verdict.
+    ``apart`` runs the checks of each exercise in a copy of the process. ``broken`` gives, for each
+    module that cannot be imported, the reason. ``done`` names the checks that already have a
+    verdict.
     """
 
     arranged: Arranged
@@ -79,13 +82,13 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Put what is needed into a folder of our own, and return where everything is."""
+    """Prepare a temporary folder for a check process, and return where all files are."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
         root=str(root_of_checks(folder, root, behind)),
         engine=[str(path) for path in engine],
-        # Below root, since pytest takes no path with brackets.
+        # Relative to root, because pytest rejects paths with brackets.
         tests=[f"tests/{chapter.name}", *hidden],
         known=[exercise.id for exercise in chapter.exercises],
         chapter=chapter.name,
@@ -98,7 +101,7 @@ def arrange(
 
 
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
-    """Return where the checks are: in our own folder, where hidden ones join the others."""
+    """Return the root of the checks: a copy in the folder if hidden checks join the others."""
     return folder / "root" if behind and behind.hidden else root
 
 
@@ -110,7 +113,10 @@ def shared_by_checks(root: Path) -> list[Path]:
 def _put_hidden_checks(
     folder: Path, chapter: Chapter, root: Path, behind: Behind | None
 ) -> list[str]:
-    """Put the hidden checks of this chapter beside the others; return where, from the root."""
+    """Copy the public and the hidden checks of this chapter into the folder.
+
+    Return the path of the hidden checks from the root, or an empty list if there are none.
+    """
     if not behind or not behind.hidden:
         return []
     tests = folder / "root" / "tests"
@@ -134,7 +140,7 @@ def _put_hidden_checks(
 
 
 def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) -> Workers | None:
-    """Return how the workers are started, whose probes are put into the folder."""
+    """Copy the probes into the folder, and return how to start the workers."""
     if behind is None:
         return None
     probes = folder / "probes" / chapter.name
@@ -142,15 +148,15 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
     for tests in (root / "tests", behind.hidden):
         for file in (tests / chapter.name).glob("*probes.py") if tests else ():
             shutil.copyfile(file, probes / file.name)
-    return Workers(behind.level, behind.fresh, behind.tells, str(probes.parent))
+    return Workers(behind.level, behind.fresh, behind.for_instructor, str(probes.parent))
 
 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the modules to import before the checks do, so that a bad one stops no other.
+    """Return the modules to import one by one before the checks, so that a bad one stops no other.
 
-    Chapters below that have no manifest here, as in some hand-outs, are taken as they are.
+    Earlier chapters that have no manifest here, as in some hand-outs, are included with all files.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

@@ -1,7 +1,7 @@
-"""What the running check asks: what it calls, the likely cause of a failure, and where to read.
+"""The context of the running check: its call, the likely cause of a failure, and where to read.
 
-A check says so before it calls the student's code. Its expectations are told in these words, and so
-is an exception of that code.
+A check sets the context before it calls the student's code. A failed expectation shows it in its
+message, and so does an exception of that code.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ Returned = TypeVar("Returned")
 
 
 class Words(TypedDict, total=False):
-    """Words for one expectation in place of what the check has said; ``then`` follows the call."""
+    """The context of one expectation, in place of the check's own. ``then`` follows the call."""
 
     call: str
     then: str
@@ -24,9 +24,9 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """The words of the running check. Calling it changes those that are given.
+    """The context of the running check. Calling it changes the parts that are given.
 
-    They may also be assigned one at a time: about.call += "; v.x".
+    A part may also be assigned: about.call += "; v.x".
     """
 
     def __init__(self) -> None:
@@ -40,12 +40,12 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return call, cause and place to read, with these words in place of the check's own."""
+        """Return call, cause and reading, with ``words`` in place of the check's own."""
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
     def forget(self) -> None:
-        """Begin a new check."""
+        """Clear the context before a new check."""
         self("", cause="", read="")
 
 
@@ -53,7 +53,7 @@ about = About()
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Have what a helper says be forgotten when it returns; an exception is told in its words."""
+    """Restore the context when a helper returns. If the helper raises, keep its context."""
 
     @wraps(helper)
     def run(*arguments: Parameters.args, **keywords: Parameters.kwargs) -> Returned:

@@ -1,4 +1,4 @@
-"""Tell which of a student's functions the expression of a check calls."""
+"""Find out which of a student's functions the expression of a check calls."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 
 from autograder.definitions import own_name
 
-OPERATORS = {  # as the calls of checks have them
+OPERATORS = {  # as checks write them in their calls
     "__neg__": "; -v",
     "__mul__": " * ",
     "__imul__": " *= ",
@@ -21,7 +21,7 @@ OPERATORS = {  # as the calls of checks have them
 
 
 def calls(expression: str, name: str) -> bool:
-    """Say whether the expression of a check calls the body of this name."""
+    """Return whether the expression of a check calls the body with this name."""
     short = own_name(name)
     pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
     if short in OPERATORS:
@@ -33,6 +33,6 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Say whether the expression of a check makes an object of a method's class, if it is one."""
+    """Return whether the expression constructs the class of a method; True for a function."""
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

@@ -1,4 +1,4 @@
-"""What the process of the checks tells the runner, one JSON object a line."""
+"""The events that a check process sends to the runner, one JSON object per line."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from autograder.records import from_json, to_json
 
 @dataclass(frozen=True)
 class Check:
-    """A check that is to be run. A hidden one has a rationale, which is all that is told of it."""
+    """A check to be run. The rationale of a hidden check is all that students learn about it."""
 
     name: str
     exercise: str
@@ -23,7 +23,7 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """All the checks of the run, in their order."""
+    """All checks of the run, in order."""
 
     checks: list[Check]
 
@@ -37,7 +37,7 @@ class Importing:
 
 @dataclass(frozen=True)
 class Imported:
-    """The import that had begun is done."""
+    """The import that began last has ended."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Started:
 
 @dataclass(frozen=True)
 class Decided:
-    """A check has ended: passed, failed, or error where that is the grader's fault."""
+    """A check has ended: passed, failed, or error if the grader is at fault."""
 
     name: str
     status: Literal["passed", "failed", "error"]
@@ -77,16 +77,20 @@ KINDS: dict[str, type[Event]] = {
 
 
 def write_event(event: Event) -> str:
-    """Return the line for an event."""
+    """Return the line that represents an event."""
     return json.dumps({type(event).__name__: to_json(event)}) + "\n"
 
 
 def read_event(line: str) -> Event:
-    """Return the event that a line stands for. Raises ValueError where it stands for none."""
-    told = json.loads(line)
-    if not isinstance(told, dict) or len(told) != 1:
-        raise ValueError("an event is an object with one key")
-    ((name, data),) = told.items()
+    """Return the event that a line represents.
+
+    Raises:
+        ValueError: The line does not represent an event.
+    """
+    event = json.loads(line)
+    if not isinstance(event, dict) or len(event) != 1:
+        raise ValueError("an event must be an object with one key")
+    ((name, data),) = event.items()
     if name not in KINDS:
         raise ValueError(f"there is no event {name!r}")
     return from_json(KINDS[name], data)

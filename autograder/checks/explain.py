@@ -1,4 +1,4 @@
-"""Turn what went wrong into the sentences that a student reads."""
+"""Explain errors in sentences that a student can act on."""
 
 from __future__ import annotations
 
@@ -15,42 +15,42 @@ from autograder.message import ExpectationError, Kind, Message, Place
 
 NOT_IMPLEMENTED = (
     "The code returned NotImplemented. Only an operator with two operands, such as __add__, may "
-    "return it: Python then raises the TypeError. A method or a function raises TypeError itself."
+    "return it: Python then raises the TypeError. Any other method must raise the error itself."
 )
 NOT_HANDED_IN = (
-    "Only the files that the exercises name are handed in. Move this code into one of those, or "
-    "correct the name. A module is imported as in from ch02_vectors.vector import Vector3."
+    "Only the files that the exercises name are handed in. Move this code into one of them, or "
+    "correct the name. Import a module with its folder: from ch02_vectors.vector import Vector3"
 )
 ONLY_COMPUTES = (
-    "An engine only computes. Remove what writes files or reads other people's, starts programs or "
-    "threads, or uses the network: none of it works where your code is graded."
+    "An engine only computes. Remove code that writes files, reads files outside the engine, "
+    "starts programs or threads, or uses the network. None of it works where your code is graded."
 )
-# Slips of Python that say little by themselves, by a part of what Python says. They come in place
-# of the cause that the check has at hand, which speaks of physics.
+# Python mistakes whose error messages say little, found by a part of the message. The explanation
+# replaces the cause that the check suggests, which is about physics.
 SLIPS = (
     ("NotImplementedType", NOT_IMPLEMENTED),
-    ("SystemExit", "The code asks Python to stop. Remove the call of sys.exit, exit or quit."),
+    ("SystemExit", "The code ends Python. Remove the call to sys.exit, exit or quit."),
     (
         "EOF when reading",
-        "The code waits for somebody to type. Remove the call of input or breakpoint.",
+        "The code waits for keyboard input. Remove the call to input or breakpoint.",
     ),
-    ("BdbQuit", "The code waits for somebody to type. Remove the call of input or breakpoint."),
+    ("BdbQuit", "The code waits for keyboard input. Remove the call to input or breakpoint."),
     (
         "circular import",
-        "Two files import each other, so neither can be read first. Remove one of the two imports: "
-        "put what both need into the file that is imported.",
+        "Two files import each other, so neither can be loaded first. Remove one of the imports. "
+        "Move the code that both files need into the file that is still imported.",
     ),
     ("No module named 'ch0", NOT_HANDED_IN),
     ("(unknown location)", NOT_HANDED_IN),
     (
         "No module named",
-        "the engine uses Python's standard library alone; a chapter's module is imported with its "
-        "folder, as in from ch02_vectors.vector import Vector3",
+        "An engine may import only Python's standard library and the chapters. Import a chapter's "
+        "module with its folder: from ch02_vectors.vector import Vector3",
     ),
     (
         "No such file or directory",
-        "your code is run in another folder. Find a file that lies beside it with "
-        "Path(__file__).with_name(...), and hand in nothing that no exercise names",
+        "Your code runs in another folder. Find a file beside it with "
+        "Path(__file__).with_name(...), and use only files that an exercise names.",
     ),
     ("Permission denied", ONLY_COMPUTES),
     ("Operation not permitted", ONLY_COMPUTES),
@@ -60,32 +60,34 @@ SLIPS = (
         "A method that works in place returns None. Do not assign its result.",
     ),
     ("has no setter", "This property has no setter, so it can be read but not assigned."),
-    ("for ^", "In Python a power is written as **."),
+    ("for ^", "Write a power with **. In Python ^ is another operator."),
     ("is not defined", "The name is misspelled, or its import is missing at the top of the file."),
-    ("local variable", "The code reads a name before it gives it a value."),
+    ("local variable", "The code reads a variable before it assigns a value to it."),
     ("unexpected keyword", "An argument in the def is not named as the docstring says."),
-    ("and 'method'", "A method is named but not called. Add its brackets."),
+    ("and 'method'", "A method is named but not called. Add parentheses after its name."),
     ("can't decode", "Save the file as UTF-8 in your editor."),
     ("null bytes", "Save the file as UTF-8 in your editor."),
 )
-# Others may be slips, or what a mistake in the physics leads to: the check's cause follows them.
+# These may be Python mistakes or follow from a mistake in the physics. So the cause that the check
+# suggests is shown as well.
 PERHAPS = (
     ("'tuple'", "A function with several results returns a tuple. Unpack it first."),
-    ("NoneType", "There is None where a value is needed. Is a return missing?"),
+    ("NoneType", "A value is None here. Is a return statement missing?"),
     (
         "maximum recursion",
-        "Something calls itself: an operator, a method, or a setter that assigns its own name.",
+        "A function calls itself forever. Is it an operator or method that uses itself, or a "
+        "setter that assigns to its own name?",
     ),
     (
         "positional argument",
         "Count the arguments. Is self missing in a def, or is one argument too many?",
     ),
     ("is not callable", "This is not a function. Is it a property, or a name that is used twice?"),
-    ("values to unpack", "The number of results is wrong. The docstring says which it returns."),
-    ("cannot unpack", "The number of results is wrong. The docstring says which it returns."),
-    ("has no attribute", "The name is misspelled, or the object has another type than you think."),
-    ("unterminated", "A quotation mark is missing, here or further up, or one of three."),
-    ("TabError", "The line is indented with tabs and spaces. Use four spaces for each level."),
+    ("values to unpack", "The number of results is wrong. The docstring says what to return."),
+    ("cannot unpack", "The number of results is wrong. The docstring says what to return."),
+    ("has no attribute", "The name is misspelled, or the object has an unexpected type."),
+    ("unterminated", "A quotation mark is missing here or further up. A docstring needs three."),
+    ("TabError", "The line mixes tabs and spaces. Use four spaces for each level."),
     ("unindent does not match", "Indent the line as far as the block that it belongs to."),
     ("unexpected indent", "The line is indented too far. Use four spaces for each level."),
     ("expected an indented block", "The body is missing, or is not indented by four spaces."),
@@ -93,26 +95,26 @@ PERHAPS = (
     ("is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z."),
     (
         "TypeError",
-        "A value in this line has another type than the code expects. Which type does each name "
-        "have there? A method that is named without its brackets is not called.",
+        "A value in this line has a different type than the code expects. Which type does each "
+        "name have there? A method that is named without parentheses is not called.",
     ),
 )
 ESCAPED = re.compile(
     r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"
-)  # as stacks have it
-EXERCISE = re.compile(r"Exercise ([A-Z]?\d+\.\w+)")  # as stubs raise NotImplementedError
+)  # an escape in a stack dump
+EXERCISE = re.compile(r"Exercise ([A-Z]?\d+\.\w+)")  # in the NotImplementedError of a stub
 STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})')
 
 
 def explain_exception(
     error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Return what a check that ended with this exception tells the student.
+    """Return the message for a check that ended with this exception.
 
-    A failed expectation has its own message. For other exceptions: what the check is ``about``, the
-    exception, the student's line, and the cause that Python or the check suggests. ``complete``
-    are modules such as ch02_vectors/arguments.py that the student only calls. An exception
-    that came from a worker brings its ``fault`` along.
+    A failed expectation brings its own message. For any other exception, the message has the call
+    that the check was ``about``, the exception, the student's line, and the cause that Python or
+    the check suggests. ``complete`` lists modules that the student only calls, such as
+    ch02_vectors/arguments.py. An exception that came from a worker has its ``fault`` attached.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
     written = [frame for frame in fault.frames if not _is_given(frame, complete)]
@@ -129,7 +131,7 @@ def explain_exception(
             kind=Kind.UNWRITTEN,
             exercise=named[1] if named else "",
         )
-    # What a check says before it names a call is about none.
+    # A cause that is set before there is a call does not belong to this exception.
     cause, read = (about.cause, about.read) if about.call else ("", "")
     likely, other = _likely(fault.first_line, cause, fault)
     return Message(
@@ -145,10 +147,13 @@ def explain_exception(
 def explain_import(
     fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Return why a student's module cannot be imported; ``complete`` are not the student's."""
+    """Return the reason why a student's module cannot be imported.
+
+    ``complete`` lists modules that the student did not write.
+    """
     file = file_of(module)
     if fault.missing_module == module:
-        title = f"{file} is missing: not handed in, renamed, or in another folder"
+        title = f"{file} is missing: it was not handed in, was renamed, or is in another folder"
         return Message(title, kind=Kind.BROKEN)
     text, where = fault.first_line, None
     if fault.syntax:
@@ -166,31 +171,32 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Return where a process was when its time was up, from the stack that it left behind.
+    """Return a message about a process whose time was up, with the position in its stack.
 
-    Code that hangs may have written the stack itself: whatever it says, there is a sentence.
+    Code that hangs may have written the stack itself. So any content must lead to a valid message.
     """
     hung = Message(
-        f"{Kind.HUNG.value} within {time_limit:g} seconds: an endless loop?", kind=Kind.HUNG
+        f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",
+        kind=Kind.HUNG,
     )
     folders = [folder.resolve() for folder in engine_folders]
     for file, line, name in STACK_LINE.findall(stack):
-        for path in (file, _unescaped(file)):  # a folder of Windows such as \xfaces looks escaped
+        for path in (file, _unescaped(file)):  # a Windows folder such as \xfaces looks escaped
             try:
                 if is_inside(path, folders):
                     return replace(hung, where=Place(short(path), int(line), _unescaped(name)))
             except (ValueError, OSError):
-                continue  # no file of any system has such a name
+                continue  # not a valid file name on any system
     return hung
 
 
 def _unescaped(text: str) -> str:
-    """Return a text with the characters that Python escapes when it writes a stack."""
+    """Decode the escapes that Python uses for special characters when it writes a stack."""
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
 def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
-    """Return what an exception most likely comes from, and what else it may: the check's cause."""
+    """Return the most likely cause of an exception, and a second one, which may be empty."""
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
         return slip, ""
@@ -199,20 +205,20 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 
 
 def slip_of(text: str) -> str:
-    """Return what an exception surely comes from, or an empty text."""
+    """Return the explanation of a definite Python mistake, or an empty string."""
     return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Say whether code was there before the student came: only its callers can be wrong.
+    """Return whether the student did not write this code, so that only its callers can be wrong.
 
-    No exercise asks for a constructor, so one that refuses something is given.
+    No exercise asks for a constructor, so a constructor that refuses its arguments is given code.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Return a place with the text of its line, from the first folder that has its file."""
+    """Return a place with the text of its line, from the first folder that has the file."""
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

@@ -1,5 +1,6 @@
-"""What went wrong in a student's code, as plain data: it can be told in the same words wherever
-that code runs, in this process or in a worker.
+"""Describe what went wrong in a student's code as plain data.
+
+The description is the same whether the code ran in this process or in a worker.
 """
 
 from __future__ import annotations
@@ -17,7 +18,10 @@ MOST_FRAMES = 50
 
 
 class CheckEnded(BaseException):
-    """Ends a check with a message. It is no Exception, so nothing that expects one takes it."""
+    """Ends a check with a message.
+
+    It is not an Exception, so that code that expects an Exception does not catch it.
+    """
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)
@@ -28,7 +32,7 @@ class CheckEnded(BaseException):
 
 
 class GraderFault(BaseException):
-    """Ends a check for what is no fault of the code that it checks."""
+    """Ends a check because of an error that is not the fault of the checked code."""
 
 
 class StudentLeft(BaseException):
@@ -39,10 +43,10 @@ class StudentLeft(BaseException):
 
 @dataclass(frozen=True)
 class Fault:
-    """An exception: the name of its type, what it says, and its frames in the engine's folders.
+    """An exception: the name of its type, its text, and its frames in the engine's folders.
 
-    A syntax error also has the file, line and text that Python could not read. ``unknown`` is the
-    name that does not exist, where the exception is about one.
+    A syntax error also has the file, the line and the text that Python could not read. ``unknown``
+    describes the name that does not exist, if the exception is about a name.
     """
 
     type: str
@@ -54,13 +58,13 @@ class Fault:
 
     @property
     def first_line(self) -> str:
-        """The exception as Python's last line has it, cut to a length that people read."""
+        """The exception in one line, as at the end of a traceback, shortened for reading."""
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe an exception; its frames are those in the folders, the innermost last."""
+    """Describe an exception. Its frames are those in the folders, innermost last."""
     syntax = None
     text = text_of(error)
     if isinstance(error, SyntaxError):
@@ -68,7 +72,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
         if error.lineno:
             syntax = (short(error.filename or ""), error.lineno, (error.text or "").strip())
     if isinstance(error, ImportError) and type(error.path) is str:
-        text = text.replace(f" ({error.path})", "")  # where it lies on the grader's machine
+        text = text.replace(f" ({error.path})", "")  # a path on the grader's machine
     frames = [
         Place(short(frame.f_code.co_filename), line, frame.f_code.co_name)
         for frame, line in traceback.walk_tb(error.__traceback__)
@@ -80,7 +84,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
 
 
 def text_of(error: BaseException) -> str:
-    """Return what an exception says; a student's may fail in its own __str__."""
+    """Return the text of an exception. A student's exception may fail in its own __str__."""
     try:
         return str(error).strip()
     except BaseException:
@@ -88,13 +92,13 @@ def text_of(error: BaseException) -> str:
 
 
 def is_inside(file: str, folders: Sequence[Path]) -> bool:
-    """Say whether a file lies in one of the folders."""
+    """Return whether a file is in one of the folders."""
     parents = _parents(file)
     return any(folder in parents for folder in folders)
 
 
 def short(file: str) -> str:
-    """Return a file's folder and name, as students know it."""
+    """Return a file's folder and name, the form that students know."""
     return f"{Path(file).parent.name}/{Path(file).name}"
 
 

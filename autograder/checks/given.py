@@ -1,4 +1,4 @@
-"""The reference's earlier chapters under a student's later one: which failures are inherited?"""
+"""Check a student's chapter on the reference's earlier chapters, to find inherited failures."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.message import Kind
 
 LOST = ("failed", "blocked")
-Run = Callable[[Chapter, list[Path]], list[Verdict]]  # the checks of a chapter, on an engine
+Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks on an engine
 
 
 @contextmanager
@@ -24,16 +24,17 @@ def with_given(
 ) -> Iterator[list[Path]]:
     """Yield an engine that has the reference's modules of the given chapters on top.
 
-    Raises ValueError where the reference of a chapter is not at hand, as in a hand-out.
+    Raises:
+        ValueError: This folder lacks the reference of a chapter, as a hand-out does.
     """
     if not given:
         yield engine
         return
     with tempfile.TemporaryDirectory(prefix="given-") as folder:
         for chapter in given:
-            if not is_at_hand(chapter, root):
+            if not has_reference(chapter, root):
                 raise ValueError(
-                    f"chapter {chapter.number} cannot be given: this folder has no reference of it"
+                    f"chapter {chapter.number} cannot be given: its reference is not in this folder"
                 )
             target = Path(folder) / chapter.name
             target.mkdir()
@@ -42,8 +43,8 @@ def with_given(
         yield [Path(folder), *engine]
 
 
-def is_at_hand(chapter: Chapter, root: Path = ROOT) -> bool:
-    """Say whether the reference of a chapter is in this folder."""
+def has_reference(chapter: Chapter, root: Path = ROOT) -> bool:
+    """Return whether the reference of a chapter is in this folder."""
     return (root / "solutions" / chapter.name).is_dir()
 
 
@@ -57,20 +58,23 @@ def run_on_given(
 ) -> list[Verdict]:
     """Return the verdicts of a second run, on the reference's chapters ``below``.
 
-    There is none (so no verdicts) where the reference is not at hand, where nothing is lost but
-    what is not written yet, or where a loop does not end. Raises GraderError as run does.
+    There is no second run, and so no verdicts, if the reference is not available, if nothing is
+    lost except for bodies that are not written yet, or if this chapter has an endless loop.
+
+    Raises:
+        GraderError: The checks cannot be run.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     pointless = all(_is_unwritten(verdict) for verdict in lost)
-    at_hand = all(is_at_hand(other, root) for other in below)
-    if not below or not at_hand or pointless or _hangs(chapter, lost):
+    available = all(has_reference(other, root) for other in below)
+    if not below or not available or pointless or _hangs(chapter, lost):
         return []
     with with_given(below, engine, root) as better:
         return run(chapter, better)
 
 
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Return the verdicts, "inherited" where a lost check passes in the second run."""
+    """Return the verdicts, with a lost check marked as inherited if the second run passes it."""
     passed = {verdict.name for verdict in again if verdict.status == "passed"}
     return [
         replace(verdict, status="inherited")
@@ -80,10 +84,10 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
     ]
 
 
-def told_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Return the verdicts, where a check is lost in both runs as the second one tells it.
+def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
+    """Return the verdicts. If a check is lost in both runs, use the verdict of the second run.
 
-    Nothing but the student's own chapter is behind that failure.
+    In the second run, only the student's own chapter can be the cause of the failure.
     """
     second = {verdict.name: verdict for verdict in again if verdict.status in LOST}
     return [
@@ -95,9 +99,10 @@ def told_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict
 def suspects(
     verdicts: list[Verdict], engine: list[Path], below: Sequence[Chapter], run: Run
 ) -> list[Chapter]:
-    """Return the chapters below that fail checks of their own, for where there was no second run.
+    """Return the earlier chapters that fail checks of their own, for use without a second run.
 
-    Nobody can then tell which failures are inherited; that some may be is worth saying.
+    Without a second run, it is unknown which failures are inherited. But students should know that
+    some may be.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
@@ -115,22 +120,22 @@ def suspects(
 def below_and_not_given(
     chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
 ) -> list[Chapter]:
-    """Return the chapters below that are the student's own."""
+    """Return the earlier chapters that are the student's own."""
     return [other for other in chapters_below(chapter, root) if other not in given]
 
 
 def _is_unwritten(verdict: Verdict) -> bool:
-    """Say whether a check fails for want of a body of its own chapter."""
+    """Return whether a check fails because a body of its own chapter is not written yet."""
     message = verdict.message
     return message.kind is Kind.UNWRITTEN and _number(message.exercise) == _number(verdict.exercise)
 
 
 def _number(exercise: str) -> str:
-    """Return the chapter's number in the id of an exercise: 4 of B4.2."""
+    """Return the chapter number in the id of an exercise: 4 in B4.2."""
     return re.sub(r"^[A-Z]|\..*", "", exercise)
 
 
 def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
-    """Say whether a check did not end in this chapter's own code."""
+    """Return whether a check hung in this chapter's own code."""
     hung = [verdict.message for verdict in lost if verdict.message.kind is Kind.HUNG]
-    return any(one.where and one.where.file.startswith(f"{chapter.name}/") for one in hung)
+    return any(m.where and m.where.file.startswith(f"{chapter.name}/") for m in hung)

@@ -1,7 +1,7 @@
-"""Explain a failure that comes from a body which the student's file no longer defines.
+"""Explain a failure that comes from a function that the student's file no longer defines.
 
-The manifest names the bodies to write. Where one of them was deleted or renamed, Python says only
-that a name is missing; the student should read that the stub is gone, and how to get it back.
+The manifest names the functions to write. If a student deletes or renames one of them, Python says
+only that a name is missing. The student should read that the stub is gone, and how to get it back.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from autograder.message import Message
 
 Defined = Callable[
     [str], set[str] | None
-]  # what a module such as vector defines, if it can be read
+]  # returns the names that a module such as vector defines, if it can be read
 
 
 def explain_gone(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
-    """Return the message of a failed check, with the cause where a body of the chapter is gone.
+    """Return the message of a failed check, with the cause if a body of the chapter is gone.
 
-    ``edits`` are the bodies that each exercise has students write, such as vector.Vector3.dot.
+    ``edits`` lists the bodies that students write for each exercise, such as vector.Vector3.dot.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -41,15 +41,15 @@ def explain_gone(
 def _candidates(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]]
 ) -> list[tuple[str, str]]:
-    """Return the bodies that the message may be about: those that it names, then those it calls."""
+    """Return the bodies that may be the cause: those the message names, then those it calls."""
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
-    says = f"{message.title}\n{message.got}"  # Python's own words are in one of them
+    says = f"{message.title}\n{message.got}"  # one of them has Python's message
     return [pair for pair in every if _names(says, pair[1])] + own
 
 
 def _names(says: str, name: str) -> bool:
-    """Say whether an error's text says that this name, or the class that it is in, is missing."""
+    """Return whether an error's text says that this name, or its class, is missing."""
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
     signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]
@@ -64,18 +64,18 @@ def _names(says: str, name: str) -> bool:
 def _words(
     module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
 ) -> str:
-    """Return what became of a body, and what to do: undo a new name, or put the stub back."""
+    """Explain how a body was lost, and the remedy: undo a renaming, or restore the stub."""
     prefix = path.removesuffix(own_name(f"{module}.{path}"))
     if prefix and not any(name.startswith(prefix) for name in there):
         short = own_name(f"{module}.{path}")
         others = sorted(name.rpartition(".")[0] for name in there if name.endswith(f".{short}"))
         undo = f" If you renamed it to {others[0]}, change the name back." if others else ""
-        return f"{module}.py has no class {prefix.rstrip('.')} any more.{undo}"
+        return f"{module}.py no longer has a class {prefix.rstrip('.')}.{undo}"
     listed = {name.partition(".")[2] for names in edits.values() for name in names}
     others = [name.removeprefix(prefix) for name in there - listed if name.startswith(prefix)]
     renamed = nearest(path.removeprefix(prefix), sorted(others), 0.75)
     undo = f" If you renamed it to {renamed}, change the name back." if renamed else ""
     return (
-        f"The stub of {path} is gone: {module}.py does not define it any more.{undo} To put the "
-        f"stub back and leave your other work as it is: {command('reset', EX=exercise)}"
+        f"The stub of {path} is gone: {module}.py no longer defines it.{undo} To restore the stub "
+        f"and keep your other work, run {command('reset', EX=exercise)}"
     )

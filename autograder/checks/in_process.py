@@ -1,6 +1,7 @@
-"""Checks and the student's code in one process, as students run them: quick, and full of trust.
+"""Run the checks and the student's code in one process, which is fast but not secure.
 
-All the same, the code may import and do only what it may where it is graded.
+Students run the checks in this way. Even so, the code may import and do only what is allowed where
+work is graded.
 """
 
 from __future__ import annotations
@@ -26,12 +27,12 @@ from autograder.checks.surroundings import Depth, leave_home
 from autograder.definitions import read_definitions
 from autograder.message import Message
 
-Tell = Callable[[Event], None]  # tells the runner of it
-CALLS = 13  # nested calls of pytest and the check, from the start of a check to the student's code
+Send = Callable[[Event], None]  # sends an event to the runner
+CALLS = 13  # nested calls of pytest and the check between start() and the student's code
 
 
 class InProcess:
-    """The student's modules, imported beside the checks."""
+    """The student's modules, imported into the process of the checks."""
 
     def __init__(
         self,
@@ -45,7 +46,7 @@ class InProcess:
     ) -> None:
         self.engine = [Path(folder).resolve() for folder in engine]
         self.time_limit = time_limit
-        self.stack_file = Path(stack_file).open("wb")  # noqa: SIM115 - lives as long as we
+        self.stack_file = Path(stack_file).open("wb")  # noqa: SIM115 - open until the process ends
         self.complete = complete
         self.graded = graded
         self.apart = apart and CAN_COPY
@@ -53,8 +54,8 @@ class InProcess:
         self.streams = sys.stdin, sys.stdout, sys.stderr
         self.depth = Depth()
 
-    def open(self, modules: list[str], broken: Mapping[str, Message], tell: Tell) -> None:
-        """Import the student's modules before any check does, so that a bad one stops no other."""
+    def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
+        """Import the student's modules before the checks do, so that a bad one stops no other."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)
@@ -63,28 +64,28 @@ class InProcess:
             sys.modules[module] = broken_module(module, message)
         for module in modules:
             if module not in sys.modules:
-                tell(Importing(module))
+                send(Importing(module))
                 self.start()
                 self._import(module)
                 self.stop()
-                tell(Imported())
-        # Only the checks get an answer for a missing name: in another module of the student's it
-        # is an ImportError here as well as behind the walls.
+                send(Imported())
+        # Only the checks get a placeholder for a missing name. In another module of the student's,
+        # such a name raises ImportError, both here and in the sandbox.
         for imported in filter(None, map(sys.modules.get, modules)):
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def after_collection(self) -> None:
-        """Leave what exists by now to itself: copies of this process then share it for longer."""
+        """Exclude existing objects from garbage collection, so that copies share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:
-        # A source edited twice within a second would be taken for its own stale bytecode.
+        # With bytecode, Python could miss a second edit of a file within the same second.
         sys.dont_write_bytecode = True
         try:
             importlib.import_module(module)
         except MissingNameError as error:  # it uses another module that is broken
             sys.modules[module] = broken_module(module, error.message)
-        except BaseException as error:  # SystemExit among them
+        except BaseException as error:  # including SystemExit
             message = explain_import(
                 fault_of(error, self.engine), module, self.engine, self.complete
             )
@@ -93,18 +94,21 @@ class InProcess:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return what a module of the student's defines."""
+        """Return the names that a module of the student's defines."""
         return read_definitions(file)
 
     def start(self) -> None:
-        """Write the stack and end the process when the time is up, whatever the code is doing."""
+        """Redirect the streams and start the time limit.
+
+        When the time is up, the process writes its stack and ends, whatever the code is doing.
+        """
         self.depth.adapt(CALLS)
-        sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - stop closes it
+        sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - closed by stop
         sys.stdout = sys.stderr = CappedText(self.printed.append)
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 
     def stop(self) -> str:
-        """Stop the clock, and return what was printed."""
+        """Stop the time limit, and return the printed output."""
         faulthandler.cancel_dump_traceback_later()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams

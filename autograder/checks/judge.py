@@ -1,4 +1,4 @@
-"""A process that runs checks, seen from the runner: started, followed line by line, and ended."""
+"""Start a process that runs checks, follow its output line by line, and end it."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from typing import IO
 
 from autograder.manifest import ROOT
 
-GRACE = 10.0  # seconds of silence beyond a check's limit, then the process is ended from outside
-MOST_STDERR = 2000  # bytes at the end of what a process says of itself
+GRACE = 10.0  # seconds of silence, on top of a check's limit, before the process is killed
+MOST_STDERR = 2000  # bytes that are kept from the end of standard error
 
 _processes: set[subprocess.Popen[str]] = set()
 _stopping = threading.Event()
@@ -25,7 +25,10 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """End the runs in all threads, each of which raises GraderError; let none begin in here."""
+    """End the runs in all threads, and let none begin inside this context.
+
+    Each of these runs raises GraderError.
+    """
     _stopping.set()
     for process in list(_processes):
         _kill(process)
@@ -36,18 +39,18 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Say whether runs are being ended."""
+    """Return whether runs are being ended."""
     return _stopping.is_set()
 
 
 class SilentError(Exception):
-    """The process has said nothing for too long."""
+    """The process has printed nothing for too long."""
 
 
 class Judge:
-    """A process of verdicts.py over one configuration; it is ended at the latest here.
+    """A process that runs verdicts.py with one configuration.
 
-    ``stderr`` is the end of what it says of itself, and ``code`` its exit code, once it has ended.
+    Once it has ended, ``stderr`` is the end of its standard error, and ``code`` its exit code.
     """
 
     def __init__(self, config: Path, folder: Path, *, holds_input: bool) -> None:
@@ -58,17 +61,19 @@ class Judge:
         self.code = 0
 
     def lines(self, silence: float, deadline: float) -> Generator[str]:
-        """Run the process and yield what it tells, a line at a time, until it ends.
+        """Run the process and yield its output, a line at a time, until it ends.
 
-        Raises SilentError where no line comes for ``silence`` seconds and GRACE, or until the
-        deadline.
+        The process is killed if the caller stops early.
+
+        Raises:
+            SilentError: No line came for ``silence`` seconds plus GRACE, or before the deadline.
         """
         with (self.config.parent / "stderr.txt").open("w+b") as stderr:
             process = subprocess.Popen(
                 [sys.executable, "-m", "autograder.checks.verdicts", str(self.config)],
                 cwd=self.folder,
                 env=environment(),
-                # A judge that outlives us would judge for nobody: it sees the pipe end.
+                # If this process dies, the pipe closes, and the judge ends too.
                 stdin=subprocess.PIPE if self.holds_input else subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=stderr,
@@ -76,14 +81,14 @@ class Judge:
                 start_new_session=True,
             )
             _processes.add(process)
-            if is_stopped():  # it has been started behind the back of who ends them all
+            if is_stopped():  # stopping() may not have seen this process yet
                 _kill(process)
             try:
                 yield from _lines(process, silence, deadline)
             finally:
                 _processes.discard(process)
                 _kill(process)
-                self.code = process.wait()  # a stray child may hold on to its output: it stays open
+                self.code = process.wait()  # stdout is not closed: a stray child may hold it
                 if process.stdin:
                     process.stdin.close()
                 stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - MOST_STDERR))
@@ -106,14 +111,14 @@ def _lines(process: subprocess.Popen[str], silence: float, deadline: float) -> I
 
 
 def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
-    with contextlib.suppress(ValueError):  # the stream is closed under our hands at the end
+    with contextlib.suppress(ValueError):  # the stream may be closed while it is read
         for line in stream:
             lines.put(line)
     lines.put("")
 
 
 def _kill(process: subprocess.Popen[str]) -> None:
-    """Kill a process and, where the system has process groups, all that it has started."""
+    """Kill a process and, if the system has process groups, all processes that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
             process.kill()
@@ -122,7 +127,7 @@ def _kill(process: subprocess.Popen[str]) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment of a checking process: ours, with no plugins loaded of themselves."""
+    """Return the environment of a check process: our own, without automatic pytest plugins."""
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

@@ -1,6 +1,6 @@
-"""What stands for modules that cannot be imported and names that they do not define.
+"""Placeholders for modules that cannot be imported and for names that do not exist.
 
-Whatever uses such a name fails with the message that says so, where it is used and not before.
+Code that uses such a name fails with an explanation. It fails where the name is used, not before.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class MissingName:
-    """A name that a module of the student's does not define, and the nearest that it does."""
+    """A name that a student's module does not define, and the most similar name that it defines."""
 
     module: str
     name: str
     nearest: str = ""
-    is_empty: bool = False  # the module, which defines nothing
+    is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
-        """Return what a check says that uses the name."""
+        """Return the message of a check that uses the name."""
         says = does_not_define(self.module, self.name, is_empty=self.is_empty)
         likely = f"Did you mean {self.nearest}?" if self.nearest else ""
         return Message(says, likely=likely)
 
 
 class MissingNameError(CheckEnded):
-    """A check uses a name that is not there."""
+    """A check uses a name that does not exist."""
 
     def __init__(self, missing: MissingName, message: Message) -> None:
         super().__init__(message)
@@ -40,45 +40,45 @@ class MissingNameError(CheckEnded):
 
 
 def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
-    """Return the sentence on a name that is not in a module."""
+    """Return a sentence that says that a module does not define a name."""
     empty = " is empty and" if is_empty else ""
     return f"{file_of(module)}{empty} does not define {name}"
 
 
 def file_of(module: str) -> str:
-    """Return a module's file as students know it, such as ch02_vectors/vector.py."""
+    """Return a module's file in the form that students know, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
-    """Return a module whose every name is missing, for this reason."""
+    """Return a module in which every name is missing for this reason."""
     module = ModuleType(name)
-    module.__dict__["__getattr__"] = lambda wanted: _stand_in(MissingName(name, wanted), why)
+    module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
     return module
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Return what answers for the names that a student's module does not define."""
+    """Return a __getattr__ that supplies placeholders for names that a module does not define."""
     is_empty = all(name.startswith("__") for name in vars(module))
 
     def answer(name: str) -> Any:
         missing = MissingName(module.__name__, name, nearest(name, vars(module)), is_empty)
-        return _stand_in(missing, missing.explain())
+        return _placeholder(missing, missing.explain())
 
     return answer
 
 
 def while_imported(module: str, message: Message) -> Message:
-    """Return the message on a module at whose import the process hung or ended."""
+    """Return the message for a module during whose import the process hung or ended."""
     return Message(
-        f"{file_of(module)}, while it is imported: {message.title}",
+        f"{file_of(module)} cannot be imported: {message.title}",
         where=message.where,
         kind=message.kind,
     )
 
 
-def _stand_in(missing: MissingName, message: Message) -> Any:
-    """Return what stands for a name that is not there: a class, or a function, that fails."""
+def _placeholder(missing: MissingName, message: Message) -> Any:
+    """Return a placeholder for a missing name: a class that raises an error when it is called."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

@@ -1,7 +1,7 @@
-"""Find the name that was meant, where code uses a name or an attribute that does not exist.
+"""Suggest the intended name if code uses a name or an attribute that does not exist.
 
-The error only says what is missing. What there is instead can be seen where the code runs, so this
-is found there and carried along as plain data.
+The error only says what is missing. The names that exist are known only where the code runs. So the
+search happens there, and its result is passed on as plain data.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from dataclasses import dataclass, field
 from types import FrameType, ModuleType, TracebackType
 from typing import Any
 
-SHORTEST = 3  # letters: any shorter name is near to too many others
+SHORTEST = 3  # letters; a shorter name is similar to too many others
 LONGEST = 100  # characters of a name
-BUILT_IN = 0.8  # how near a built-in name must be: print is not what iter or help stands for
+BUILT_IN = 0.8  # similarity that a built-in name must have to be suggested
 MOST_SLOTS = 20
 STORES = "STORE_ATTR"
 ATTRIBUTE = re.compile(r"'(\w+)' object has no attribute '(\w+)'")
@@ -27,12 +27,12 @@ IMPORTED = re.compile(r"cannot import name '(\w+)'")
 
 @dataclass(frozen=True)
 class Unknown:
-    """A name that is not there.
+    """A name that does not exist.
 
-    ``of`` is the type, or the file, that lacks it; it is empty for a plain name. ``nearest`` is the
-    most similar name that is there. ``slots`` are the attributes that the object can hold, where
-    one that it cannot hold was assigned to. ``module`` says that the name is a module of Python's
-    library that was not imported.
+    ``of`` is the type, or the file, that lacks the name; it is empty for a plain name. ``nearest``
+    is the most similar name that exists. If the code assigned an attribute that the object cannot
+    hold, ``slots`` lists those that it can hold. ``module`` says that the name is a module of
+    Python's library that was not imported.
     """
 
     name: str
@@ -43,7 +43,7 @@ class Unknown:
 
 
 def unknown_of(error: BaseException) -> Unknown | None:
-    """Return what an error says is missing, None where it speaks of something else."""
+    """Return the name that an error says is missing, or None for any other error."""
     try:
         if isinstance(error, UnboundLocalError):
             return None
@@ -53,15 +53,15 @@ def unknown_of(error: BaseException) -> Unknown | None:
             return _attribute(error)
         if isinstance(error, ImportError):
             return _import(error)
-    except Exception:  # an object of the student's may fail when it is asked what it has
+    except Exception:  # inspecting a student's object may fail
         return None
     return None
 
 
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
-    """Return the most similar of these names, empty where none is similar.
+    """Return the most similar of these names, or an empty string if none is similar.
 
-    Names with two underscores at both ends are left out: nobody means one by mistake.
+    Names with two underscores at both ends are never suggested.
     """
     names = [other for other in there if not (other.startswith("__") and other.endswith("__"))]
     if not SHORTEST <= len(name) <= LONGEST:
@@ -70,14 +70,14 @@ def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
 
 
 def explain_unknown(unknown: Unknown) -> str:
-    """Return what to do about a name that is not there; empty where nothing is near."""
+    """Return advice about a name that does not exist, or an empty string if no name is similar."""
     name, near = unknown.name, unknown.nearest
     if unknown.slots:
         held = ", ".join(unknown.slots)
-        hint = f" The nearest to {name} is {near}." if near else ""
+        hint = f" The most similar to {name} is {near}." if near else ""
         return (
             f"The class {unknown.of} has __slots__, so its objects can hold only these attributes: "
-            f"{held}.{hint} Store the value in one of them, in the form that its name says."
+            f"{held}.{hint} Store the value in one of them, in the form that its name suggests."
         )
     if unknown.module:
         return f"{name} is not imported. Write import {name} at the top of the file."
@@ -105,7 +105,7 @@ def _attribute(error: AttributeError) -> Unknown | None:
     frame = _innermost(error.__traceback__)
     name, value = error.name, error.obj
     if name is None and frame and (says := ATTRIBUTE.match(str(error))):
-        # Before Python 3.13 an assignment that fails does not say to which object.
+        # Before Python 3.13, a failed assignment does not say which object it was for.
         name = says[2]
         alike = [one for one in frame.f_locals.values() if type(one).__name__ == says[1]]
         value = alike[0] if alike else None
@@ -136,7 +136,7 @@ def _innermost(traceback: TracebackType | None) -> FrameType | None:
 
 
 def _assigns(traceback: TracebackType | None) -> bool:
-    """Say whether the code was assigning to an attribute when the error was raised."""
+    """Return whether the error was raised by an assignment to an attribute."""
     while traceback and traceback.tb_next:
         traceback = traceback.tb_next
     if traceback is None:
@@ -147,17 +147,17 @@ def _assigns(traceback: TracebackType | None) -> bool:
 
 
 def _attributes(value: Any) -> set[str]:
-    """Return the names that an object has, or that its class knows."""
+    """Return the names of an object's attributes, including those of its class."""
     kinds = value.__mro__ if isinstance(value, type) else type(value).__mro__
     names = {name for kind in kinds for name in vars(kind)}
     return names | set(getattr(value, "__dict__", ()))
 
 
 def _slots(kind: type) -> list[str]:
-    """Return what objects of a class can hold, as far as it helps; nothing for any attribute.
+    """Return the slots to suggest for a class, or an empty list if any attribute is allowed.
 
-    A name such as _damping helps where the class has a property damping, which stands for it. Any
-    other name with an underscore is for the class itself.
+    A private slot such as _damping is listed only if the class has a property named damping. Other
+    private slots are internal to the class. If this leaves no slot, all slots are listed.
     """
     if kind.__dictoffset__:
         return []

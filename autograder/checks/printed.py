@@ -9,7 +9,7 @@ LONGEST = 4000  # characters
 
 
 class CappedText(io.TextIOBase):
-    """Standard output and standard error of a student's code."""
+    """Standard output and standard error of a student's code, limited in length."""
 
     def __init__(self, keep: Callable[[str], object]) -> None:
         self.left = LONGEST

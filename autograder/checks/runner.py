@@ -1,7 +1,7 @@
-"""Run a chapter's checks in a process of their own, hold each to a time limit, and give verdicts.
+"""Run a chapter's checks in a separate process, with a time limit for each, and give verdicts.
 
-A check that hangs or ends its process costs only itself: the rest goes on in a new process.
-Nothing here needs POSIX, where the code is not behind walls.
+A check that hangs or ends its process affects only itself: the others run in a new process. Without
+a sandbox, nothing here needs POSIX.
 """
 
 from __future__ import annotations
@@ -28,30 +28,31 @@ from autograder.manifest import ROOT, Chapter
 from autograder.message import Kind, Message
 from autograder.records import to_json
 
-HURRIED = 0.25  # of the time for the checks that are left, once one function has not ended twice
-LONGEST_MESSAGE = 8000  # characters: what a student returns may be large, and is shown
-LONGEST_PART = 800  # characters of each part of a message that is longer than that
-ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # of an object: another one in every run
+HURRIED = 0.25  # fraction of the time limit for later checks, once one function has hung twice
+LONGEST_MESSAGE = 8000  # characters; a message shows returned values, which may be huge
+LONGEST_PART = 800  # characters of each part, if the whole message is too long
+ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # of an object; it differs in every run
 
 
 @dataclass(frozen=True)
 class Limits:
-    """Seconds for one check, which takes a few milliseconds, and for all those of a chapter."""
+    """Time limits in seconds: for one check, which takes milliseconds, and for a whole run."""
 
     check: float = 3.0
     run: float = 90.0
 
 
 class GraderError(Exception):
-    """The checks could not be run, and that is no fault of the code that they check."""
+    """The checks could not be run, and this is not the fault of the checked code."""
 
 
 @dataclass(frozen=True)
 class Order:
-    """What is to be run: the checks of these exercises of a chapter, on an engine.
+    """The checks to run: those of some exercises of a chapter, on an engine.
 
-    ``engine`` is folders of chapters, the first on top. Its code runs ``behind`` walls, or beside
-    the checks where they are None; there ``apart`` has each exercise in a copy of the process.
+    ``engine`` is a list of chapter folders; the first overlays the others. The student's code runs
+    in the sandbox that ``behind`` describes or, if that is None, in the process of the checks. In
+    the second case, ``apart`` runs each exercise in a copy of that process.
     """
 
     chapter: Chapter
@@ -75,11 +76,14 @@ def run_checks(
     behind: Behind | None = None,
     root: Path = ROOT,
 ) -> list[Verdict]:
-    """Run the checks of a chapter on an engine and return a verdict for each.
+    """Run the checks of a chapter on an engine, and return a verdict for each.
 
-    ``exercises`` limits the run to some and what they need; ``on_verdict`` hears how many verdicts
-    there are, of how many checks; the rest is as in Order. Raises GraderError where the checks
-    themselves cannot be run.
+    ``exercises`` limits the run to some exercises and those that they need. ``on_verdict`` is
+    called with the number of verdicts so far and the number of checks. ``Order`` explains the other
+    arguments.
+
+    Raises:
+        GraderError: The checks themselves cannot be run.
     """
     wanted = with_needs(chapter, exercises)
     run = Run(Order(chapter, engine, wanted, seed, limits or Limits(), behind, root), on_verdict)
@@ -96,7 +100,7 @@ def run_checks(
 
 
 class Run:
-    """The state of a run over the processes that it may take."""
+    """The state of a run, which may take several processes."""
 
     def __init__(self, order: Order, on_verdict: Callable[[int, int], None] | None = None) -> None:
         self.order = order
@@ -107,29 +111,29 @@ class Run:
         self.deadline = time.monotonic() + order.limits.run
         self.current: events.Importing | events.Started | None = None  # what the process is doing
         self.finished = False
-        self.hung: set[str] = set()  # exercises of which a check did not end
-        self.loops: list[str] = []  # the functions in which they did not
+        self.hung: set[str] = set()  # exercises with a check that hung
+        self.loops: list[str] = []  # the functions in which checks hung
         self.stderr = ""
 
     def reason(self) -> str:
         """Return why there are no verdicts."""
         if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
             own = self.order.chapter.name
-            return f"{missing[1]} is not here: put your own folder beside {own}"
-        words = self.stderr or "it said nothing"
-        if "INTERNALERROR>" in words:  # pytest's frames say nothing to anybody else
+            return f"{missing[1]} is missing: put your own folder of that name beside {own}"
+        words = self.stderr or "it printed nothing"
+        if "INTERNALERROR>" in words:  # leave out pytest's own traceback
             words = words.rpartition("INTERNALERROR>")[2].strip()
-        return f"the process of the checks stopped without a verdict; {words}"
+        return f"the check process stopped without a verdict: {words}"
 
     @property
     def limit(self) -> float:
-        """Seconds for the next check."""
+        """The time limit of the next check in seconds."""
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)
 
     @property
     def progress(self) -> tuple[int, int]:
-        """What one process after the other adds to."""
+        """The numbers of verdicts and of broken modules, which grow as the run makes progress."""
         return len(self.verdicts), len(self.broken)
 
     def outcome(self) -> list[Verdict]:
@@ -138,14 +142,14 @@ class Run:
         return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
-        """Start a process for the checks that have no verdict yet, and follow it to its end."""
+        """Start a process for the checks that have no verdict yet, and follow it until it ends."""
         order, silent, self.current = self.order, False, None
-        # Windows holds on to the files of a process for a moment after its end.
+        # Windows keeps the files of a process open for a moment after it ends.
         with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
             folder = Path(name)
             stack_file = folder / "stack.txt"
             stack_file.touch()
-            config = folder / "config.json"  # it may be longer than a command line
+            config = folder / "config.json"  # may be too long for a command line
             config.write_text(json.dumps(to_json(self.config(folder))), encoding="utf-8")
             place = root_of_checks(folder, order.root, order.behind)
             judge = Judge(config, place, holds_input=order.behind is not None)
@@ -166,7 +170,7 @@ class Run:
         self._break_off(self.current, why)
 
     def config(self, folder: Path) -> Config:
-        """Return what the process of the checks is told."""
+        """Return the configuration for the check process."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
@@ -180,7 +184,11 @@ class Run:
         )
 
     def take(self, event: Event) -> None:
-        """Take one event of the process. Raises GraderError for a check that there is not."""
+        """Handle one event of the process.
+
+        Raises:
+            GraderError: The event is about an unknown check.
+        """
         doing, self.current = self.current, None
         match event:
             case events.Importing() | events.Started():
@@ -196,7 +204,7 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Take note of what the process was doing when it broke off."""
+        """Record what the process was doing when it ended early."""
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return
@@ -209,10 +217,12 @@ class Run:
     def _decide(self, decided: events.Decided) -> None:
         check = self.checks.get(decided.name)
         if check is None:
-            raise GraderError(f"the process of the checks sent a verdict on {decided.name[:200]!r}")
+            raise GraderError(
+                f"the check process sent a verdict on an unknown check, {decided.name[:200]!r}"
+            )
         message, status, behind = decided.message, decided.status, self.order.behind
-        if check.rationale is not None and behind is not None and not behind.tells:
-            # Any other word could tell what is checked, and how.
+        if check.rationale is not None and behind is not None and not behind.for_instructor:
+            # Anything else could reveal what is checked, and how.
             words = {"failed": check.rationale, "error": "the grader failed on this check"}
             message = Message(words.get(status, ""))
         self.verdicts[check.name] = Verdict(
@@ -228,23 +238,23 @@ class Run:
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def give_up(self) -> None:
-        """Decide the checks that are left when the time for all of them is used up."""
+        """Fail the remaining checks, because the time for the whole run is used up."""
         seconds = f"{self.order.limits.run:g} seconds"
         if not self.checks:
             raise GraderError(f"no check began within {seconds}:\n{self.stderr}")
         for name in self.checks:
             if name not in self.verdicts:
-                why = Message(f"not run: the {seconds} were used up")
+                why = Message(f"not run: the time limit for all checks, {seconds}, was used up")
                 self._decide(events.Decided(name, "failed", why))
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Give an exercise up after one hang where what it builds on hangs as well.
+        """Give up an exercise after one hang if an exercise that it builds on hangs as well.
 
-        Its other checks would most likely wait for the same loop, each for the whole time limit.
+        Its other checks would probably hang in the same loop, each for the whole time limit.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
-            why = Message("not run: another check of it did not end")
+            why = Message("not run: another check of this exercise did not finish")
             for name, check in self.checks.items():
                 if name not in self.verdicts and check.exercise == exercise:
                     self._decide(events.Decided(name, "failed", why))
@@ -252,9 +262,9 @@ class Run:
 
 
 def presentable(message: Message) -> Message:
-    """Return a message that may be shown: no control characters, no addresses, not too long.
+    """Return a message that may be shown: cleaned, without addresses, and not too long.
 
-    Whatever a student's code has said comes by here, and nowhere else.
+    All text that comes from a student's code passes through this function.
     """
     message = message.changed(lambda text: ADDRESS.sub("", clean(text)))
     return message if len(str(message)) <= LONGEST_MESSAGE else message.changed(_cut)
@@ -263,11 +273,11 @@ def presentable(message: Message) -> Message:
 def _cut(text: str) -> str:
     if len(text) <= LONGEST_PART:
         return text
-    return f"{text[: LONGEST_PART - 50]} ... {len(text)} characters in all"
+    return f"{text[: LONGEST_PART - 50]} ... ({len(text)} characters in all)"
 
 
 def _event(line: str) -> Event:
     try:
         return read_event(line)
     except ValueError as error:
-        raise GraderError(f"the process of the checks sent {line[:200]!r}") from error
+        raise GraderError(f"the check process sent an unknown event, {line[:200]!r}") from error

@@ -1,4 +1,4 @@
-"""Know the student's code: which files it is in, which of them are graded, and whether it runs."""
+"""Recognize the student's code: its files, which of them are graded, and whether it is running."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from autograder.checks.faults import is_inside, short
 from autograder.manifest import Chapter
 
 LIBRARY = [Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "platstdlib")]
-PACKAGES = ("site-packages", "dist-packages")  # they may lie inside the library's folder
+PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library's folder
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """Return the files of each chapter's folder that a grader has: handed in, or complete."""
+    """Return the files of each chapter that exist where work is graded: handed in, or complete."""
     return {chapter.name: [*chapter.handed_in, *chapter.complete] for chapter in chapters}
 
 
 class StudentsCode:
     """The code in the folders of an engine.
 
-    ``graded`` lists, for each chapter's folder, the files that a grader has. A folder that is not
-    in it is taken whole. The files ``ours``, such as ch06_springs/cloth.py, were not written by
-    the student.
+    ``graded`` lists, for each chapter's folder, the files that exist where work is graded. A folder
+    that it does not list is taken whole. ``ours`` lists files that the student did not write, such
+    as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -38,11 +38,12 @@ class StudentsCode:
         self.ours = ours
         self._known: dict[str, bool | None] = {}
 
-    def asks(self) -> bool:
-        """Say whether the student's code made the call that our caller is to judge.
+    def is_calling(self) -> bool:
+        """Return whether the student's code made the call that the caller has to judge.
 
-        The nearest function on the stack that is not of Python's library decides. What Python
-        does in order to import a module counts as Python's own act, not as the student's.
+        The innermost function on the stack that does not belong to Python's library decides. The
+        steps that Python itself takes to import a module do not count as calls of the student's
+        code.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -55,8 +56,8 @@ class StudentsCode:
         return False
 
     def _is_students(self, file: str) -> bool | None:
-        """Say whether a file is the student's; None for Python's library."""
-        if file.startswith("<"):  # such as <string>, which exec has, and <frozen os>
+        """Return whether a file is the student's, or None if it belongs to Python's library."""
+        if file.startswith("<"):  # such as <string>, from exec, and <frozen os>
             return False if file.startswith("<frozen importlib") else None
         if is_inside(file, self.folders):
             return short(file) not in self.ours
@@ -64,7 +65,7 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Say whether a grader has this file of a chapter's folder. Probes come with the checks."""
+        """Return whether a file of a chapter exists where work is graded. Probes always do."""
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")
         )

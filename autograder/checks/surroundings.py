@@ -1,7 +1,7 @@
-"""Give a student's code the surroundings that it has where it is graded.
+"""Run a student's code in the same surroundings as where it is graded.
 
-It works in the root folder, without arguments and without the user's environment variables. It has
-as much memory as there, and its calls may be nested as deeply.
+The code runs in the root folder, without arguments and without the user's environment variables. It
+has the same limits on memory and on nested calls.
 """
 
 from __future__ import annotations
@@ -12,27 +12,27 @@ from pathlib import Path
 
 VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
 NEEDED = ("SYSTEMROOT",)  # by Python itself, on Windows
-# Bytes beyond what the process has now. A grader has 512 MB in all, of which Python needs some 30;
-# here the thread that watches the time has a stack of 8 more.
+# Bytes on top of what the process uses now. A grader allows 512 MB in all, of which Python needs
+# about 30. Here the thread of the time limit needs another 8 MB for its stack.
 MEMORY = 490 << 20
-_ARENA_MAX = -8  # in malloc.h
-DEPTH = 1000  # nested calls in a grader's process
-FIRST_CALLS = 9  # of those, the grader's own around a student's code
+_ARENA_MAX = -8  # M_ARENA_MAX in malloc.h
+DEPTH = 1000  # nested calls that a grader's process allows
+FIRST_CALLS = 9  # of these, the grader's own calls around a student's code
 
 
 def leave_home() -> None:
-    """Take the user's surroundings away from this process, for good, and limit its memory."""
+    """Remove the user's surroundings from this process permanently, and limit its memory."""
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
     os.environ.clear()
     os.environ |= VARIABLES | kept
     os.chdir("/")
-    if sys.platform == "linux":  # elsewhere such a limit stops the interpreter itself
+    if sys.platform == "linux":  # elsewhere this limit stops Python itself
         import ctypes
         import resource
 
-        # A thread's own heap reserves 64 MB, and two may overlap for a moment: all share one.
-        set_option = getattr(ctypes.CDLL(None), "mallopt", None)  # glibc alone has it, and heaps
+        # A heap per thread would reserve 64 MB each, and two may exist for a moment. Share one.
+        set_option = getattr(ctypes.CDLL(None), "mallopt", None)  # only glibc has such heaps
         if set_option:
             set_option(_ARENA_MAX, 1)
         pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
@@ -43,15 +43,15 @@ def leave_home() -> None:
 
 
 class Depth:
-    """Lets a student's code nest as many calls as a grader does, however deep the stack is here."""
+    """Lets a student's code nest as many calls as in a grader, however deep the stack is here."""
 
     def __init__(self) -> None:
         self.limit = sys.getrecursionlimit()
 
     def adapt(self, more: int) -> None:
-        """Set the recursion limit for code that runs ``more`` calls deeper than our caller.
+        """Set the recursion limit for code that runs ``more`` calls deeper than the caller.
 
-        A limit that the student's code has set itself stays.
+        A limit that the student's code has set itself is kept.
         """
         if sys.getrecursionlimit() != self.limit:
             return

@@ -1,4 +1,4 @@
-"""What became of a check, and which exercises it rests on."""
+"""The verdict on a check, and the exercises on which it depends."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from autograder.manifest import Chapter
 from autograder.message import NOTHING, Message
 
 Status = Literal["passed", "failed", "blocked", "inherited", "error"]
-Point = tuple[float, float]  # on the chart of an open exercise: cost, in counted work, and error
+Point = tuple[float, float]  # on the chart of an open exercise: cost (counted work), error
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What became of one check.
+    """The verdict on one check.
 
-    ``robust`` says that the check is about bad arguments, overflow or NaN, and not the physics.
+    A ``robust`` check is about bad arguments, overflow or NaN, not about the physics.
     """
 
     name: str
@@ -30,13 +30,13 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Return the exercises that one builds on, directly or through others."""
+    """Return the exercises on which an exercise builds, directly or indirectly."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 
 
 def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
-    """Return these exercises (all by default) and what they need, in the manifest's order."""
+    """Return these exercises (by default all) and those that they need, in the manifest's order."""
     everything = [exercise.id for exercise in chapter.exercises]
     if exercises is None:
         return everything
@@ -45,10 +45,10 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Turn failures of exercises that build on a failing one from failed into blocked.
+    """Change failed to blocked for an exercise that builds on a failing one.
 
-    Only the physics of an exercise counts: its robust checks block nothing. A check that passes
-    all the same keeps its verdict: what works earns its points.
+    Only a failure in the physics of an exercise blocks others, never one in its robust checks. A
+    check that passes anyway keeps its verdict and earns its points.
     """
     failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
     marked = []

@@ -1,8 +1,8 @@
-"""The process that runs the checks: pytest with a recorder that reports each verdict as it falls.
+"""The process that runs the checks: pytest with a plugin that reports each verdict immediately.
 
-The runner starts it as ``python -m autograder.checks.verdicts FILE`` and reads one JSON object a
-line: the list of checks first, then what starts and what its verdict is. Verdicts come from
-pytest's own reports, never from text.
+The runner starts it as ``python -m autograder.checks.verdicts FILE`` and reads one JSON object per
+line: first the list of checks, then the start of each check and its verdict. Verdicts come from
+pytest's own reports, never from printed text.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from autograder.checks.events import Check, Checks, Decided, Ended, Event, Start
 from autograder.checks.explain import explain_exception
 from autograder.checks.faults import CheckEnded, GraderFault, StudentLeft, fault_of
 from autograder.checks.gone import explain_gone
-from autograder.checks.in_process import InProcess, Tell
+from autograder.checks.in_process import InProcess, Send
 from autograder.message import NOTHING, Message
 from autograder.records import from_json
 from autograder.wrapping import few_lines
@@ -35,52 +35,52 @@ from autograder.wrapping import few_lines
 if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker
 
-# Built-in plugins that no check uses; leaving them out saves a sixth of the time to the answer.
+# Built-in plugins that no check uses. Leaving them out saves a sixth of the wait.
 UNUSED_PLUGINS = (
     "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin setuponly "
     "setupplan stepwise unittest debugging warnings unraisableexception threadexception"
 )
 
-MOST_KEPT = (40, 2000)  # lines, and characters, of what the student's code printed
+MOST_KEPT = (40, 2000)  # lines and characters of the printed output
 
 
 class Recorder:
-    """A pytest plugin that picks the checks to run, limits their time and reports verdicts."""
+    """A pytest plugin that selects the checks to run, limits their time and reports verdicts."""
 
-    def __init__(self, config: Config, tell: Tell) -> None:
+    def __init__(self, config: Config, send: Send) -> None:
         self.config = config
-        self.tell = tell
+        self.send = send
         self.engine = _engine(config)
         self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:
-        """Make the student's modules ready for the checks to import."""
-        self.engine.open(self.config.arranged.modules, self.config.broken, self.tell)
+        """Prepare the student's modules, so that the checks can import them."""
+        self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """Tell what cannot be imported, where that was not needed to collect the checks."""
+        """Let the engine finish its preparations after the checks are collected."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """Leave the reason where the runner looks for it when the checks cannot be collected."""
+        """Print why the checks cannot be collected to stderr, where the runner reads it."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 
     def pytest_collection_modifyitems(
         self, config: pytest.Config, items: list[pytest.Item]
     ) -> None:
-        """Sort the checks by the manifest's order, tell the runner, and leave out what is done."""
+        """Sort the checks by the manifest, report them, and leave out those that are done."""
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
             if exercise_of(item) not in self.config.arranged.known:
-                raise pytest.UsageError(f"{item.nodeid} is of an exercise that there is not")
+                raise pytest.UsageError(f"{item.nodeid} belongs to an unknown exercise")
         items[:] = [item for item in items if exercise_of(item) in order]
         items.sort(key=lambda item: (order[exercise_of(item)], _is_robust(item)))
         hidden = [item for item in items if "/hidden/" in item.path.as_posix()]
         for number, item in enumerate(hidden, 1):
             item.user_properties.append(("rationale", _rationale(item)))
             worker = self.config.arranged.worker
-            if worker and not worker.tells:  # its own name may say what it looks for
+            if worker and not worker.for_instructor:  # its real name may reveal what it checks
                 item.name = f"hidden check {number}"
         checks = [
             Check(
@@ -88,20 +88,20 @@ class Recorder:
                 exercise_of(item),
                 _marker(item).kwargs.get("weight", 1),
                 _is_robust(item),
-                _told(item).get("rationale"),
+                _properties(item).get("rationale"),
             )
             for item in items
         ]
-        self.tell(Checks(checks))
+        self.send(Checks(checks))
         left_out = [item for item in items if item.name in self.config.done]
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if item not in left_out]
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
-        """Run the checks of each exercise in a copy of this process, if they share it with code."""
+        """Run the checks of each exercise in a copy of this process, if student code runs in it."""
         apart = isinstance(self.engine, InProcess) and self.engine.apart
-        if session.testsfailed or not apart:  # checks that cannot be collected are for pytest
+        if session.testsfailed or not apart:  # pytest reports a failed collection
             return None
         for _, group in groupby(session.items, exercise_of):
             run_in_a_copy(partial(run_all, list(group)))
@@ -109,13 +109,13 @@ class Recorder:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
-        """Start the time limit of the check itself, and its worker if it has one."""
-        self.tell(Started(item.name))
+        """Start the time limit of the check and, if it has one, its worker."""
+        self.send(Started(item.name))
         about.forget()
-        self.engine.start()  # until its report is made: a student's exception may hang in its str
+        self.engine.start()  # stopped after the report, since an exception's str() may hang
         try:
             return (yield)
-        except KeyboardInterrupt as error:  # the student's, or pytest would end all checks
+        except KeyboardInterrupt as error:  # from student code; pytest would end the run
             left = StudentLeft(str(error))
             left.fault = fault_of(error, self.engine.engine)
             raise left.with_traceback(error.__traceback__) from None
@@ -124,9 +124,9 @@ class Recorder:
     def pytest_runtest_makereport(
         self, item: pytest.Item, call: pytest.CallInfo[None]
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-        """Report what became of the check; trouble outside its body is the grader's fault."""
-        # Ours is the only reader, so pytest need not lay its traceback out: that takes four times
-        # as long as all the rest.
+        """Report the verdict on the check. An error outside its body is the grader's fault."""
+        # Nobody reads pytest's traceback, and formatting it takes four times as long as all the
+        # rest.
         setattr(item, "repr_failure", str)  # noqa: B010
         report = yield
         status: Literal["passed", "failed", "error"] = "passed"
@@ -150,21 +150,21 @@ class Recorder:
             if printed and message:
                 message = replace(message, printed=few_lines(printed, *MOST_KEPT))
         if report.when == "call" or status == "error":
-            told = _told(item)
-            # Where a hidden check puts a work could tell what it asks.
-            point = None if "rationale" in told else told.get("on_chart")
+            known = _properties(item)
+            # A point on the chart could reveal what a hidden check measures.
+            point = None if "rationale" in known else known.get("on_chart")
             message = message.changed(self._without_folders)
-            self.tell(Decided(item.name, status, message, point))
+            self.send(Decided(item.name, status, message, point))
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Return a text without the engine's folders: in grading it lies elsewhere."""
+        """Return a text without the engine's folders, which are elsewhere in grading."""
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
 
     def _defined(self, module: str) -> set[str] | None:
-        """Return what a module of the chapter defines, None where nobody can tell."""
+        """Return the names that a module of the chapter defines, or None if they are unknown."""
         if module not in self.definitions:
             arranged = self.config.arranged
             places = [Path(folder) / arranged.chapter for folder in arranged.engine]
@@ -175,7 +175,7 @@ class Recorder:
     def pytest_sessionfinish(self, exitstatus: int) -> None:
         code = pytest.ExitCode
         if exitstatus in (code.OK, code.TESTS_FAILED, code.NO_TESTS_COLLECTED):
-            self.tell(Ended())
+            self.send(Ended())
 
 
 def run_all(checks: list[pytest.Item]) -> None:
@@ -185,23 +185,23 @@ def run_all(checks: list[pytest.Item]) -> None:
 
 
 def _engine(config: Config) -> InProcess | InWorker:
-    """Return what holds the student's code: this process, or workers."""
+    """Return the object that runs the student's code: in this process, or in workers."""
     arranged = config.arranged
     where = arranged.engine, config.time_limit, config.stack_file, arranged.complete
     if arranged.worker is None:
         return InProcess(*where, arranged.graded, apart=config.apart)
-    from autograder.isolation.in_worker import InWorker  # hand-outs lack it
+    from autograder.isolation.in_worker import InWorker  # not in hand-outs
 
     return InWorker(*where, arranged.worker)
 
 
-def _told(item: pytest.Item) -> dict[str, Any]:
-    """Return what is known of a check beside its verdict: its rationale, its point on a chart."""
+def _properties(item: pytest.Item) -> dict[str, Any]:
+    """Return the properties that a check has recorded, such as its rationale."""
     return dict(item.user_properties)
 
 
 def _rationale(item: pytest.Item) -> str:
-    """Return the one sentence that students are told of a hidden check: its docstring's first."""
+    """Return what students see of a hidden check: the first line of its docstring."""
     words = (getattr(item, "obj", None).__doc__ or "").strip()
     return words.splitlines()[0] if words else "a hidden check of this exercise fails"
 
@@ -219,25 +219,25 @@ def _marker(item: pytest.Item) -> pytest.Mark:
 
 
 def _is_robust(item: pytest.Item) -> bool:
-    """Say whether a check belongs to the robust tier of its exercise, not to the physics."""
+    """Return whether a check belongs to the robust tier of its exercise, not to the physics."""
     return item.get_closest_marker("robust") is not None
 
 
 def main() -> int:
-    """Run the checks that the configuration names, in the file on the command line."""
+    """Run the checks of the configuration in the file named on the command line."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what the student prints is no verdict
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts
 
-    def tell(event: Event) -> None:
+    def send(event: Event) -> None:
         wire.write(write_event(event))
         wire.flush()
 
-    return int(pytest.main(pytest_arguments(config), plugins=[Recorder(config, tell)]))
+    return int(pytest.main(pytest_arguments(config), plugins=[Recorder(config, send)]))
 
 
 def pytest_arguments(config: Config) -> list[str]:
-    """Return what pytest is called with."""
+    """Return the command-line arguments for pytest."""
     arranged = config.arranged
     arguments = [*arranged.tests, "--capture=no", f"--rootdir={arranged.root}"]
     arguments += [f"--seed={config.seed}", *(f"--engine={path}" for path in arranged.engine)]
@@ -247,7 +247,7 @@ def pytest_arguments(config: Config) -> list[str]:
 
 
 if __name__ == "__main__":
-    # Threads or exit handlers that the student's code left behind must not hold the process.
+    # Threads or exit handlers of the student's code must not keep the process from ending.
     code = main()
     sys.stderr.flush()
     os._exit(code)

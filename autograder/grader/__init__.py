@@ -1,1 +1,1 @@
-"""Grading a class, on one machine or over a cluster."""
+"""Grade a class, on one machine or over a cluster."""

@@ -1,4 +1,4 @@
-"""What a class is graded on, and what is worked out once for all of its submissions."""
+"""The assignment that a class is graded on, and verdicts that are computed once for the class."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.checks.arrange import Behind
-from autograder.checks.given import is_at_hand, with_given
+from autograder.checks.given import has_reference, with_given
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.isolation.sandbox import Level
@@ -22,10 +22,10 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """What a class is graded on, the same for each submission.
+    """The assignment that a class is graded on, which is the same for each submission.
 
-    The ``given`` chapters are the reference's, whatever is handed in; ``hidden`` is a folder of
-    further checks; ``level`` names the walls.
+    ``given`` chapters are taken from the reference, whatever is handed in. ``hidden`` is a folder
+    of additional checks. ``level`` names the layers of the sandbox.
     """
 
     chapters: list[Chapter]
@@ -45,9 +45,12 @@ class Assignment:
         run_limit: float = Limits.run,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run a chapter's checks on an engine; ``missing`` modules were not taken, and why.
+        """Run a chapter's checks on an engine.
 
-        Raises GraderError as run_checks does.
+        ``missing`` gives, for each module that was not taken, the reason.
+
+        Raises:
+            GraderError: The checks cannot be run.
         """
         why = {
             module: Message(reason, kind=Kind.BROKEN) for module, reason in (missing or {}).items()
@@ -64,9 +67,10 @@ class Assignment:
 
 
 class OnceForAll:
-    """Verdicts that are the same for every submission to one assignment, each worked out once.
+    """Verdicts that are the same for every submission to one assignment, each computed once.
 
-    The threads of a class share one: the first that asks works it out, and the others wait.
+    The threads of a class share one instance. The first thread that needs a verdict computes it,
+    and the others wait.
     """
 
     def __init__(self) -> None:
@@ -75,9 +79,10 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts on nothing but the reference's earlier chapters.
+        """Return the verdicts on an empty submission, on the reference's earlier chapters.
 
-        Raises GraderError as run_checks does.
+        Raises:
+            GraderError: The checks cannot be run.
         """
         with self._lock:
             if chapter.name not in self._of_nothing:
@@ -85,15 +90,15 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the reference's results in the open exercises; none where it is not at hand."""
+        """Return the reference's results. Only those of open exercises can have verdicts."""
         root = assignment.root
         with self._lock:
             if chapter.name not in self._of_reference:
                 wanted = [exercise.id for exercise in chapter.exercises if exercise.chart]
                 found: list[Verdict] = []
-                if is_at_hand(chapter, root):
+                if has_reference(chapter, root):
                     engine = [root / "solutions", root / "chapters"]
-                    with contextlib.suppress(GraderError, OSError):  # it is graded without it
+                    with contextlib.suppress(GraderError, OSError):  # grade without them
                         found = assignment.run(chapter, engine, exercises=wanted)
                 self._of_reference[chapter.name] = results_of(chapter, found)
             return self._of_reference[chapter.name]
@@ -101,11 +106,11 @@ class OnceForAll:
 
 def _run_on_nothing(assignment: Assignment, chapter: Chapter) -> list[Verdict]:
     below = chapters_below(chapter, assignment.root)
-    at_hand = [other for other in below if is_at_hand(other, assignment.root)]
+    available = [other for other in below if has_reference(other, assignment.root)]
     with tempfile.TemporaryDirectory(prefix="nothing-") as folder:
         box, empty = Path(folder) / "box", Path(folder) / "empty"
         box.mkdir()
         empty.mkdir()
         stage(empty, load_chapters(assignment.root), box, assignment.root)
-        with with_given(at_hand, [box], assignment.root) as engine:
+        with with_given(available, [box], assignment.root) as engine:
             return assignment.run(chapter, engine)

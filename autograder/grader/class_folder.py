@@ -1,4 +1,4 @@
-"""The folder that a class is graded into: held by one run, with its state and temporary files."""
+"""The folder that a class is graded into: locked by one run, with its state and temporary files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from autograder.submissions.find import file_name
 
 
 def seed_of(state: Path, seed: str | None) -> str:
-    """Return the seed that is wanted, that of a run that was stopped here, or a new one."""
+    """Return the requested seed, the seed of a run that was stopped here, or a new one."""
     if seed:
         return seed
     try:
@@ -29,7 +29,7 @@ def seed_of(state: Path, seed: str | None) -> str:
 
 @contextmanager
 def only_run(out: Path) -> Iterator[Path]:
-    """Make the folder and hold it for this run; yield the file that keeps the run's state."""
+    """Create the folder and lock it for this run; yield the file that holds the run's state."""
     if out.exists() and not out.is_dir():
         raise ValueError(f"--out must be a folder, got {str(out)!r}")
     out.mkdir(parents=True, exist_ok=True)
@@ -43,9 +43,9 @@ def only_run(out: Path) -> Iterator[Path]:
 
 @contextmanager
 def temporary_files_in(out: Path) -> Iterator[None]:
-    """Have temporary files in the folder of the reports, where a later run finds and removes them.
+    """Keep temporary files in the folder of the reports.
 
-    A run that is killed cannot remove its own.
+    A run that is killed cannot remove its own files. The next run finds them here and removes them.
     """
     own, before = out / ".temporary", tempfile.tempdir
     shutil.rmtree(own, ignore_errors=True)
@@ -59,9 +59,9 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move the reports of students who are not in this class away; return how many students.
+    """Move away the reports of students who are not in this class; return how many students.
 
-    They are another class's, or of somebody who has withdrawn.
+    They belong to another class, or to somebody who has withdrawn.
     """
     names = {file_name(student) for student in students}
     others = set()

@@ -1,4 +1,4 @@
-"""One run over a class: submissions side by side, and each report as it is made."""
+"""Grade the submissions of a class in parallel, and write each report as soon as it is made."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from autograder.submissions.find import Submission, file_name
 
 
 class ClassRun:
-    """One run over a class: what it shares, and how many were there already."""
+    """One run over a class, with the data that its submissions share."""
 
     def __init__(
         self,
@@ -47,7 +47,7 @@ class ClassRun:
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show the reports that arrive, and return them in the order of the submissions."""
+        """Show the progress as reports arrive; return them in the order of the submissions."""
         columns = (
             TextColumn("{task.description}"),
             BarColumn(),
@@ -67,21 +67,21 @@ class ClassRun:
                     if not self.console.is_terminal:
                         line = f"{len(reports)}/{len(submissions)} {report.student}"
                         self.console.print(line, markup=False)
-            except BaseException:  # Ctrl-C above all: what has landed stays, the rest is dropped
+            except BaseException:  # most often Ctrl-C: the reports that are written stay
                 progress.stop()
-                line = f"Stopping: {len(reports)} of {len(submissions)} are complete. "
-                self.console.print(line + "The same command goes on from there.")
+                line = f"Stopping: {len(reports)} of {len(submissions)} reports are complete. "
+                self.console.print(line + "Run the same command again to resume.")
                 raise
         return [reports[submission.student] for submission in submissions]
 
     def here(self, submissions: list[Submission], jobs: int) -> Generator[StudentReport]:
-        """Grade the submissions, so many at a time, and yield the reports that have landed."""
+        """Grade the submissions on this machine, ``jobs`` at a time, and yield their reports."""
         with ThreadPoolExecutor(jobs) as pool:
             try:
                 futures = [pool.submit(self.one, submission) for submission in submissions]
                 for future in as_completed(futures):
                     yield future.result()
-            except BaseException:  # that nobody wants any more is one, too
+            except BaseException:  # GeneratorExit too, if nobody needs more reports
                 with stopping():
                     pool.shutdown(cancel_futures=True)
                 raise
@@ -91,54 +91,54 @@ class ClassRun:
         submissions: list[Submission],
         grade_over: Callable[[list[Submission]], Iterator[StudentReport]],
     ) -> Generator[StudentReport]:
-        """Have the submissions graded by others, and yield the reports that have landed."""
+        """Let a cluster grade the submissions, and yield their reports."""
         left = []
         for submission in submissions:
             if report := self.earlier(submission):
-                yield self.land(report)
+                yield self.save(report)
             else:
                 left.append(submission)
         for report in grade_over(left):
-            yield self.land(replace(report, run=self.key))
+            yield self.save(replace(report, run=self.key))
 
     def one(self, submission: Submission) -> StudentReport:
-        """Return the report of one submission, an earlier one where it still holds."""
+        """Return the report on one submission, or an earlier report if it is still valid."""
         report = self.earlier(submission)
         if report is None:
             report = replace(grade_submission(self.assignment, submission, self.once), run=self.key)
             if is_stopped():
-                raise GraderError("the run was stopped")  # in the middle of this submission
-        return self.land(report)
+                raise GraderError("the run was stopped")  # before this grading ended
+        return self.save(report)
 
-    def land(self, report: StudentReport) -> StudentReport:
-        """Write a report and all that is made of it, with the marks of a person; return it."""
+    def save(self, report: StudentReport) -> StudentReport:
+        """Add the marks that a person gave, write the report and its pages, and return it."""
         report = apply_marks(report, self.marks)
         write_student(self.out, report)
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Return the report of an earlier run, where it still holds."""
+        """Return the report of an earlier run if it is still valid."""
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
-        if report is None or not self.still_holds(report, submission):
+        if report is None or not self.is_valid(report, submission):
             return None
         self.reused.append(submission.student)
         return report
 
-    def still_holds(self, report: StudentReport, submission: Submission) -> bool:
-        """Say whether grading again would give this report."""
+    def is_valid(self, report: StudentReport, submission: Submission) -> bool:
+        """Return whether grading the submission again would give the same report."""
         if report.status != "graded" or report.run != self.key:
             return False
         return report.submission == digest_of(self.assignment, submission)
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a row for each student: points, checks, and the first trouble."""
+    """Print a row for each student: points, checks, and the first problem."""
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right")
     table.add_column("status")
-    table.add_column("first trouble")
+    table.add_column("first problem")
     for report in reports:
         checks = [(e, check) for e in report.exercises for check in e.checks]
         passed = sum(check.status == "passed" for _, check in checks)

@@ -1,7 +1,7 @@
-"""Grade a class over a Dask cluster: submissions go out as data, and reports come back.
+"""Grade a class over a Dask cluster: submissions are sent as data, and reports come back.
 
-Dask schedules: it hands a submission whose worker has died to another one. A worker grades as the
-machine of the instructor would, behind the same walls, or refuses to.
+Dask does the scheduling. If a worker dies, Dask gives its submission to another worker. A worker
+grades exactly as the instructor's machine does, in the same kind of sandbox, or refuses to grade.
 """
 
 from __future__ import annotations
@@ -31,21 +31,21 @@ from autograder.submissions.stage import Staged, stage
 if TYPE_CHECKING:
     from distributed import Client
 
-CONNECTED_WITHIN = 10.0  # seconds until the scheduler answers
-WORKERS_WITHIN = 60.0  # seconds until the first worker is there
-START = "start it in the folder of the same repository: .venv/bin/python -m dask worker ADDRESS"
+CONNECTED_WITHIN = 10.0  # seconds for the scheduler to answer
+WORKERS_WITHIN = 60.0  # seconds for the first worker to appear
+START = "start it in a folder with this repository: .venv/bin/python -m dask worker ADDRESS"
 
-_GRADER = grader_digest()  # of what is loaded: the files may change under a worker
+_GRADER = grader_digest()  # of the loaded code: the files may change while a worker runs
 
-Tree = dict[str, bytes | None]  # what is in a folder: contents by path, None for a folder
+Tree = dict[str, bytes | None]  # the contents of a folder by path, None for a subfolder
 
 
 @dataclass(frozen=True)
 class Work:
-    """What every worker is told: what a class is graded on, and the machine that is asking.
+    """The data that every worker receives: the assignment, and facts about the sending machine.
 
-    ``key`` is what must be the same at the worker; ``home`` is where the repository is here.
-    Hidden checks are sent along.
+    ``key`` must be the same on the worker. ``home`` is the path of the repository on the sending
+    machine. Hidden checks are sent along.
     """
 
     assignment: Assignment
@@ -55,17 +55,18 @@ class Work:
 
     @classmethod
     def of(cls, assignment: Assignment) -> Work:
-        """Return what the workers are told about an assignment."""
+        """Return what the workers receive for an assignment."""
         public = replace(assignment, hidden=None)
         return cls(public, run_key(public), _tree(assignment.hidden))
 
 
 @contextmanager
 def connect(address: str, assignment: Assignment, console: Console) -> Iterator[Client]:
-    """Connect to a scheduler whose workers can grade this, and say how many there are.
+    """Connect to a scheduler whose workers can grade this, and print how many there are.
 
-    Raises ValueError where Dask is not installed, nobody answers, no worker comes, or one of the
-    workers would not grade as this machine does.
+    Raises:
+        ValueError: Dask is not installed, nobody answers, no worker appears, or a worker would not
+            grade as this machine does.
     """
     try:
         from distributed import Client
@@ -87,7 +88,7 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
             client.wait_for_workers(1, timeout=WORKERS_WITHIN)
         except TimeoutError as error:
             raise ValueError(
-                f"the cluster {address} had no workers within {WORKERS_WITHIN:g} seconds; {START}"
+                f"the cluster {address} had no worker within {WORKERS_WITHIN:g} seconds; {START}"
             ) from error
         outcomes = client.run(*_call(check_worker, Work.of(assignment)), on_error="return")
         for worker, outcome in outcomes.items():
@@ -101,17 +102,18 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
 def grade_over(
     client: Client, assignment: Assignment, submissions: list[Submission]
 ) -> Iterator[StudentReport]:
-    """Yield the reports on the submissions, each as it is made.
+    """Yield the reports on the submissions, each as soon as it is made.
 
-    Raises ValueError where a worker that has come later would not grade as this machine does, and
-    OSError where a submission cannot be sent or the scheduler is gone.
+    Raises:
+        ValueError: A worker that joined later would not grade as this machine does.
+        OSError: A submission cannot be sent, or the scheduler is gone.
     """
     from distributed import KilledWorker, as_completed
 
     work = Work.of(assignment)
     chapters = load_chapters(assignment.root)
     whose = {}
-    for submission in submissions:  # what is read here is data there: nothing need be shared
+    for submission in submissions:  # sent as data, so that no files are shared
         with tempfile.TemporaryDirectory(prefix="submission-") as folder:
             staged = stage(submission.path, chapters, Path(folder), assignment.root)
             box = _tree(Path(folder))
@@ -119,26 +121,30 @@ def grade_over(
         future = client.submit(*call, pure=False)
         whose[future] = submission
     for future in as_completed(list(whose), loop=client.loop):
-        submission = whose[future]  # and the future is kept: its __del__ would swallow a Ctrl-C
+        submission = whose[future]  # the future stays alive: its __del__ could swallow Ctrl-C
         try:
             report: StudentReport = future.result()
         except KilledWorker as error:
             died = error.allowed_failures + 1
-            reason = f"every worker that graded it died, {died} in all"
+            reason = f"every worker that tried to grade it died; workers lost: {died}"
             report = report_of_failure(assignment, submission.student, reason)
         except CancelledError as error:
             raise ConnectionError("the scheduler of the cluster is gone") from error
-        except Exception as error:  # what grading meets is in the report
-            raise ValueError(_refusal("a worker that came later", error)) from error
+        except Exception as error:  # errors of grading are in the report
+            raise ValueError(_refusal("a worker that joined later", error)) from error
         yield report
 
 
 def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
-    """Grade a submission at a worker. Raises ValueError where this machine must not do it."""
+    """Grade a submission on a worker.
+
+    Raises:
+        ValueError: This machine would not grade as the sending machine does.
+    """
     from distributed import get_worker
 
     check_worker(work)
-    # Dask removes its worker's folder whatever that dies of, and so all that is in it.
+    # Dask removes the folder of a worker, with all its files, however the worker dies.
     tempfile.tempdir = get_worker().local_directory
 
     def fill(_path: Path, _chapters: Any, folder: Path, _root: Path) -> Staged:
@@ -153,17 +159,17 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
 
 
 def check_worker(work: Work) -> None:
-    """Raise ValueError where a report of this machine would not be that of the one that asks."""
+    """Raise ValueError if a report made here could differ from one made by the sending machine."""
     wanted = work.assignment.level
-    level = _level(unsafe=not wanted.is_wall)
+    level = _level(unsafe=not wanted.is_sandbox)
     own = run_key(replace(_at_home(work), level=level))
     if own.grader != _GRADER:
-        raise ValueError("the autograder has changed since the worker was started: start it again")
+        raise ValueError("the autograder has changed since the worker was started: restart it")
     names = {
-        "python": f"Python {own.python} and not {work.key.python}",
+        "python": f"Python {own.python} instead of {work.key.python}",
         "grader": "another version of autograder/",
         "checks": "another version of tests/, solutions/ or chapters/",
-        "level": f"other walls: {level}",
+        "level": f"another sandbox: {level}",
     }
     ours, theirs = vars(own), vars(work.key)
     differences = [words for name, words in names.items() if ours[name] != theirs[name]]
@@ -171,7 +177,7 @@ def check_worker(work: Work) -> None:
         raise ValueError(f"it has {'; '.join(differences)}")
 
 
-@cache  # to try the walls takes a moment
+@cache  # testing the sandbox takes a moment
 def _level(*, unsafe: bool) -> Level:
     return choose_level(Path(), unsafe=unsafe)
 
@@ -180,12 +186,12 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return what is worked out once here for all submissions of a run."""
+    """Return the verdicts that this worker computes once for all submissions of a run."""
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment with the repository of this machine."""
+    """Return the assignment with the path of the repository on this machine."""
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
     return work.assignment
@@ -198,7 +204,7 @@ def _refusal(worker: str, error: Exception) -> str:
 
 
 class _Call:
-    """A call that is made where its pickle is loaded."""
+    """A call that is made when its pickle is loaded."""
 
     def __init__(self, *parts: Any) -> None:
         self.parts = parts
@@ -209,15 +215,15 @@ class _Call:
 
 
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
-    """Return a function and arguments that Dask can pass on without having our modules itself.
+    """Return a function and an argument that Dask can pass on without importing the autograder.
 
-    Otherwise its scheduler would need them, and a worker that lacks them would go silent.
+    Otherwise the scheduler would need the autograder, and a worker without it would stop answering.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Return all that is in a folder; nothing for None."""
+    """Return the contents of a folder, or an empty tree for None."""
     paths = sorted(folder.rglob("*")) if folder else []
     return {
         path.relative_to(folder or path).as_posix(): None if path.is_dir() else path.read_bytes()
@@ -226,7 +232,7 @@ def _tree(folder: Path | None) -> Tree:
 
 
 def _write_tree(tree: Tree, folder: Path) -> None:
-    """Write a tree into a folder, for every user to read: another one may run what is in it."""
+    """Write a tree into a folder. Every user can read it, since another user may run the code."""
     for name, content in tree.items():
         path = folder / name
         if content is None:

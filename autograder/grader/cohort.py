@@ -1,4 +1,4 @@
-"""Grade a class: submissions side by side, each report as it is made, and a run that can go on."""
+"""Grade a class: many submissions at a time, a report on each, and runs that can be resumed."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ from autograder.submissions.find import Submission, find_submissions
 
 @dataclass(frozen=True)
 class ClassOptions:
-    """How a class is graded.
+    """The options for grading a class.
 
-    The ``given`` chapters are the reference's, whatever is handed in. Without a ``seed``, a run
-    that was stopped goes on with its own, and a new run draws one. ``hidden`` is a folder of
-    further checks, chNN_name/test_*.py. ``unsafe`` accepts a machine without walls. ``jobs``
-    submissions are graded at a time, by default one a core; or the workers of a ``cluster`` grade
-    them, named by its scheduler's address.
+    ``given`` chapters are taken from the reference, whatever is handed in. Without a ``seed``, a
+    stopped run resumes with its own seed, and a new run draws a new one. ``hidden`` is a folder of
+    additional checks, chNN_name/test_*.py. ``unsafe`` accepts a machine without a sandbox. ``jobs``
+    submissions are graded at a time, by default one per core. If ``cluster`` names the address of a
+    scheduler, its workers grade instead.
     """
 
     given: Sequence[Chapter] = ()
@@ -51,14 +51,18 @@ class ClassOptions:
         if self.jobs is not None and self.jobs < 1:
             raise ValueError(f"--jobs must be at least 1, got {self.jobs}")
         if self.jobs is not None and self.cluster:
-            raise ValueError("--jobs is of this machine: --nthreads of its workers is a cluster's")
+            raise ValueError("--jobs is for this machine; on a cluster, set --nthreads of workers")
 
 
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
-    """Grade every submission in the folder; write the reports into out; return 1 for errors.
+    """Grade every submission in the folder and write the reports into out; return 1 for errors.
 
-    What is complete, of the same submission, checks, grader and seed, is not graded again. Raises
-    ValueError for what cannot be graded so, OSError for what cannot be read or written.
+    A submission is not graded again if its report is complete and has the same checks, grader and
+    seed.
+
+    Raises:
+        ValueError: The class cannot be graded with these options.
+        OSError: A file cannot be read or written.
     """
     submissions, notes = _submissions(folder, out)
     everyone = [submission.student for submission in submissions]
@@ -93,10 +97,10 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         for note in report.notes:
             console.print(f"{report.student}: {note}", markup=False)
     if moved:
-        console.print(f"{moved} reports of other students are in {out / 'earlier'} now.")
+        console.print(f"Students not in this class: {moved}. See {out / 'earlier'}.")
     if class_run.reused:
         console.print(
-            f"{len(class_run.reused)} of {len(reports)} were graded before, and not again."
+            f"{len(class_run.reused)} of {len(reports)} reports were kept from an earlier run."
         )
     console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
     for place in places:
@@ -105,9 +109,12 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Return the submissions in a folder, and notes on it; the reports may lie beside them.
+    """Return the submissions in a folder, and notes on other entries of the folder.
 
-    Raises ValueError where the reports would lie among what is graded.
+    The reports may be written beside the submissions.
+
+    Raises:
+        ValueError: The reports would be written into the class or a submission.
     """
     submissions, notes = find_submissions(folder)
     if out.resolve() == folder.resolve():
@@ -116,37 +123,37 @@ def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
     for one in submissions:
         if out.resolve().is_relative_to(one.path.resolve()):
             raise ValueError(
-                f"--out must not lie in the submission {one.student!r}, got {str(out)!r}"
+                f"--out must not be inside the submission {one.student!r}, got {str(out)!r}"
             )
     return submissions, notes
 
 
 def check_hidden(assignment: Assignment) -> None:
-    """Raise ValueError where the hidden checks are none, or fail on the reference itself."""
+    """Raise ValueError if there are no hidden checks, or if they fail on the reference itself."""
     hidden, root = assignment.hidden, assignment.root
     if hidden is None:
         return
     graded = [chapter for chapter in assignment.chapters if (hidden / chapter.name).is_dir()]
     if not graded:
         names = ", ".join(chapter.name for chapter in assignment.chapters)
-        raise ValueError(f"--checks must be a folder that has one of {names}, got {str(hidden)!r}")
-    behind = Behind(vars(assignment.level), hidden=hidden, tells=True)
+        raise ValueError(f"--checks must be a folder with one of {names}, got {str(hidden)!r}")
+    behind = Behind(vars(assignment.level), hidden=hidden, for_instructor=True)
     engine = [root / "solutions", root / "chapters"]
     for chapter in graded:
         for probes in (root / "tests" / chapter.name).glob("*probes.py"):
             if (hidden / chapter.name / probes.name).exists():
                 raise ValueError(
-                    f"{hidden / chapter.name / probes.name} has the name of a public file: "
-                    "call it hidden_probes.py"
+                    f"{hidden / chapter.name / probes.name} has the name of a public file. "
+                    "Rename it to hidden_probes.py"
                 )
         try:
             verdicts = run_checks(chapter, engine, seed=assignment.seed, root=root, behind=behind)
         except GraderError as error:
             raise ValueError(
-                f"the checks in {hidden / chapter.name} do not run: {error}"
+                f"the checks in {hidden / chapter.name} cannot be run: {error}"
             ) from error
         if not any(verdict.hidden for verdict in verdicts):
-            raise ValueError(f"there is no check in {hidden / chapter.name}: test_*.py is wanted")
+            raise ValueError(f"there is no check in {hidden / chapter.name}: add a test_*.py")
         for check in verdicts:
             if check.status != "passed":
                 raise ValueError(f"{check.name} fails on the reference itself: {check.message}")

@@ -1,4 +1,4 @@
-"""Grade one submission: stage it, run its checks behind walls, and make its report."""
+"""Grade one submission: stage it, run its checks in the sandbox, and make its report."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage
 
-SUBMISSION_LIMIT = 300.0  # seconds for all the chapters of a submission, which take about two each
+SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission, which take about two each
 
-LEAST_TIME = 10.0  # seconds for a chapter, even then: its checks must be able to begin
+LEAST_TIME = 10.0  # seconds that each chapter gets in any case, so that its checks can begin
 
 
 def grade_submission(
@@ -31,9 +31,9 @@ def grade_submission(
     once: OnceForAll | None = None,
     fill: Callable[..., Staged] | None = None,
 ) -> StudentReport:
-    """Grade one submission and return its report. Whatever goes wrong is told in the report.
+    """Grade one submission and return its report. Any error is reported there.
 
-    ``once`` has what is the same for the whole class. ``fill`` takes the place of stage where the
+    ``once`` holds the verdicts that the whole class shares. ``fill`` replaces ``stage`` if the
     submission is on another machine.
     """
     once = once or OnceForAll()
@@ -48,28 +48,28 @@ def grade_submission(
                 pairs = _all_results(assignment, once, engine, staged, box)
         report = _report(assignment, once, submission.student, pairs, notes)
         report = replace(report, submission=staged.digest)
-    except Exception as error:  # ours, whatever it is: the class goes on
+    except Exception as error:  # the grader's own error: the rest of the class is still graded
         report = report_of_failure(assignment, submission.student, repr(error))
     return replace(report, seconds=round(time.monotonic() - start, 3))
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Return the report on a submission that the grader failed on."""
+    """Return the report on a submission that the grader could not grade."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, chapters: list[Chapter], box: Path) -> list[str]:
-    """Return what is to be noted about a submission; that nothing was found in it, above all."""
+    """Return the notes on a submission. If nothing was found in it, one of them says so."""
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
     wanted = ", ".join(f"{chapter.name}/{chapter.edited_files[0]}" for chapter in chapters)
-    return [*staged.notes, f"nothing was found of {wanted} and so on, at most three levels down"]
+    return [*staged.notes, f"no files such as {wanted} were found, at most three levels down"]
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Return the digest of what would be graded, without grading it."""
+    """Return the digest of the files that would be graded, without grading them."""
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
         chapters = load_chapters(assignment.root)
         return stage(submission.path, chapters, Path(folder), assignment.root).digest
@@ -78,10 +78,10 @@ def digest_of(assignment: Assignment, submission: Submission) -> str:
 def _all_results(
     assignment: Assignment, once: OnceForAll, engine: list[Path], staged: Staged, box: Path
 ) -> list[tuple[list[Result], list[Result]]]:
-    """Return the results of each chapter, on the student's own and on the reference's earlier ones.
+    """Return the results of each chapter: on the student's own earlier chapters, and on given ones.
 
-    The reports have words of the first run alone: in the second the student's code could read the
-    reference, and tell it.
+    The reports have messages of the first run only. In the second run, the student's code could
+    read the reference and reveal it in a message.
     """
     deadline = time.monotonic() + SUBMISSION_LIMIT
 
@@ -112,7 +112,7 @@ def _all_results(
 
 
 def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
-    """Say whether nothing of a chapter was handed in, be it taken or refused."""
+    """Return whether no file of a chapter was handed in: none was taken and none was refused."""
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
     taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
     return not (refused or taken)
@@ -121,9 +121,10 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return where a work lies on its exercise's chart, and the reference; None where it does not.
+    """Return the positions of a work and of the reference on the exercise's chart, or None.
 
-    What an earlier chapter spoils is not on it: of the run on the reference's nothing is told.
+    A work that fails because of an earlier chapter is not on the chart, since the run on given
+    chapters reports nothing but the checks that pass.
     """
     if result.on_chart is None:
         return None
@@ -135,7 +136,7 @@ def _chart(
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
-    """Return results for checks that could not be run: our error, and not a zero."""
+    """Return results for checks that could not be run: errors of the grader, not zeros."""
     why = presentable(Message(reason[:500]))
     ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]
     return results_of(chapter, ours)
@@ -173,7 +174,7 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """Return the chapters of the student's own on which a graded one builds."""
+    """Return the numbers of the student's own chapters on which a graded chapter builds."""
     below = [
         other.number
         for chapter in assignment.chapters

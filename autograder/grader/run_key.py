@@ -1,4 +1,4 @@
-"""What must be the same for a report to hold: the checks, the grader, Python, walls and seed."""
+"""The conditions under which a report stays valid: checks, grader, Python, sandbox and seed."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from autograder.reports.report import RunKey
 
 
 def run_key(assignment: Assignment) -> RunKey:
-    """Return what must be the same for a report to hold, next to the submission itself."""
+    """Return the conditions, besides the submission, under which a report stays valid."""
     root = assignment.root
     names = [chapter.name for chapter in load_chapters(root)]
     checks = shared_by_checks(root)
     for name in names:
         checks += [*(root / "tests" / name).glob("*.py"), *(root / "solutions" / name).glob("*.py")]
         checks += [*(root / "chapters" / name).glob("*.toml")]
-        checks += [*(root / "chapters" / name).glob("*.py")]  # the complete ones are graded with
+        checks += [*(root / "chapters" / name).glob("*.py")]  # complete modules are used in grading
     if assignment.hidden:
         checks += assignment.hidden.rglob("*.py")
     return RunKey(
@@ -37,7 +37,7 @@ def run_key(assignment: Assignment) -> RunKey:
 
 
 def grader_digest() -> str:
-    """Return what stands for this version of the autograder."""
+    """Return a digest of this version of the autograder."""
     return _digest((ROOT / "autograder").rglob("*.py"))
 
 

@@ -1,6 +1,6 @@
-"""The exception of a worker, as it is raised where the checks are.
+"""Rebuild an exception of a worker, so that it can be raised in the process of the checks.
 
-A worker can send anything: what has not the form of an exception breaks the protocol.
+A worker can send anything. Data that do not have the form of an exception break the protocol.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 def known_name(error: Exception) -> str:
-    """Return the nearest name of an exception that crosses the wire."""
+    """Return the name of the nearest base class that can cross the wire."""
     return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
 
 def exception_of(data: Any) -> BaseException:
-    """Return the exception that stands for the student's, with its fault."""
+    """Return an exception that represents the student's, with its fault attached."""
     try:
         frames = [
             Place(file, line, text_of_worker(function, 100))
@@ -46,14 +46,14 @@ def exception_of(data: Any) -> BaseException:
         name = data["as"]
         kind = getattr(builtins, name) if name in KNOWN_ERRORS else StudentLeft
     except (KeyError, TypeError, ValueError, OverflowError) as error:
-        raise BrokenProtocolError("an exception of no known form") from error
+        raise BrokenProtocolError("an exception in an unknown form") from error
     exception: BaseException = (WordedKeyError if kind is KeyError else kind)(fault.text)
     exception.fault = fault  # type: ignore[attr-defined]
     return exception
 
 
 class WordedKeyError(KeyError):
-    """A KeyError with the student's words: Python's own would put quotes around them."""
+    """A KeyError with the student's text, without the quotes that Python would add to it."""
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -63,7 +63,7 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Return the name that an exception is about, if it is about one."""
+    """Return the missing name that an exception is about, if it is about one."""
     if data is None:
         return None
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
@@ -72,7 +72,7 @@ def _unknown(data: Any) -> Unknown | None:
 
 
 def text_of_worker(value: Any, longest: int) -> str:
-    """Return text from the worker, cut, with what is no plain character made visible."""
+    """Return a text from the worker, shortened and with special characters escaped."""
     if type(value) is not str:
-        raise BrokenProtocolError("a text that is none")
+        raise BrokenProtocolError("a value that is not a text")
     return clean(value[:longest])

@@ -1,7 +1,8 @@
-"""Handles: what trusted checks hold of the student's objects, which live in a worker.
+"""Handles: how trusted checks refer to the student's objects, which live in a worker.
 
-Using a handle asks the worker. Comparing, truth-testing or converting one is refused: a check reads
-plain numbers and compares those, so that an object that lies about itself gains nothing.
+Using a handle sends a request to the worker. A handle cannot be compared, converted or tested for
+truth. A check has to read plain numbers and compare those, so that an object that lies about itself
+gains nothing.
 """
 
 from __future__ import annotations
@@ -21,13 +22,13 @@ BROKEN = "the code broke the protocol between its process and the checks"
 
 
 class WorkerFailure(CheckEnded):
-    """The worker is gone, or sent what it must not."""
+    """The worker is gone, or has sent something that it must not send."""
 
 
 class Session:
     """A conversation with one worker, from its start to its end.
 
-    ``broken`` says of modules why they cannot be imported.
+    ``broken`` gives, for each module that cannot be imported, the reason.
     """
 
     def __init__(
@@ -43,15 +44,18 @@ class Session:
         self.on_hang = on_hang
         self.how_it_ended = how_it_ended
         self.broken = broken or {}
-        self.dead = Message()  # why it is, once it is
+        self.dead = Message()  # the reason, once the worker is gone
         self._last = 0
         self._callbacks: list[Callable[..., Any]] = []
 
     def ask(self, what: str, *operands: Any) -> Any:
-        """Ask the worker and return what it answers.
+        """Send a request to the worker and return its answer.
 
-        Raises the student's exception as a built-in one, StudentLeft for one that is no Exception,
-        and WorkerFailure.
+        If the student's code raises an Exception, the nearest built-in exception is raised here.
+
+        Raises:
+            StudentLeft: The student's code raised something other than an Exception.
+            WorkerFailure: There is no valid answer.
         """
         if self.dead:
             raise WorkerFailure(self.dead)
@@ -64,7 +68,7 @@ class Session:
             self._fail(Message(f"{BROKEN}: {error}"))
 
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Send a question, run the call-backs that it leads to, and return the reply."""
+        """Send a request, serve the callbacks that it causes, and return the reply."""
         try:
             self.wire.send(message, self.deadline)
             while "callback" in (reply := self.wire.receive(self.deadline)):
@@ -72,10 +76,10 @@ class Session:
         except TimeoutError:
             self.on_hang()
         except (EOFError, OSError):
-            self.dead = Message("the process of the code has ended", kind=Kind.LEFT)
+            self.dead = Message("the process of the student's code has ended", kind=Kind.LEFT)
             self._fail(Message(self.how_it_ended(), kind=Kind.LEFT))
         if reply.get("id") != message["id"]:
-            raise BrokenProtocolError("an answer to another question")
+            raise BrokenProtocolError("an answer to another request")
         return reply
 
     def _answer(self, reply: dict[str, Any]) -> Any:
@@ -85,32 +89,35 @@ class Session:
             raise WorkerFailure(self._explain_missing(reply["missing"]))
         if "unsendable" in reply:
             what = text_of_worker(reply["unsendable"], 200)
-            raise WorkerFailure(Message(f"what came back is no result: {what}"))
+            raise WorkerFailure(Message(f"the returned value cannot be used: {what}"))
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Return what a check says that uses a name which is not there."""
+        """Return the message of a check that uses a name that does not exist."""
         if type(data) is not list or len(data) != 4:
-            raise BrokenProtocolError("a missing name of no known form")
+            raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
         why = self.broken.get(module)
         return why or MissingName(module, name, near, data[3] is True).explain()
 
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Run a function of the check for the worker; its Exceptions go back, others end all."""
+        """Run a function of the check for the worker.
+
+        An Exception is sent back to the worker. Anything else ends the session.
+        """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):
-            raise BrokenProtocolError("a call-back that there is not")
+            raise BrokenProtocolError("an unknown callback")
         arguments = unpack({"list": message.get("with")}, self._find)
         if type(arguments) is not list:
-            raise BrokenProtocolError("a call-back without arguments")
+            raise BrokenProtocolError("a callback without arguments")
         try:
             return {"value": pack(self._callbacks[number](*arguments), self._refer)}
         except Exception as error:
             text = str(error.args[0]) if len(error.args) == 1 else str(error)
             return {"error": [known_name(error), text]}
         except BaseException:
-            self.dead = Message("a call-back of the check failed")
+            self.dead = Message("a callback of the check failed")
             raise
 
     def _refer(self, value: Any) -> dict[str, Any]:
@@ -120,13 +127,13 @@ class Session:
             self._callbacks.append(value)
             return {"callback": len(self._callbacks) - 1}
         raise TypeError(
-            f"only plain data, handles and functions cross to the student, not {value!r}"
+            f"only plain data, handles and functions can be sent to a worker, not {value!r}"
         )
 
     def _find(self, data: dict[str, Any]) -> Handle:
         number = data.get("object")
         if type(number) is not int:
-            raise BrokenProtocolError("a value of no known kind")
+            raise BrokenProtocolError("a value of an unknown kind")
         return ObjectHandle(self, number, text_of_worker(data.get("type"), 100))
 
     def _fail(self, why: Message) -> NoReturn:
@@ -135,7 +142,7 @@ class Session:
 
 
 class Handle:
-    """What a check holds in place of an object of the student's."""
+    """What a check holds in place of one of the student's objects."""
 
     __slots__ = ()
 
@@ -159,7 +166,7 @@ class Handle:
     def __len__(self) -> int:
         length = self._session().ask("length", self)
         if type(length) is not int or not 0 <= length < 1 << 31:
-            raise WorkerFailure(Message(f"{BROKEN}: a length that is none"))
+            raise WorkerFailure(Message(f"{BROKEN}: a length that is not valid"))
         return length
 
     def __iter__(self) -> Iterator[Any]:
@@ -172,7 +179,7 @@ class Handle:
 
     def __repr__(self) -> str:
         shown = self._session().ask("show", self)
-        return clean(shown) if type(shown) is str else "an object that does not show itself"
+        return clean(shown) if type(shown) is str else "an object whose repr is not a string"
 
 
 def _operation(name: str) -> Callable[..., Any]:
@@ -195,8 +202,8 @@ def _refused(name: str) -> Callable[..., Any]:
             raise WorkerFailure(Message(got="NotImplemented", likely=NOT_IMPLEMENTED))
         raise WorkerFailure(
             Message(
-                f"an object came back where a plain value is wanted: {self!r} (checks compare "
-                f"numbers that they have read from it, {name} of the object itself is not asked)"
+                f"the code returned an object where a plain value is wanted: {self!r} (checks "
+                f"compare numbers that they read from an object, and never call its {name})"
             )
         )
 
@@ -219,7 +226,7 @@ setattr(Handle, "__hash__", object.__hash__)  # noqa: B010
 
 
 class ObjectHandle(Handle):
-    """An object that came back in this session."""
+    """A handle for an object that the worker returned in this session."""
 
     __slots__ = ("_number", "_of", "_type_name")
 
@@ -234,5 +241,5 @@ class ObjectHandle(Handle):
 
     def _reference(self, session: Session) -> dict[str, Any]:
         if session is not self._of:
-            raise WorkerFailure(Message("an object of another check is used: its process is gone"))
+            raise WorkerFailure(Message("an object of another check is used; its process is gone"))
         return {"object": self._number}

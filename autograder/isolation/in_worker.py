@@ -1,7 +1,7 @@
-"""Checks in this process and the student's code in a worker, a fresh one for each check.
+"""Run the checks in this process, and the student's code in a worker, a fresh one for each check.
 
-Imports of chapters are served with names. A name asks the worker that is there when it is used, so
-that a check's imports, which come once, serve all of its workers.
+Imports of chapters provide names. When a check uses a name, it sends a request to the worker that
+is running at that moment. So the checks' imports, which happen only once, serve all workers.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ from autograder.checks.arrange import Workers
 from autograder.checks.events import Broken, Imported, Importing
 from autograder.checks.explain import explain_import
 from autograder.checks.faults import Fault, StudentLeft
-from autograder.checks.in_process import Tell
+from autograder.checks.in_process import Send
 from autograder.checks.missing import while_imported
 from autograder.isolation.handles import Handle, Session, WorkerFailure
 from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template
 from autograder.message import Message
 
-LARGE = 50_000  # bytes of a file that is given all of a worker's time to be compiled
+LARGE = 50_000  # bytes; a larger file is compiled in a new worker, with that worker's full time
 CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 
 
 class InWorker:
-    """The student's modules, each imported by the workers of the checks that use it."""
+    """The student's modules, which each check imports in its own worker."""
 
     session: Session | None = None
 
@@ -65,16 +65,16 @@ class InWorker:
         self.modules: list[str] = []
         self.broken: dict[str, Message] = {}
 
-    def open(self, modules: list[str], broken: Mapping[str, Message], tell: Tell) -> None:
-        """Serve the checks' imports from now on. What is imported is found out after_collection."""
-        threading.Thread(target=_leave_with_our_parent, daemon=True).start()
+    def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
+        """Serve the checks' imports from now on. The modules themselves are imported later."""
+        threading.Thread(target=_exit_with_parent, daemon=True).start()
         sys.meta_path.insert(0, ChapterFinder(self))
         self.modules = modules
         self.broken = dict(broken)
-        self.tell = tell
+        self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that no check pays for a bad one."""
+        """Find out which modules can be imported, so that a bad one takes no time from a check."""
         for folder in [*self.engine, self.probes]:
             for file in sorted(folder.glob("ch??_*/*.py")):
                 self._compile(f"{file.parent.name}.{file.stem}", file)
@@ -85,24 +85,24 @@ class InWorker:
         self.stop()
 
     def _compile(self, module: str, file: Path) -> None:
-        """Have a worker that has run none of the student's code compile a file, once for all."""
+        """Compile a file once for all workers, in a worker that has not run any student code."""
         if module in self.broken:
             return
         if module in self.modules:
-            self.tell(Importing(module))
-        with contextlib.suppress(WorkerFailure):  # a file on which Python itself fails
+            self.send(Importing(module))
+        with contextlib.suppress(WorkerFailure):  # Python itself may fail on the file
             code = self._worker(file.stat().st_size > LARGE).ask("compile", str(file))
             if type(code) is str:
                 self.template.keep_bytecode(file, code)
         if module in self.modules:
-            self.tell(Imported())
+            self.send(Imported())
 
     def _import(self, module: str) -> None:
-        self.tell(Importing(module))
+        self.send(Importing(module))
         session = self._worker()
         try:
             session.ask("import", module)
-            self.tell(Imported())
+            self.send(Imported())
             return
         except WorkerFailure as error:
             message = while_imported(module, error.message) if session.dead else error.message
@@ -111,22 +111,22 @@ class InWorker:
                 raise
             message = explain_import(fault, module, self.engine, self.complete)
         self.broken[module] = message
-        self.tell(Broken(module, message))
-        self.stop()  # the next worker knows it
+        self.send(Broken(module, message))
+        self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return what a module of the student's defines, as far as the check's worker can tell."""
+        """Return the names that a module defines, or None if the check's worker cannot find out."""
         if self.session is None or self.session.dead:
             return None
         try:
             found = self.session.ask("definitions", str(file))
-        except (Exception, WorkerFailure, StudentLeft):  # what the code has left of its process
+        except (Exception, WorkerFailure, StudentLeft):  # the code may have damaged its process
             return None
         names = found if type(found) is list else []
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return a session with the worker that is there, or a new one, and all of its time."""
+        """Return a session with the current worker or a new one, with its full time limit."""
         if new or self.session is None or self.session.dead:
             self.start()
         assert self.session is not None
@@ -134,7 +134,11 @@ class InWorker:
         return self.session
 
     def start(self) -> None:
-        """Start the worker of a check. Raises TemplateError."""
+        """Start the worker of a check.
+
+        Raises:
+            TemplateError: The worker did not start.
+        """
         self.session = self.template.start_worker(self._on_hang, self.broken)
         if self.broken:
             self.session.ask("begin", list(self.broken))
@@ -147,15 +151,15 @@ class InWorker:
         return printed
 
     def _on_hang(self) -> NoReturn:
-        """Leave the stack where the runner looks for it, and end: it goes on in a new process."""
+        """Write the stack where the runner reads it, and exit. The runner starts a new process."""
         self.stack_file.write_text(
-            self.template.stack() or "it did not say where", encoding="utf-8"
+            self.template.stack() or "the worker wrote no stack", encoding="utf-8"
         )
-        os._exit(1)  # the template ends with us, and its worker with it
+        os._exit(1)  # then the template ends, and its worker too
 
 
 class Name(Handle):
-    """A name of a student's module, such as Vector3, for whichever worker is there."""
+    """A name in a student's module, such as Vector3, that works with any worker."""
 
     __slots__ = ("_module", "_name", "_workers")
 
@@ -166,7 +170,7 @@ class Name(Handle):
 
     def _session(self) -> Session:
         if self._workers.session is None:
-            raise AttributeError(f"{self._module}.{self._name} is used while no check runs")
+            raise AttributeError(f"{self._module}.{self._name} is used while no check is running")
         session: Session = self._workers.session
         return session
 
@@ -175,7 +179,7 @@ class Name(Handle):
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Serves the imports of chapters: chNN_name is a package, and its modules are full of names."""
+    """Serves imports of chapters: chNN_name is a package, and its modules provide names."""
 
     def __init__(self, workers: InWorker) -> None:
         self.workers = workers
@@ -196,11 +200,11 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return ModuleType(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
-        """There is nothing to run here."""
+        """Do nothing, since the module has no code in this process."""
 
 
 class ChapterModule(ModuleType):
-    """Gives a name while checks are collected, and what the name stands for while one runs."""
+    """Returns names while checks are collected, and the objects themselves while a check runs."""
 
     def __init__(self, workers: InWorker, name: str) -> None:
         super().__init__(name)
@@ -214,8 +218,8 @@ class ChapterModule(ModuleType):
         return self._workers.session.ask("name", self.__name__, name)
 
 
-def _leave_with_our_parent() -> None:
-    """End when standard input does: the runner is gone, and nobody waits for our verdicts."""
+def _exit_with_parent() -> None:
+    """Exit when standard input ends: the runner is gone, and nobody reads the verdicts."""
     while os.read(0, 1024):
         pass
     os._exit(1)

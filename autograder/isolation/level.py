@@ -1,4 +1,4 @@
-"""Which walls stand on this machine, and whether a class may be graded behind them."""
+"""Choose the sandbox for this machine, and refuse to grade a class without one."""
 
 from __future__ import annotations
 
@@ -13,16 +13,20 @@ SAMPLE_CLASS = ROOT / "sample_class"
 
 
 def choose_level(folder: Path, *, unsafe: bool) -> Level:
-    """Return the walls that stand here. Raises ValueError where there are none, and must be."""
+    """Return the strongest sandbox level that works on this machine.
+
+    Raises:
+        ValueError: There is no sandbox, and this class may not be graded without one.
+    """
     level = best_level()
-    if level.is_wall or folder.resolve() == SAMPLE_CLASS:
+    if level.is_sandbox or folder.resolve() == SAMPLE_CLASS:
         return level
     if unsafe and os.geteuid() != 0:
         return level
-    no_wall = (
-        "there is no wall here to put around a submission (it takes Linux with Landlock on x86-64, "
-        "or bubblewrap)"
+    no_sandbox = (
+        "this machine has no sandbox for submissions (it needs Linux with Landlock on x86-64, or "
+        "bubblewrap)"
     )
     if unsafe:
-        raise ValueError(f"{no_wall}, and student code is not run as root without one")
-    raise ValueError(f"{no_wall}; --unsafe-no-sandbox grades a class that you trust all the same")
+        raise ValueError(f"{no_sandbox}, and without one, student code never runs as root")
+    raise ValueError(f"{no_sandbox}; to grade a class that you trust, add --unsafe-no-sandbox")

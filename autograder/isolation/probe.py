@@ -1,4 +1,4 @@
-"""Find out which walls stand on this machine, by trying what they must not let through."""
+"""Find out which sandbox layers work on this machine by trying forbidden operations."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from autograder.isolation.handles import WorkerFailure
 from autograder.isolation.sandbox import Level, landlock_version, seccomp_works_here
 from autograder.isolation.template import Template, TemplateError
 
-# What must not get through each wall.
+# The operations that each layer must prevent.
 HELD_BY_LANDLOCK = ("reading a file", "writing a file")
 HELD_BY_SECCOMP = ("reaching the network", "starting a process", "sending a signal")
 HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network")
 
 
 def best_level() -> Level:
-    """Return the strongest level that holds here, by trying what it must not let through."""
+    """Return the strongest sandbox level that prevents every forbidden operation."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
     candidates = [around] if shutil.which("bwrap") else []
     candidates.append(inside)
-    return next((level for level in candidates if level.is_wall and holds(level)), Level())
+    return next((level for level in candidates if level.is_sandbox and holds(level)), Level())
 
 
 def holds(level: Level) -> bool:
-    """Say whether a worker at this level is held from what it must not do."""
+    """Return whether this level prevents every operation that it must prevent."""
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),
         *(HELD_BY_SECCOMP if level.seccomp else ()),
@@ -40,7 +40,7 @@ def holds(level: Level) -> bool:
         template = Template(level, [], str(own), own, 5.0)
         try:
             session = template.start_worker(_no_answer)
-            through: list[str] = session.ask("test_the_walls", attempts, str(forbidden))
+            through: list[str] = session.ask("test_walls", attempts, str(forbidden))
             return through == []
         except (TemplateError, WorkerFailure):
             return False
@@ -49,4 +49,4 @@ def holds(level: Level) -> bool:
 
 
 def _no_answer() -> NoReturn:
-    raise TemplateError("the probe of the walls does not answer")
+    raise TemplateError("the test of the sandbox does not answer")

@@ -1,8 +1,9 @@
-"""The walls around a worker: Landlock and seccomp from inside it, bubblewrap around it.
+"""The sandbox around a worker: Landlock and seccomp from inside it, bubblewrap from outside.
 
-Landlock leaves it a few folders to read, and nothing to write. The seccomp filter leaves it the
-system calls that computing needs: no processes, no sockets, no signals to others. Limits bound its
-memory, time and files. All of it stands before any of the student's code is there.
+Landlock lets the worker read a few folders and write nothing. The seccomp filter lets it make only
+the system calls that computing needs: it cannot create processes, open sockets, or send signals to
+other processes. Resource limits bound its memory, time and files. All of this is in place before
+any of the student's code is loaded.
 """
 
 from __future__ import annotations
@@ -19,55 +20,55 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-UNPRIVILEGED = 65534  # "nobody", on every Linux and macOS that we know
+UNPRIVILEGED = 65534  # the user "nobody" on Linux
 MEMORY = 512 << 20  # bytes of address space
-FILE_SIZE = 1 << 16  # bytes of what is printed
+FILE_SIZE = 1 << 16  # bytes of printed output
 
 _libc = ctypes.CDLL(None, use_errno=True)
 
 
 class SandboxError(Exception):
-    """A wall that was asked for cannot be put up here."""
+    """A layer of the sandbox cannot be set up on this machine."""
 
 
 @dataclass(frozen=True)
 class Level:
-    """The walls that stand around a worker."""
+    """The layers of the sandbox around a worker."""
 
     landlock: bool = False
     seccomp: bool = False
     bubblewrap: bool = False
 
     @property
-    def is_wall(self) -> bool:
-        """Whether a hostile submission is held at all."""
+    def is_sandbox(self) -> bool:
+        """Whether these layers can confine a hostile submission."""
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
         names = [name for name, up in vars(self).items() if up]
-        if not self.is_wall:
+        if not self.is_sandbox:
             return (
-                "none: the submission ran in a process of its own with limits of memory and time, "
-                "but it could read and write files and use the network; grade only classes that "
-                "you trust"
+                "none: the submission ran in a separate process with limited memory and time, but "
+                "it could read and write files and use the network; grade only classes that you "
+                "trust"
             )
-        walls = (
+        layers = (
             " and ".join(names) if len(names) < 3 else f"{', '.join(names[:-1])} and {names[-1]}"
         )
-        return f"{walls}: the submission ran in a process that can compute and nothing else"
+        return f"{layers}: the submission ran in a process that could only compute"
 
 
 # --- Landlock (linux/landlock.h) ---
 
 _CREATE_RULESET, _ADD_RULE, _RESTRICT_SELF = 444, 445, 446  # the same on every architecture
 _READ_FILE, _READ_DIR = 1 << 2, 1 << 3
-# How many rights over files a version of Landlock knows; version 1 has the first 13.
+# The number of file access rights in each version of Landlock.
 _RIGHTS = {1: 13, 2: 14, 3: 15, 4: 15}
 _RIGHTS_NOW = 16
 
 
 def landlock_version() -> int:
-    """Return the version of Landlock that the kernel has, 0 for none."""
+    """Return the version of Landlock in the kernel, or 0 if there is none."""
     if sys.platform != "linux":
         return 0
     return max(0, int(_libc.syscall(_CREATE_RULESET, None, ctypes.c_size_t(0), 1)))
@@ -76,11 +77,12 @@ def landlock_version() -> int:
 def landlock_rules(readable: Sequence[str]) -> int:
     """Return a descriptor of rules under which only these folders and files can be read.
 
-    Raises SandboxError where the kernel refuses.
+    Raises:
+        SandboxError: The kernel refuses the rules.
     """
     version = landlock_version()
     rights = (1 << _RIGHTS.get(version, _RIGHTS_NOW)) - 1
-    # All rights over files; TCP, from version 4; abstract sockets and signals, from version 6.
+    # All rights to files; TCP since version 4; abstract sockets and signals since version 6.
     attributes = struct.pack("QQQ", rights, 0b11, 0b11)
     size = 24 if version >= 6 else 16 if version >= 4 else 8
     rules = _libc.syscall(_CREATE_RULESET, attributes, ctypes.c_size_t(size), 0)
@@ -90,7 +92,7 @@ def landlock_rules(readable: Sequence[str]) -> int:
         try:
             descriptor = os.open(path, os.O_PATH | os.O_CLOEXEC)
         except OSError:
-            continue  # not on this system
+            continue  # does not exist on this system
         allowed = _READ_FILE | _READ_DIR if Path(path).is_dir() else _READ_FILE
         rule = struct.pack("=Qi", allowed, descriptor)
         if _libc.syscall(_ADD_RULE, rules, 1, rule, 0) < 0:
@@ -106,7 +108,7 @@ _LOAD, _EQUAL, _AT_LEAST, _RETURN = 0x20, 0x15, 0x35, 0x06
 _ALLOW, _KILL, _REFUSE = 0x7FFF0000, 0x80000000, 0x00050000 | errno.EPERM
 _FIRST_X32 = 0x40000000
 # The system calls of x86-64 that Python needs to compute, import and read its files. The most
-# frequent ones come first, since the kernel goes through the list at each call.
+# frequent ones come first, since the kernel searches the list at each call.
 _ALLOWED = {
     "read write mmap munmap brk mprotect madvise mremap": (0, 1, 9, 11, 12, 10, 28, 25),
     "newfstatat openat close fstat lseek stat lstat": (262, 257, 3, 5, 8, 4, 6),
@@ -123,7 +125,7 @@ _ALLOWED = {
 
 
 def seccomp_filter() -> bytes:
-    """Return the program that lets the allowed calls pass and refuses the rest with EPERM."""
+    """Return a filter program that allows these system calls and refuses the rest with EPERM."""
     numbers = [number for group in _ALLOWED.values() for number in group]
     program = [
         (_LOAD, 0, 0, 4),  # the architecture
@@ -139,7 +141,7 @@ def seccomp_filter() -> bytes:
 
 
 def seccomp_works_here() -> bool:
-    """Say whether this is a machine that the filter is written for."""
+    """Return whether the filter is written for this kind of machine."""
     return sys.platform == "linux" and platform.machine() == "x86_64" and sys.maxsize > 1 << 32
 
 
@@ -151,9 +153,12 @@ _CAN_READ_ALL = 2  # CAP_DAC_READ_SEARCH
 
 
 def enter(level: Level, rules: int | None, seconds: int) -> None:
-    """Put this process behind the walls, for good. Raises SandboxError where one does not stand.
+    """Confine this process in the sandbox, permanently.
 
-    ``rules`` come from landlock_rules; ``seconds`` of processor time are left to the process.
+    ``rules`` come from landlock_rules. The process may still use ``seconds`` of processor time.
+
+    Raises:
+        SandboxError: A layer cannot be set up.
     """
     _limit(seconds)
     if level.landlock:
@@ -182,7 +187,7 @@ def _limit(seconds: int) -> None:
         "RLIMIT_MEMLOCK": 0,
         "RLIMIT_MSGQUEUE": 0,
     }
-    if sys.platform == "linux":  # elsewhere these stop the interpreter itself
+    if sys.platform == "linux":  # elsewhere these stop Python itself
         limits |= {"RLIMIT_AS": MEMORY, "RLIMIT_NPROC": 0}
     for name, value in limits.items():
         if hasattr(resource, name):
@@ -191,7 +196,7 @@ def _limit(seconds: int) -> None:
 
 
 def _lower(kind: int, soft: int, hard: int) -> None:
-    """Set a limit, and keep the one there is where it is lower already."""
+    """Set a resource limit, unless the current one is lower already."""
     _, there = resource.getrlimit(kind)
     if there != resource.RLIM_INFINITY:
         soft, hard = min(soft, there), min(hard, there)
@@ -199,10 +204,10 @@ def _lower(kind: int, soft: int, hard: int) -> None:
 
 
 def drop_privileges() -> None:
-    """Become an unprivileged user where this is root.
+    """Become an unprivileged user if this process runs as root.
 
-    Python itself may lie where only root can read, as in /root. Since Landlock names the folders
-    that are left to read, the process keeps the one right to read them.
+    Python itself may be installed where only root can read, such as in /root. So the process keeps
+    the capability to read any file. Landlock still limits it to the listed folders.
     """
     if os.geteuid() != 0:
         return

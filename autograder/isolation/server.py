@@ -1,4 +1,4 @@
-"""What a worker answers: requests of the checks about the student's objects."""
+"""Answer requests of the checks about the student's objects. This runs in a worker."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 
 
 class Server:
-    """Answers requests about the student's objects, each of which it gives a number."""
+    """Answers requests about the student's objects, and gives each object a number."""
 
     def __init__(self, wire: Wire, engine: list[Path]) -> None:
         self.wire = wire
@@ -43,13 +43,13 @@ class Server:
         self.numbers: dict[int, int] = {}
 
     def serve(self) -> None:
-        """Answer until the wire ends."""
+        """Answer requests until the wire is closed."""
         with contextlib.suppress(EOFError, BrokenPipeError):
             while True:
                 self.answer(self.wire.receive())
 
     def answer(self, request: dict[str, Any]) -> None:
-        """Do what one request asks for, and say what came of it."""
+        """Carry out one request and send its result."""
         reply: dict[str, Any] = {"id": request["id"]}
         try:
             operands = [unpack(operand, self.find) for operand in request["with"]]
@@ -65,7 +65,7 @@ class Server:
 
     def describe(self, error: BaseException) -> dict[str, Any]:
         """Return an exception as plain data."""
-        # By what they are: a student's class may carry a built-in one's name.
+        # Compare the classes: a student's class may have the name of a built-in one.
         known = (_KNOWN.get(base) for base in type(error).__mro__)
         fault = fault_of(error, self.engine)
         return {
@@ -79,14 +79,17 @@ class Server:
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
-        """Number an object; the list keeps it alive, so that its id stays its own."""
+        """Return a reference to an object, and number it if it is new.
+
+        The list keeps the object alive, so that no other object gets its id.
+        """
         number = self.numbers.setdefault(id(value), len(self.objects))
         if number == len(self.objects):
             self.objects.append(value)
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object that a number, a module and name, or a call-back stand for."""
+        """Return the object that a message refers to by number, by name, or as a callback."""
         if "object" in data:
             return self.objects[data["object"]]
         if "callback" in data:
@@ -94,14 +97,14 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Return a function that asks the checks to call theirs."""
+        """Return a function that asks the checks to call one of their functions."""
 
         def call(*arguments: Any) -> Any:
             packed = [pack(argument, self.refer) for argument in arguments]
             self.wire.send({"callback": number, "with": packed})
             while True:
                 message = self.wire.receive()
-                if "id" in message:  # the check's function uses the student's objects meanwhile
+                if "id" in message:  # a request that the check's function makes
                     self.answer(message)
                 elif "error" in message:
                     raise _error(*message["error"])
@@ -110,23 +113,23 @@ class Server:
 
         return call
 
-    # What can be asked for, each by the name behind do_.
+    # The requests. Each method's name is "do_" and the name of its request.
 
     def do_begin(self, broken: list[str]) -> None:
-        """Put in place the modules that are known not to be importable; the checks know why."""
+        """Mark these modules as broken. The checks know why they cannot be imported."""
         for module in broken:
             sys.modules[module] = broken_module(module, Message())
 
     def do_compile(self, file: str) -> str | None:
-        """Return the bytecode of a file as text; None for what is too long, or no Python."""
+        """Return the bytecode of a file as text, or None if it is invalid Python or too long."""
         try:
             code = marshal.dumps(compile(Path(file).read_bytes(), file, "exec", dont_inherit=True))
         except (SyntaxError, ValueError, OSError, MemoryError, RecursionError):
-            return None  # the import will say what is wrong
+            return None  # the import will raise the error
         return base64.b64encode(code).decode() if len(code) < LONGEST_LINE // 2 else None
 
     def do_definitions(self, file: str) -> list[str] | None:
-        """Return the names that a file defines; None where it cannot be read."""
+        """Return the names that a file defines, or None if it cannot be read."""
         found = read_definitions(Path(file))
         return None if found is None else sorted(found)
 
@@ -168,8 +171,8 @@ class Server:
     def do_show(self, value: Any) -> str:
         return str(repr(value))[:1000]
 
-    def do_test_the_walls(self, what: list[str], forbidden: str) -> list[str]:
-        """Return what got through of what must not; asked before any student's code is here."""
+    def do_test_walls(self, what: list[str], forbidden: str) -> list[str]:
+        """Return the forbidden attempts that succeed. No student code has been loaded yet."""
         through = []
         for name in what:
             with contextlib.suppress(OSError):
@@ -179,7 +182,7 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Return a module. What it prints at its import is not shown: that belongs to no check."""
+    """Import a module, and discard what it prints, which belongs to no check."""
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)
@@ -189,7 +192,7 @@ def _imported(name: str) -> ModuleType:
 
 def _reach_out(_: str) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as outside:
-        outside.connect(("192.0.2.1", 9))  # an address that documentation has to itself
+        outside.connect(("192.0.2.1", 9))  # an address reserved for documentation
 
 
 def _start_a_process(_: str) -> None:
@@ -207,6 +210,6 @@ ATTEMPTS: dict[str, Callable[[str], Any]] = {
 
 
 def _error(name: str, text: str) -> Exception:
-    """Return the built-in exception of a name, for the student's code to catch."""
+    """Return a built-in exception of this name, for the student's code to catch."""
     kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
     return kind(text)

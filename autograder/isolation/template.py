@@ -1,4 +1,4 @@
-"""The trusted end of a template process: starts it, has it fork workers, and ends them."""
+"""Control a template process from the trusted side: start it, fork workers, and end them."""
 
 from __future__ import annotations
 
@@ -28,20 +28,20 @@ from autograder.isolation.wire import Wire
 from autograder.manifest import ROOT
 from autograder.message import Message
 
-START_LIMIT = 20.0  # seconds for a process of our own to come up, on a busy machine
+START_LIMIT = 20.0  # seconds for our own process to start on a busy machine
 SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/dev/null")
 
 
 class TemplateError(GraderFault):
-    """A worker did not come up, and that is no fault of the code that it would have run."""
+    """A worker did not start, and this is not the fault of the code that it was to run."""
 
 
 @dataclass
 class _Worker:
     socket: socket.socket
-    log: int  # descriptors
-    stack: int
-    number: int = 0  # until the template has answered
+    log: int  # a descriptor
+    stack: int  # a descriptor
+    number: int = 0  # its process number, once the template has answered
 
     def close(self) -> None:
         self.socket.close()
@@ -52,10 +52,10 @@ class _Worker:
 class Template:
     """A process without student code that forks a worker for each check.
 
-    ``engine`` is folders of chapters, which go on the worker's path with the folder of the probes,
-    behind the standard library. What it keeps goes into ``folder``. A worker has ``seconds`` for
-    what it is asked. ``fresh`` starts a new template for each worker: slower, but nothing of
-    one worker can be left for the next, which is what a wall without seccomp needs.
+    ``engine`` lists folders of chapters. A worker searches them, and the folder of the probes,
+    after the standard library. Temporary files go into ``folder``. A worker has ``seconds`` to
+    answer its requests. ``fresh`` starts a new template for each worker. This is slower, but no
+    worker can leave anything behind for the next one, which could happen without seccomp.
     """
 
     def __init__(
@@ -72,7 +72,7 @@ class Template:
         self.engine = engine
         self.folders = [*engine, probes]
         self.seconds = seconds
-        self.fresh = fresh or (not level.seccomp and level.is_wall)
+        self.fresh = fresh or (not level.seccomp and level.is_sandbox)
         self._own = folder
         (self._own / "bytecode").mkdir()
         self._log = self._new_file()  # of the template itself
@@ -85,10 +85,12 @@ class Template:
     def start_worker(
         self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
     ) -> Session:
-        """Return a session with a worker that nobody has used. Raises TemplateError.
+        """Return a session with an unused worker, and order the next worker in advance.
 
-        The next one is ordered ahead: it comes up while this one works. ``broken`` says of modules
-        why they cannot be imported.
+        ``broken`` gives, for each module that cannot be imported, the reason.
+
+        Raises:
+            TemplateError: The worker did not start.
         """
         self.stop_worker()
         try:
@@ -100,19 +102,19 @@ class Template:
             if "ready" not in wire.receive(time.monotonic() + START_LIMIT):
                 raise EOFError
         except (OSError, EOFError, ValueError) as error:
-            raise TemplateError(f"a worker did not come up: {self.printed() or error!r}") from error
+            raise TemplateError(f"a worker did not start: {self.printed() or error!r}") from error
         deadline = time.monotonic() + self.seconds
         return Session(wire, deadline, on_hang, self.how_it_ended, broken)
 
     def warm_up(self) -> None:
-        """Order what the next worker needs, if that is not done yet, and do not wait for it."""
+        """Order the next worker if that has not been done yet, without waiting for it."""
         if self._process is None:
             self._start()
         if self._next is None:
             self._next = self._order()
 
     def _order(self) -> _Worker:
-        """Order a worker; the template will answer its number."""
+        """Order a worker. The template will answer with its process number."""
         assert self._control is not None
         own, theirs = socket.socketpair()
         worker = _Worker(own, self._new_file(), self._new_file())
@@ -122,13 +124,13 @@ class Template:
         return worker
 
     def _new_file(self) -> int:
-        """Return a descriptor of a new file that has no name any more."""
+        """Return the descriptor of a new file that no longer has a name."""
         descriptor, path = tempfile.mkstemp(dir=self._own)
         Path(path).unlink()
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered ahead, once the template has answered its number."""
+        """Return the worker that was ordered in advance, once the template has sent its number."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -139,21 +141,21 @@ class Template:
         return self._answers.readline().strip()
 
     def keep_bytecode(self, file: Path, code: str) -> None:
-        """Keep what a worker has compiled where the next ones look for it. It is not looked at."""
+        """Store bytecode from a worker where later workers find it. Its content is not checked."""
         folder = self._own / "bytecode" / file.parent.relative_to(file.anchor)
         folder.mkdir(parents=True, exist_ok=True)
-        unchecked = (1).to_bytes(4, "little") + bytes(8)  # the source will not be compared
+        unchecked = (1).to_bytes(4, "little") + bytes(8)  # Python will not compare the source
         content = importlib.util.MAGIC_NUMBER + unchecked + base64.b64decode(code)
         (folder / f"{file.stem}.{sys.implementation.cache_tag}.pyc").write_bytes(content)
 
     def printed(self) -> str:
-        """Return what the worker has printed, or the template where there is none."""
+        """Return the output of the worker, or of the template if there is no worker."""
         log = self._log if self._worker is None else self._worker.log
-        printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # as where it was left out of the file
+        printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
         return printed.decode("utf-8", errors="replace").strip()
 
     def stack(self) -> str:
-        """Return where the worker is, as Python's fault handler writes it."""
+        """Return the worker's stack, as Python's fault handler writes it."""
         assert self._control is not None
         assert self._worker is not None
         self._control.send(b"stack %d\n" % self._worker.number)
@@ -161,31 +163,32 @@ class Template:
             time.sleep(0.01)
             if os.pread(self._worker.stack, 1, 0):
                 break
-        time.sleep(0.01)  # for the rest of it
+        time.sleep(0.01)  # until the rest is written
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Return a sentence on how the worker ended by itself. It must have closed its wire.
+        """Return a sentence on how a worker ended that has closed its wire.
 
-        Raises TemplateError where it was killed from outside, as a machine does that has no
-        memory left: its walls keep a worker from that.
+        Raises:
+            TemplateError: It was killed from outside, for example because the machine has no memory
+                left. The sandbox keeps the worker from causing this itself.
         """
         assert self._control is not None
         assert self._worker is not None
         try:
             if self._next is not None:
-                self._numbered_next()  # its answer comes first
+                self._numbered_next()  # the template answers in order
             self._control.send(b"status %d\n" % self._worker.number)
             answer = self._answer()
             code = 0 if answer == b"alive" else int(answer)
         except (OSError, ValueError) as error:
             raise TemplateError(f"the template is gone: {self.printed() or error!r}") from error
         if code == -signal.SIGKILL:
-            raise TemplateError("a worker was killed from outside: has the machine enough memory?")
+            raise TemplateError("a worker was killed from outside. Is the machine out of memory?")
         if answer == b"alive":
-            return "the process ended its part in the middle: the code closed what the checks use"
+            return "the process stopped answering: the code closed its connection to the checks"
         if code == -signal.SIGXCPU:
-            return "the process ended in the middle: it had used up its processor time"
+            return "the process ended early: it had used up its processor time"
         return how_it_ended(code)
 
     def stop_worker(self) -> None:
@@ -201,7 +204,7 @@ class Template:
             self._end()
 
     def close(self) -> None:
-        """End everything."""
+        """End the worker and the template."""
         self.stop_worker()
         self._end()
         os.close(self._log)
@@ -249,7 +252,7 @@ class Template:
         assert self._control is not None
         assert self._answers is not None
         self._answers.close()
-        self._control.close()  # the template ends its worker and itself
+        self._control.close()  # the template then ends its worker and itself
         try:
             self._process.wait(1.0)
         except subprocess.TimeoutExpired:
@@ -259,7 +262,7 @@ class Template:
 
 
 def _python_folders() -> list[str]:
-    """Return the folders of the standard library and of the libraries that Python itself needs."""
+    """Return the folders of the standard library and the libraries that Python itself needs."""
     paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
     if library := sysconfig.get_config_var("LIBDIR"):
         paths |= {str(path) for path in Path(library).glob("libpython*")}
@@ -267,7 +270,7 @@ def _python_folders() -> list[str]:
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Return the command that shows these paths, read-only, and nothing else of the system."""
+    """Return a command that runs another one and shows it only these paths, read-only."""
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
     command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]

@@ -1,7 +1,8 @@
-"""The wire between trusted checks and the worker: one JSON line each way, and only plain data.
+"""The wire between trusted checks and a worker: one JSON object per line, with plain data only.
 
-What crosses by value is None, bool, int, float, str, list, tuple and dict, of exactly these types.
-Everything else is referred to: each end says how it names its own objects and finds the other's.
+Values of exactly the types None, bool, int, float, str, list, tuple and dict are sent by value. For
+every other object, a reference is sent. Each end decides how to name its own objects and how to
+find the other end's.
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ LONGEST_LINE = 1_000_000  # bytes
 LONGEST_INT = 4096  # bits
 MOST_ITEMS = 20_000  # in one message
 DEEPEST = 20
-LARGEST_DICT = 1_000  # entries: keys may be chosen to collide, and each then meets all others
+LARGEST_DICT = 1_000  # entries; keys may be chosen to collide, which makes a dict slow
 
-# Errors that cross by their name. Any other is told as the nearest of these that it derives from.
+# Exceptions that are sent by name. Any other is sent as its nearest base class in this list.
 _ERRORS = (
     "ArithmeticError AssertionError AttributeError BufferError EOFError Exception "
     "FloatingPointError ImportError IndexError KeyError LookupError MemoryError "
@@ -34,11 +35,11 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """The other end sent something that this wire does not carry."""
+    """The other end sent something that the protocol does not allow."""
 
 
 class UnsendableError(Exception):
-    """A value is too large, or too deep, to be handed over."""
+    """A value is too large, or nested too deeply, to be sent."""
 
 
 class Wire:
@@ -50,7 +51,12 @@ class Wire:
         os.set_blocking(descriptor, False)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message. Raises TimeoutError, and OSError where the other end is gone."""
+        """Send a message.
+
+        Raises:
+            TimeoutError: The deadline has passed.
+            OSError: The other end is gone.
+        """
         data = memoryview(json.dumps(message).encode() + b"\n")
         while data:
             try:
@@ -61,11 +67,13 @@ class Wire:
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
         """Return the next message.
 
-        Raises TimeoutError, EOFError where the other end is gone, and BrokenProtocolError for what
-        is no JSON object in a line of at most LONGEST_LINE bytes.
+        Raises:
+            TimeoutError: The deadline has passed.
+            EOFError: The other end is gone.
+            BrokenProtocolError: The line is too long, or is not a JSON object.
         """
         if deadline is not None and time.monotonic() > deadline:
-            raise TimeoutError  # however much there is to read
+            raise TimeoutError  # even if there is more to read
         while b"\n" not in self._buffer:
             if len(self._buffer) > LONGEST_LINE:
                 raise BrokenProtocolError("a line is too long")
@@ -83,9 +91,9 @@ class Wire:
         try:
             message = json.loads(line)
         except (ValueError, RecursionError) as error:
-            raise BrokenProtocolError("a line is no JSON") from error
+            raise BrokenProtocolError("a line is not JSON") from error
         if not isinstance(message, dict):
-            raise BrokenProtocolError("a line is no JSON object")
+            raise BrokenProtocolError("a line is not a JSON object")
         return message
 
     def _wait(self, deadline: float | None, *, for_writing: bool) -> None:
@@ -97,9 +105,12 @@ class Wire:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Return what stands for a value in a message.
+    """Return the form that a value has in a message.
 
-    ``refer`` names what is no plain value. Raises UnsendableError for what is too much.
+    ``refer`` returns a reference for a value that is not plain.
+
+    Raises:
+        UnsendableError: The value is too large, or nested too deeply.
     """
     return _pack(value, refer, [MOST_ITEMS], DEEPEST)
 
@@ -118,7 +129,7 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
     if left[0] < 0:
         raise UnsendableError(f"a {kind.__name__} of more than {MOST_ITEMS} items")
     if depth == 0:
-        raise UnsendableError(f"a {kind.__name__} in more than {DEEPEST} others")
+        raise UnsendableError(f"a {kind.__name__} nested in more than {DEEPEST} others")
     if kind is dict and len(value) > LARGEST_DICT:
         raise UnsendableError(f"a dict of more than {LARGEST_DICT} entries")
     items = [*value.items()] if kind is dict else value
@@ -126,9 +137,10 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Return the value that stands in a message; ``find`` knows what is referred to.
+    """Return the value that a message contains. ``find`` resolves references.
 
-    Raises BrokenProtocolError for what pack does not make.
+    Raises:
+        BrokenProtocolError: The data do not have the form that ``pack`` produces.
     """
     return _unpack(data, find, [2 * MOST_ITEMS + 1000], DEEPEST + 2)
 
@@ -139,7 +151,7 @@ def _unpack(data: Any, find: Find, left: list[int], depth: int) -> Any:
             raise BrokenProtocolError("a bare list")
         return data
     if depth == 0:
-        raise BrokenProtocolError("a value that is too deep")
+        raise BrokenProtocolError("a value that is nested too deeply")
     for kind in (tuple, list, dict):
         items = data.get(kind.__name__)
         if isinstance(items, list):
@@ -150,5 +162,5 @@ def _unpack(data: Any, find: Find, left: list[int], depth: int) -> Any:
             try:
                 return kind(values)
             except (TypeError, ValueError) as error:
-                raise BrokenProtocolError("a dict of what are no pairs") from error
+                raise BrokenProtocolError("a dict whose items are not pairs") from error
     return find(data)

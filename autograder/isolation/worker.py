@@ -1,9 +1,13 @@
 """The process that holds the student's code.
 
-A template without student code waits for orders on a control socket: "start" forks a worker, which
-goes behind its walls and only then imports what was handed in; "stack" has one write its stack;
-"status" asks how one ended by itself, "stop" ends it. The template is trusted; from the import on,
-a worker is not.
+A template process without student code waits for orders on a control socket:
+
+- "start" forks a worker, which enters the sandbox before it imports what was handed in.
+- "stack" makes a worker write its stack.
+- "status" asks how a worker ended.
+- "stop" ends a worker.
+
+The template is trusted. A worker is not, once it has imported student code.
 """
 
 from __future__ import annotations
@@ -29,33 +33,33 @@ from autograder.isolation import sandbox
 from autograder.isolation.server import Server
 from autograder.isolation.wire import Wire
 
-# What engines tend to import: once in the template, rather than in every worker.
+# Modules that engines often import. The template imports them once for all workers.
 PRELOADED = "math random dataclasses typing collections.abc functools itertools enum copy heapq"
 
 
 def main(text: str) -> None:
-    """Be the template: fork a worker at every "start", until the control socket ends."""
+    """Be the template: fork a worker for each "start", until the control socket is closed."""
     config = json.loads(text)
-    sys.argv[:], sys.orig_argv[:] = [""], []  # they tell where everything lies
+    sys.argv[:], sys.orig_argv[:] = [""], []  # these reveal where files are
     level = sandbox.Level(**config["level"])
     sys.path[:] = [path for path in sys.path if path != config["root"]] + config["folders"]
     sys.pycache_prefix = config["bytecode"]
-    for add in (site.setquit, site.setcopyright, site.sethelper):  # what every Python has built in
+    for add in (site.setquit, site.setcopyright, site.sethelper):  # built-ins that python -S lacks
         add()
     for name in PRELOADED.split() if config["preload"] else ():
         importlib.import_module(name)
     for folder in sorted({path.name for f in config["folders"] for path in Path(f).glob("ch??_*")}):
-        importlib.import_module(folder)  # a folder without code of its own; its place is then known
+        importlib.import_module(folder)  # has no code; Python then knows its place
         importlib.util.find_spec(f"{folder}.nothing")
     rules = sandbox.landlock_rules(config["readable"]) if level.landlock else None
     for name in [name for name in sys.modules if name.partition(".")[0] == "autograder"]:
-        del sys.modules[name]  # it is not there for those who import it
+        del sys.modules[name]  # student code must not find it
     gc.freeze()
     control = socket.socket(fileno=config["control"])
     workers: set[int] = set()
     while True:
         orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)
-        for order in orders.splitlines():  # each comes whole: they are short
+        for order in orders.splitlines():  # a short order arrives whole
             what, _, number = order.partition(b" ")
             if what == b"start":
                 worker = os.fork()
@@ -81,23 +85,23 @@ def main(text: str) -> None:
 
 
 def _kill(worker: int) -> None:
-    """End a worker, and what it may have started where no wall keeps it from that."""
+    """Kill a worker, and processes that it may have started if no sandbox prevents that."""
     for kill in (os.killpg, os.kill):
-        with contextlib.suppress(ProcessLookupError):  # it may have no group of its own yet
+        with contextlib.suppress(ProcessLookupError):  # it may not have its own group yet
             kill(worker, signal.SIGKILL)
     os.waitpid(worker, 0)
 
 
 def _exit_code(worker: int, seconds: float) -> int | None:
-    """Return the exit code of a worker that has closed its wire, a signal as a negative number.
+    """Return the exit code of a worker that has closed its wire, negative for a signal.
 
-    Return None for one that does not end within a second; it is killed.
+    If the worker does not end within a second, kill it and return None.
     """
     for _ in range(100):
         ended, status, used = os.wait4(worker, os.WNOHANG)
         if ended:
             code = os.waitstatus_to_exitcode(status)
-            # Beyond its limit of processor time a process is killed: that was its own doing.
+            # The kernel kills a process that exceeds its processor time.
             out_of_time = used.ru_utime + used.ru_stime >= seconds
             return -signal.SIGXCPU if code == -signal.SIGKILL and out_of_time else code
         time.sleep(0.01)
@@ -113,10 +117,10 @@ def work(
     log: int,
     stack: int,
 ) -> None:
-    """Be a worker: go behind the walls, say so, and serve until the wire ends.
+    """Be a worker: enter the sandbox, report readiness, and serve until the wire is closed.
 
-    What it prints goes to the log, and its stack to the other file, when it is asked for: both are
-    this worker's own, so that nothing of it can be taken for another's.
+    What the worker prints goes to ``log``. On request, it writes its stack to ``stack``. Each
+    worker has its own two files, so that its output is never attributed to another worker.
     """
     try:
         os.setsid()
@@ -134,7 +138,7 @@ def work(
         wire.send({"ready": True})
         Server(wire, [Path(folder) for folder in config["engine"]]).serve()
     finally:
-        os._exit(0)  # nothing that the student's code has left to be done at the end is done
+        os._exit(0)  # without the exit handlers of the student's code
 
 
 def _close_all_but(*kept: int | None) -> None:

@@ -1,1 +1,1 @@
-"""Grading where instructors are: Gradescope and GitHub Classroom."""
+"""Grade where instructors already are: on Gradescope and GitHub Classroom."""

@@ -1,4 +1,4 @@
-"""Make a hand-out with the workflow by which GitHub Classroom gives points for each push."""
+"""Make a hand-out with a workflow by which GitHub Classroom grades each push."""
 
 from __future__ import annotations
 
@@ -13,15 +13,16 @@ from autograder.manifest import ROOT, Chapter, Exercise
 WORKFLOW = ".github/workflows/classroom.yml"  # where GitHub Classroom looks for it
 GRADER = "classroom-resources/autograding-command-grader@v1"
 REPORTER = "classroom-resources/autograding-grading-reporter@v1"
-MINUTES = 10  # for an exercise, which takes seconds; the set-up counts, and takes a minute
+MINUTES = 10  # for the set-up, which takes a minute, and an exercise, which takes seconds
 
 
 def make_classroom(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT
 ) -> None:
-    """Write a hand-out with a workflow into a new folder and print what it holds.
+    """Write a hand-out with a workflow into a new folder, and print what it contains.
 
-    Raises ValueError as make_handout does.
+    Raises:
+        ValueError: As for ``make_handout``.
     """
     make_handout(chapters, given, out, root)
     path = out / WORKFLOW
@@ -34,7 +35,7 @@ def make_classroom(
 
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
-    """Return the workflow: a step for each exercise that has checks, and the report last."""
+    """Return the workflow: a step for each exercise that has checks, and then the report."""
     exercises = _checked(chapters)
     steps: list[dict[str, Any]] = [
         {"uses": "actions/checkout@v4"},
@@ -46,7 +47,7 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
                 "cache-dependency-path": "requirements.lock",
             },
         },
-        # The grader's own set-up is silent: what goes wrong is to be read here.
+        # The set-up inside the grader is silent, so errors must appear here.
         {"name": "Set up", "run": "make setup"},
         *map(_step, exercises),
         {
@@ -76,7 +77,7 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
 
 
 def step_id(exercise: Exercise) -> str:
-    """Return an id such as exerciseB2dot1: the reporter takes letters and digits alone."""
+    """Return an id such as exerciseB2dot1: the reporter accepts only letters and digits."""
     return f"exercise{exercise.id.replace('.', 'dot')}"
 
 

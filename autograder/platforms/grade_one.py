@@ -1,6 +1,6 @@
-"""Grade the submission that Gradescope hands over, and print its results.json.
+"""Grade the submission that Gradescope provides, and print its results.json.
 
-run_autograder calls it, in the zip that gradescope.py makes.
+The script run_autograder calls this module in the zip that gradescope.py makes.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def main(folder: Path, root: Path = ROOT) -> None:
     """Print the results of ``folder``/submission, whatever goes wrong."""
     try:
         results = gradescope_results(grade_one(folder, root))
-    except ValueError as error:  # a sentence already
+    except ValueError as error:  # its text is a sentence for people
         print(error, file=sys.stderr)
         results = ungraded_results(str(error))
     except Exception as error:
@@ -38,10 +38,12 @@ def main(folder: Path, root: Path = ROOT) -> None:
 
 
 def grade_one(folder: Path, root: Path) -> StudentReport:
-    """Return the report on ``folder``/submission, on what the zip's assignment.json asks for.
+    """Grade ``folder``/submission according to the zip's assignment.json, and return the report.
 
-    The numbers of checks are new in each run. Raises ValueError where there is nothing to grade,
-    or no wall to grade it behind.
+    Each run draws new numbers for the checks.
+
+    Raises:
+        ValueError: There is nothing to grade, or no sandbox to grade it in.
     """
     settings = json.loads((root / "assignment.json").read_text(encoding="utf-8"))
     submission = folder / "submission"
@@ -54,12 +56,12 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
     student = students(folder / "submission_metadata.json")
     print(f"grading {student}, seed {assignment.seed}, isolation: {level}", file=sys.stderr)
     report = grade_submission(assignment, Submission(student, submission))
-    # A zip that is made so has no reference for a second run.
+    # A zip made with this option lacks the reference for a second run.
     return replace(report, score_on_given=None) if settings["unsafe"] else report
 
 
 def students(metadata: Path) -> str:
-    """Return the names of those who hand in, as Gradescope tells them; "submission" for none."""
+    """Return the names of the submitters from Gradescope's metadata, or else "submission"."""
     try:
         users = json.loads(metadata.read_text(encoding="utf-8"))["users"]
         return ", ".join(printable(user["name"]) for user in users) or "submission"
@@ -68,11 +70,11 @@ def students(metadata: Path) -> str:
 
 
 def _level(submission: Path, *, unsafe: bool) -> Level:
-    """Return the walls that stand here, as grade does.
+    """Return the sandbox level of this machine, as the command grade does.
 
-    Where there is none, and the instructor accepts that, root becomes an unprivileged user first.
+    If there is no sandbox and the instructor accepts that, root first becomes an unprivileged user.
     """
-    if unsafe and os.geteuid() == 0 and not best_level().is_wall:
+    if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()
     return choose_level(submission, unsafe=unsafe)
 

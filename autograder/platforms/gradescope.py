@@ -1,4 +1,4 @@
-"""Make the zip that Gradescope grades with: its two scripts, the grader, checks and reference."""
+"""Make the zip for Gradescope: its two scripts, the grader, the checks and the reference."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from autograder.checks.arrange import shared_by_checks
 from autograder.manifest import ROOT, Chapter, chapters_below
 
 SCRIPTS = ("setup.sh", "run_autograder")
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # of every file, so that two makings are equal
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # of every file, so that two equal zips have equal bytes
 
 
 def make_gradescope(
@@ -23,17 +23,20 @@ def make_gradescope(
     unsafe: bool = False,
     root: Path = ROOT,
 ) -> None:
-    """Write the zip and print what it holds.
+    """Write the zip and print what it contains.
 
-    The ``given`` chapters are the reference's, whatever is handed in. ``unsafe`` grades where no
-    wall can be put up, too. Raises ValueError where ``out`` is no name of a zip.
+    ``given`` chapters are taken from the reference, whatever is handed in. ``unsafe`` also grades
+    on a machine without a sandbox.
+
+    Raises:
+        ValueError: ``out`` is not the name of a .zip file.
     """
     if out.suffix != ".zip" or out.is_dir():
         raise ValueError(f"--out must be a .zip file, got {str(out)!r}")
     below = {other.name: other for graded in chapters for other in chapters_below(graded, root)}
     own = [other for other in below.values() if other not in given]
-    # No graded chapter's reference is needed for its own grading. Those of earlier ones are, for
-    # the second run; without a wall, student code could read them.
+    # Grading a chapter does not need its own reference. The second run needs the reference of
+    # earlier chapters. Without a sandbox, student code could read it, so it is left out then.
     reference = [*given] if unsafe else [*given, *own]
     there = {chapter.name: chapter for chapter in [*chapters, *given, *own]}
     files = [*_files(root, chapters, reference, list(there.values()))]
@@ -51,14 +54,14 @@ def make_gradescope(
     print(f"given complete: {_names(given)}")
     print(f"with the reference of: {_names(reference)}")
     points = sum(exercise.points for chapter in chapters for exercise in chapter.exercises)
-    print(f"points of the assignment, written answers with them: {points}")
+    print(f"points of the assignment, including written answers: {points}")
     print(f"autograder: {out}, {len(contents)} files, {out.stat().st_size:,} bytes")
 
 
 def _files(
     root: Path, chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
 ) -> Iterator[Path]:
-    """Yield what of this repository goes into the zip."""
+    """Yield the files of this repository that go into the zip."""
     yield root / "pyproject.toml"
     yield root / "requirements.lock"
     yield root / "LICENSE"
@@ -76,12 +79,12 @@ def _files(
 
 
 def _zipped(contents: dict[str, bytes]) -> bytes:
-    """Return a zip of these files, in the order of their names, the scripts executable."""
+    """Return a zip of these files, sorted by name, in which the scripts are executable."""
     memory = io.BytesIO()
     with zipfile.ZipFile(memory, "w") as file:
         for name in sorted(contents):
             entry = zipfile.ZipInfo(name, FIRST_DATE)
-            entry.create_system = 3  # Unix: the only one whose modes are read
+            entry.create_system = 3  # Unix, the only system whose modes are read
             entry.external_attr = (0o100755 if name in SCRIPTS else 0o100644) << 16
             file.writestr(entry, contents[name], zipfile.ZIP_DEFLATED)
     return memory.getvalue()

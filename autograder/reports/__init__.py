@@ -1,1 +1,1 @@
-"""What a graded class leaves: results, feedback, the gradebook, and files for Gradescope."""
+"""The output of grading: results, feedback, the gradebook, and files for Gradescope."""

@@ -1,4 +1,4 @@
-"""What an instructor asks of a graded class: who passes what, and how the scores lie."""
+"""Statistics of a graded class: who passes what, and how the scores are distributed."""
 
 from __future__ import annotations
 
@@ -16,17 +16,20 @@ BINS = 10
 
 @dataclass(frozen=True)
 class ExerciseRate:
-    """One exercise over a class. ``counted`` are those with points in it: no error, no waiting."""
+    """The pass rate of one exercise over a class.
+
+    ``counted`` is the number of students with a score for it, without errors and waiting answers.
+    """
 
     exercise: Exercise
     counted: int
     passed: int
     mean: float | None
-    first_lost: str  # the check that most students lose
+    first_lost: str  # the check that fails for most students
 
     @property
     def share(self) -> float | None:
-        """The share of the counted that pass; None for a written one, where nobody passes."""
+        """The fraction of counted students who pass; None for a written exercise."""
         if self.exercise.kind == "written" or not self.counted:
             return None
         return self.passed / self.counted
@@ -34,7 +37,7 @@ class ExerciseRate:
 
 @dataclass(frozen=True)
 class Bin:
-    """How many students have a score from ``low`` per cent on and below ``high``."""
+    """The number of students with a score of at least ``low`` and less than ``high`` percent."""
 
     low: int
     high: int
@@ -52,13 +55,13 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 
 
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
-    """Return the exercises that the fewest pass, the worst first; none that everybody passes."""
+    """Return the exercises that the fewest students pass, worst first, unless everybody passes."""
     missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
-    """Return the scores in tenths of the points possible; full marks are in the last."""
+    """Return the scores in tenths of the points possible. Full marks are in the last bin."""
     counts: Counter[int] = Counter()
     for report in reports:
         if report.score is not None and report.points:

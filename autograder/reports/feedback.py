@@ -1,6 +1,6 @@
 """Write the pages of a graded class: one for each student, and an index for the instructor.
 
-They need no network and no script, and show what others wrote as text alone.
+The pages need neither a network nor scripts, and show untrusted content only as text.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from autograder.reports.texts import check_title, clean_all, number, replace_fil
 from autograder.scores import PHYSICS_SHARE, place_on_chart
 from autograder.submissions.find import file_name
 
-SYMBOLS = {  # beside the word, so that no status is told by color alone
+SYMBOLS = {  # beside the word, so that no status is shown by color alone
     "passed": "✓",
     "failed": "✗",
     "blocked": "⊘",
@@ -39,8 +39,8 @@ MEANINGS = {
     "passed": "every check passes",
     "failed": "a check found a mistake in it",
     "blocked": "an exercise that it builds on fails: fix that one first",
-    "inherited": "the mistake lies in an earlier chapter: on the given ones it passes",
-    "error": "the grader failed: no zero, it will be graded again",
+    "inherited": "the mistake is in an earlier chapter: on given chapters it passes",
+    "error": "the grader failed: this does not count as zero and will be graded again",
     "waiting": "a person will read it",
     "marked": "a person has given the points",
 }
@@ -49,7 +49,7 @@ TO_FIX = ("failed", "inherited", "blocked")  # in the order in which to fix them
 
 @dataclass
 class LostChecks:
-    """Lost checks with the same message. What is hidden has no titles: they may tell what it is."""
+    """Failed checks with the same message. Titles of hidden checks are secret and left out."""
 
     status: Status
     message: str
@@ -61,10 +61,10 @@ class LostChecks:
 
 @dataclass(frozen=True)
 class ShownExercise(ExerciseReport):
-    """An exercise as its page shows it: what is lost in full, what passes in short.
+    """An exercise as its page shows it: failures in full, and passing checks in short.
 
-    ``gains`` says that it earns more on given chapters, and ``uneven`` that the checks of a tier
-    count differently.
+    ``gains`` means that it earns more on given chapters, and ``uneven`` that the checks of a tier
+    have different weights.
     """
 
     anchor: str
@@ -100,7 +100,7 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
 
 
 def write_index(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
-    """Write index.html, the class for its instructor, and return its path."""
+    """Write index.html, the page of the class for its instructor, and return its path."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
     clean = [clean_all(report) for report in reports]
@@ -149,7 +149,7 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 
 
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
-    """Return the exercise to go on with: physics that fails comes before robust checks."""
+    """Return the exercise to fix first: physics that fails comes before robust checks."""
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:
         works = all(passed == of for tier, passed, of in exercise.tiers if tier == "physics")
@@ -159,7 +159,7 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Return a chart for each open exercise that is on somebody's, in the order of the reports."""
+    """Return a chart for each open exercise that somebody has a point for, in report order."""
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
@@ -171,7 +171,7 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
-    """Return lost checks, those with the same message as one: a file that cannot be read."""
+    """Group failed checks by message: one file that cannot be read makes many checks fail."""
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
         shared = check.status, str(check.message), check.hidden, check.robust

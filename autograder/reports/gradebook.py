@@ -1,4 +1,4 @@
-"""Write gradebook.csv: a row a student, a column an exercise."""
+"""Write gradebook.csv, with a row per student and a column per exercise."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from autograder.reports.report import StudentReport
 from autograder.reports.texts import number, replace_file
 
 COLUMNS = "student,status,score,score on given chapters,by hand,waiting,total"
-# What begins a formula, in full width as well, at the start or behind spaces. A spreadsheet that
-# parts columns by semicolons would begin a cell behind one.
+# A character that begins a formula, also in full width, at the start of a cell or after spaces. A
+# spreadsheet that separates columns by semicolons begins a cell after each of them.
 FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
 def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
     """Write gradebook.csv with the points possible in its second row, and return its path.
 
-    A cell without a number is not graded: an answer that waits, or a fault of the grader.
+    An empty cell is not graded: an answer waits for a person, or the grader failed.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = sum(exercise.points for exercise in exercises if exercise.kind == "written")
@@ -51,5 +51,5 @@ def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[Studen
 
 
 def as_cell(text: str) -> str:
-    """Return a text in one line that no spreadsheet takes for a formula."""
+    """Return a text on one line that no spreadsheet reads as a formula."""
     return FORMULA.sub(r"\1\2'", clean_line(text))

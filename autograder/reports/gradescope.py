@@ -1,4 +1,4 @@
-"""Write a student's report as the results.json that Gradescope takes."""
+"""Write a student's report as the results.json that Gradescope reads."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from autograder.reports.texts import check_title, clean_all, number, replace_fil
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
-OURS = "error of the grader, retry: this is no fault of the submission, and it is no zero"
+OURS = "error of the grader, retry: this is not the submission's fault and does not count as zero"
 
 
 @dataclass(frozen=True)
 class ExerciseResult:
-    """What Gradescope calls a test: an exercise. Without a score it shows none."""
+    """The result of an exercise, which Gradescope calls a test. The score may be missing."""
 
     number: str
     name: str
@@ -32,7 +32,7 @@ class ExerciseResult:
 
 @dataclass(frozen=True)
 class GradescopeResults:
-    """The results.json of a submission. All text in it is plain, and standard output is hidden."""
+    """The results.json of a submission. All text is plain, and standard output is hidden."""
 
     output: str
     output_format: Literal["text"]
@@ -58,9 +58,9 @@ def as_text(results: GradescopeResults) -> str:
 
 
 def gradescope_results(report: StudentReport) -> GradescopeResults:
-    """Return the report in Gradescope's form: a test an exercise, written ones with them.
+    """Return the report in Gradescope's form, with a test for each exercise.
 
-    Where the grader failed there is no score at all: no zero, and no full marks.
+    If the grader failed, there is no score at all: neither zero nor full marks.
     """
     report = clean_all(report)
     failed = report.status != "graded" or report.score is None
@@ -126,15 +126,15 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
         output=_output(exercise),
         visibility="visible",
         score=exercise.score if has_score else None,
-        status=verdict if has_score and status != "marked" else None,  # a person gives no verdict
+        status=verdict if has_score and status != "marked" else None,  # people give only points
     )
 
 
 def _output(exercise: ExerciseReport) -> str:
-    """Return what a student reads about one exercise: the messages of the checks that are lost."""
+    """Return the text on one exercise for the student: the messages of the failed checks."""
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
-        return f"waits for a person, who gives up to {exercise.points} points"
+        return f"waits for a person, who can give up to {exercise.points} points"
     if status == "marked":
         return f"marked by a person\n{exercise.comment}".strip()
     lost = [check for check in checks if check.status != "passed"]
@@ -142,7 +142,7 @@ def _output(exercise: ExerciseReport) -> str:
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))
     blocks.append(f"{status}: {passing} checks pass")
     if status == "inherited":
-        blocks.append("the mistake lies in an earlier chapter: on the given ones this passes")
+        blocks.append("the mistake is in an earlier chapter: on given chapters this passes")
     if chart := exercise.chart:
         blocks.append(f"your work: {place_on_chart(chart.axes, chart.own)}")
     for check in lost:

@@ -1,4 +1,4 @@
-"""Marks that people give by hand: read marks.csv, and merge them into reports."""
+"""Marks that people give by hand: read marks.csv, and add the marks to reports."""
 
 from __future__ import annotations
 
@@ -19,20 +19,23 @@ HEADER = ["student", "exercise", "points", "comment"]
 
 @dataclass(frozen=True)
 class Mark:
-    """What a person gave for one written exercise, and said about it."""
+    """The points that a person gave for one written exercise, and a comment."""
 
     points: float
     comment: str
 
 
-Marks = dict[tuple[str, str], Mark]  # by student and exercise
+Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
-    """Read marks.csv: student,exercise,points,comment. A file that is missing has no marks.
+    """Read marks.csv: student,exercise,points,comment. Without the file, there are no marks.
 
-    Columns may be parted by semicolons, as European spreadsheets do; decimals may then have a
-    comma. Raises ValueError that names the line, what stands there and what is wanted.
+    Columns may be separated by semicolons, as in European spreadsheets. Decimals may then have a
+    comma.
+
+    Raises:
+        ValueError: A line is not valid. The message names the line and the expected form.
     """
     if not path.exists():
         return {}
@@ -46,27 +49,27 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
         student = names.get(student_given) or names.get(_key(student_given))
         if student is None:
             raise ValueError(
-                f"{where}: student {student_given!r} handed nothing in; wanted is a name as the "
-                "gradebook has it"
+                f"{where}: student {student_given!r} did not hand anything in. Use the name in the "
+                "gradebook"
             )
         exercise = _written(where, exercise_given, exercises)
         if (student, exercise.id) in marks:
             raise ValueError(
-                f"{where}: a second mark for {student!r} in {exercise.id}; wanted is one"
+                f"{where}: a second mark for {student!r} in {exercise.id}. Give only one"
             )
         decimal = points_given.replace(",", ".") if separator == ";" else points_given
         points = float(decimal) if re.fullmatch(r"[0-9]+(\.[0-9]+)?", decimal) else None
         if points is None or points > exercise.points:
             raise ValueError(
-                f"{where}: points {points_given!r} for {exercise.id}; wanted is a number from 0 to "
-                f"{exercise.points}"
+                f"{where}: the points for {exercise.id} must be a number from 0 to "
+                f"{exercise.points}, got {points_given!r}"
             )
         marks[student, exercise.id] = Mark(points, comment)
     return marks
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
-    """Return the report with these marks, and with no others, in it.
+    """Return the report with exactly these marks in it.
 
     A written exercise without a mark waits for a person.
     """
@@ -101,48 +104,49 @@ def _rows(path: Path) -> tuple[str, Iterator[tuple[int, list[str]]]]:
         text = path.read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
-        raise ValueError(f"{path}, line {line}: wanted is UTF-8: save it as CSV UTF-8") from error
+        raise ValueError(f"{path}, line {line}: this is not UTF-8. Save it as CSV UTF-8") from error
     first = (text.splitlines() or [""])[0]
     separator = ";" if ";" in first else ","
     header = [cell.strip(' "').lower() for cell in first.rstrip(separator).split(separator)]
     if header != HEADER:
-        raise ValueError(f"{path}, line 1: {first.strip()!r}; wanted is {','.join(HEADER)}")
+        wanted = ",".join(HEADER)
+        raise ValueError(f"{path}, line 1: the header must be {wanted}, got {first.strip()!r}")
     return separator, _cells(path, text, separator)
 
 
 def _cells(path: Path, text: str, separator: str) -> Iterator[tuple[int, list[str]]]:
-    # Without strict, a quote that is never closed would swallow the marks below it.
+    # Without strict, a quote that is never closed would hide the marks below it.
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
     line = 1
     try:
         for row in reader:
             cells = [cell.strip() for cell in row]
             while cells and not cells[-1]:
-                cells.pop()  # spreadsheets fill rows up
+                cells.pop()  # spreadsheets pad rows
             if line > 1 and len(cells) > len(HEADER):
                 raise ValueError(
-                    f"{path}, line {line}: {len(cells)} cells; wanted are {len(HEADER)}: put a "
-                    f"comment that has a {separator!r} in quotes"
+                    f"{path}, line {line}: there must be {len(HEADER)} cells, got {len(cells)}. "
+                    f"Put a comment that contains {separator!r} in quotes"
                 )
             if line > 1 and cells:
                 yield line, cells + [""] * (len(HEADER) - len(cells))
             line = reader.line_num + 1
     except csv.Error as error:
-        raise ValueError(f"{path}, line {line}: {error}; wanted is a quote that ends") from error
+        raise ValueError(f"{path}, line {line}: {error}. Close the quote") from error
 
 
 def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise:
     written = [exercise.id for exercise in exercises.values() if exercise.kind == "written"]
-    wanted = f"wanted is a written one: {', '.join(written) or 'there is none'}"
+    wanted = f"Written exercises: {', '.join(written) or 'none'}"
     if given not in exercises:
-        raise ValueError(f"{where}: there is no exercise {given!r}; {wanted}")
+        raise ValueError(f"{where}: there is no exercise {given!r}. {wanted}")
     if exercises[given].kind != "written":
-        raise ValueError(f"{where}: exercise {given!r} has checks, which give its points; {wanted}")
+        raise ValueError(f"{where}: exercise {given!r} gets its points from checks. {wanted}")
     return exercises[given]
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Return the students by their names, and by other forms that name one of them alone."""
+    """Return the students, keyed by their names and by other forms that are unambiguous."""
     forms: dict[str, set[str]] = {}
     for name in students:
         for form in (name, _key(name), _key(as_cell(name))):
@@ -152,5 +156,5 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Return a name in which an accent is one character, however the keyboard made it."""
+    """Return a name in which an accented letter is one character, however it was typed."""
     return unicodedata.normalize("NFC", name.strip())

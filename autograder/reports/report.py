@@ -1,4 +1,4 @@
-"""One student's results, as they are graded, kept in results/<student>.json, and read again."""
+"""One student's results as they are graded, stored in results/<student>.json and read again."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ReportStatus = Literal["graded", "error, retry"]
 
 @dataclass(frozen=True)
 class CheckReport:
-    """What became of a check."""
+    """The outcome of a check."""
 
     name: str
     status: Status
@@ -27,9 +27,9 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """Where a work lies on the chart of an open exercise, and the reference: cost and error.
+    """The positions of a work and of the reference on the chart of an open exercise.
 
-    ``axes`` say what both are.
+    ``axes`` names the two coordinates, cost and error.
     """
 
     axes: list[str]
@@ -39,9 +39,9 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """What became of an exercise. A score is None while nobody can tell it.
+    """The outcome of an exercise. A score is None while it is unknown.
 
-    ``score_on_given`` is that on the reference's earlier chapters.
+    ``score_on_given`` is the score on the reference's earlier chapters.
     """
 
     chapter: int
@@ -59,7 +59,7 @@ class ExerciseReport:
 
 @dataclass(frozen=True)
 class RunKey:
-    """What must be the same for a report to hold, next to the submission itself."""
+    """The conditions, besides the submission, under which a report stays valid."""
 
     seed: str
     chapters: list[int]
@@ -75,9 +75,9 @@ class RunKey:
 class StudentReport:
     """One student's results.
 
-    ``points`` are those that checks can give; ``by_hand`` those that a person has given, and
-    ``waiting`` those that one may give yet. ``earlier`` are the student's own chapters on which the
-    graded ones build. ``submission`` is the digest of what was graded, in ``seconds``.
+    Checks can give ``points``. A person has given ``by_hand`` points, and can still give
+    ``waiting`` points. ``earlier`` lists the student's own chapters on which the graded ones build.
+    ``submission`` is the digest of the graded files. Grading took ``seconds``.
     """
 
     student: str
@@ -98,12 +98,12 @@ class StudentReport:
 
     @property
     def total(self) -> float | None:
-        """The points of checks and persons together; None where the grader failed."""
+        """The points from checks and people together, or None if the grader failed."""
         return None if self.score is None else self.score + (self.by_hand or 0)
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
-    """Return for each tier that has checks its name, how many pass, and how many there are."""
+    """Return each tier that has checks: its name, how many pass, and how many there are."""
     found = []
     for name, robust in (("physics", False), ("robust", True)):
         states = [check.status for check in checks if check.robust is robust]

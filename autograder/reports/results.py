@@ -1,4 +1,4 @@
-"""Keep what a graded class leaves: a file of results a student, and all that is made from them."""
+"""Store the results of a graded class: a file per student, and everything made from these files."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from autograder.submissions.find import file_name
 
 
 def write_result(out: Path, report: StudentReport) -> Path:
-    """Write results/<student>.json, moved into place whole, and return its path."""
+    """Write results/<student>.json in one step, and return its path."""
     path = out / "results" / f"{file_name(report.student)}.json"
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
@@ -25,27 +25,27 @@ def write_result(out: Path, report: StudentReport) -> Path:
 
 
 def read_result(path: Path) -> StudentReport | None:
-    """Return the report in a file; None where it is missing, cut off or of another form."""
+    """Return the report in a file, or None if it is missing, incomplete or in another form."""
     try:
-        told = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
-        return from_json(StudentReport, told)
+        data = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
+        return from_json(StudentReport, data)
     except (OSError, ValueError, RecursionError):
         return None
 
 
 def write_student(out: Path, report: StudentReport) -> None:
-    """Write everything about one student; the results last, by which it counts as complete."""
+    """Write all files about one student. The results come last, since they mark it as complete."""
     write_feedback(out, report)
     write_gradescope(out, report)
     write_result(out, report)
 
 
 def write_class(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[Path]:
-    """Write what is made of all reports, and return the places to look at."""
+    """Write the files about the whole class, and return the paths that the instructor needs."""
     index = write_index(out, chapters, reports)
     gradebook = write_gradebook(out, chapters, reports)
     return [index, gradebook, *(out / name for name in ("feedback", "gradescope", "results"))]
 
 
 def _refuse(constant: str) -> float:
-    raise ValueError(f"{constant} is no number of points")
+    raise ValueError(f"{constant} is not a number of points")

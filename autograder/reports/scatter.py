@@ -1,6 +1,6 @@
-"""Lay points out on the chart of an open exercise: what each costs, against how far off it is.
+"""Lay out the chart of an open exercise: the cost of each work against its error.
 
-Both axes are logarithmic. scatter.svg draws what is laid out here, in its own units.
+Both axes are logarithmic. scatter.svg draws this layout in its own units.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ Point = Sequence[float]  # cost and error
 
 @dataclass(frozen=True)
 class Dot:
-    """One point on the chart: whose it is, its numbers, and where it is drawn."""
+    """One point on the chart: its owner, its numbers, and where it is drawn."""
 
     name: str
     cost: float
     error: float
     x: float
     y: float
-    best: bool  # none costs no more and is nearer to the truth
+    best: bool  # no work of the same or a lower cost has a smaller error
 
 
 @dataclass(frozen=True)
 class Scatter:
-    """A chart: its axes with ticks (place, label), students' dots, the reference's, the front."""
+    """A chart: axes with ticks (position, label), dots of students and the reference, the front."""
 
     exercise: ExerciseReport
     axes: Sequence[str]
@@ -38,11 +38,11 @@ class Scatter:
     errors: list[tuple[float, str]]
     dots: list[Dot]
     reference: Dot | None
-    front: str  # the points of a line
+    front: str  # the points of a polyline
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Lay out named points, and the reference's, for an exercise with such a chart."""
+    """Lay out named points, and the reference's point, for an exercise with this chart."""
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
     costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
@@ -69,7 +69,7 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Return the points than which no other costs no more and is nearer to the truth, by cost."""
+    """Return the points whose error is smaller than that of any cheaper point, sorted by cost."""
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
         if not kept or error < kept[-1][1]:
@@ -78,7 +78,7 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of a front: what costs more is no worse than the best that costs less."""
+    """Return the corners of a front as stairs: each error holds until the next point's cost."""
     corners = line[:1]
     for x, y in line[1:]:
         corners += [(x, corners[-1][1]), (x, y)]
@@ -86,7 +86,7 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Return 1, 2 and 5 times powers of ten around the values, or fewer where that is too many."""
+    """Return 1, 2 and 5 times powers of ten around the values, or fewer if these are too many."""
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     fine = [float(f"{digit}e{power}") for power in powers for digit in (1, 2, 5)]
@@ -100,8 +100,8 @@ def _ticks(values: Sequence[float]) -> list[float]:
 
 
 def _between(value: float, ticks: Sequence[float], start: float, end: float) -> float:
-    share = math.log(value / ticks[0]) / math.log(ticks[-1] / ticks[0])
-    return start + share * (end - start)
+    fraction = math.log(value / ticks[0]) / math.log(ticks[-1] / ticks[0])
+    return start + fraction * (end - start)
 
 
 def _label(value: float) -> str:

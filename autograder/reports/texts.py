@@ -1,4 +1,4 @@
-"""What every report does with text: other people's words made harmless, files moved into place."""
+"""Text handling in all reports: clean untrusted text, and write files in one step."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LONGEST = 4000  # characters of one text in a report; a check's own message has 
 
 
 def clean_all(value: T) -> T:
-    """Return a report, or a part of one, with every text in it clean and cut."""
+    """Return a report, or a part of one, with every text in it cleaned and shortened."""
     return cast(T, _cleaned(value))
 
 
@@ -33,12 +33,12 @@ def _cleaned(value: Any) -> Any:
 def _clean_and_cut(text: str) -> str:
     """Return a clean text that is not too long for a report."""
     if len(text) > LONGEST:
-        text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} characters more"
+        text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} more characters"
     return clean(text)
 
 
 def number(value: float | None) -> str:
-    """Return points as people write them: 18.27, 2.5, 3, and nothing where there are none."""
+    """Format points for people to read: 18.27, 2.5 or 3, and nothing for None."""
     return "" if value is None else shown(value)
 
 
@@ -48,9 +48,9 @@ def check_title(name: str) -> str:
 
 
 def replace_file(path: Path, text: str) -> None:
-    """Write a file beside its place and move it there, so that it is never half written."""
+    """Write a temporary file and move it into place, so that no file is ever half written."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(path.name + ".tmp")
-    # What is no character, in a student's message or name, is written as an escape.
+    # Invalid characters in a student's message or name are written as escapes.
     temporary.write_bytes(text.encode("utf-8", errors="backslashreplace"))
     temporary.replace(path)

@@ -1,1 +1,1 @@
-"""What a student's commands show and do: check, watch, hint and reset."""
+"""The student's commands: check, watch, hint and reset."""

@@ -1,4 +1,4 @@
-"""Check chapters for a student, and tell failures of their own from inherited ones."""
+"""Check chapters for a student, and distinguish inherited failures from the student's own."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from pathlib import Path
 
 from autograder.checks.given import (
     below_and_not_given,
+    explained_on_given,
     mark_inherited,
     run_on_given,
     suspects,
-    told_on_given,
     with_given,
 )
 from autograder.checks.runner import GraderError, run_checks
@@ -32,12 +32,12 @@ def check(
     *,
     only: bool = False,
 ) -> bool:
-    """Check the chapters, or one exercise and what it needs; print it all; return success.
+    """Check the chapters, or one exercise and what it needs; print the results; return success.
 
-    With ``only``, the physics of the exercise alone is shown and decides: what it needs and its
-    robust checks are run and left out. The ``given`` chapters are the reference's. A written
-    exercise has no checks: it is shown, and that is a success. A question that is still open does
-    not stand in the way of success either.
+    With ``only``, just the physics checks of the exercise are shown and decide. Its robust checks
+    and the exercises that it needs are run, but not shown. ``given`` chapters are taken from the
+    reference. A written exercise has no checks, so it is shown and counts as a success. A question
+    that is still open does not prevent success either.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -48,11 +48,11 @@ def check(
         for chapter in chapters:
             report = report_on(chapter, exercise, folders, given, run, progress)
             if exercise and only:
-                told, better = (
+                own, better = (
                     [result_of(exercise, r.physics) for r in results if r.exercise == exercise]
                     for results in (report.results, report.on_reference)
                 )
-                report = replace(report, results=told, on_reference=better)
+                report = replace(report, results=own, on_reference=better)
             reports.append(report)
     return print_report(progress.console, reports, exercise, engine, given)
 
@@ -65,9 +65,9 @@ def report_on(
     run: Callable[..., list[Verdict]],
     progress: ProgressBar,
 ) -> Report:
-    """Return what becomes of a chapter, or of one exercise and what it needs, as ``run`` tells.
+    """Return the report on a chapter, or on one exercise and what it needs.
 
-    A check that an earlier chapter fails, and not this one, is inherited.
+    ``run`` runs the checks. A check that fails only because of an earlier chapter is inherited.
     """
     progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)
@@ -75,9 +75,9 @@ def report_on(
     first = run(chapter, folders, exercises=wanted, on_verdict=progress.show)
     try:
         again = run_on_given(chapter, first, folders, below, partial(run, exercises=wanted))
-    except GraderError:  # the first run stands
+    except GraderError:  # use the first run alone
         again = []
-    verdicts = told_on_given(mark_inherited(first, again), again)
+    verdicts = explained_on_given(mark_inherited(first, again), again)
     results, better = (
         [result for result in results_of(chapter, outcome) if result.exercise.id in wanted]
         for outcome in (verdicts, again)

@@ -1,4 +1,4 @@
-"""Find out which functions a student has edited since the last look."""
+"""Find out which functions a student has edited since the last call."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from autograder.manifest import Chapter, Exercise
 
 
 class Edits:
-    """The functions and the data of chapters as they were at the last look."""
+    """The functions and the data of chapters, as they were at the last call of ``look``."""
 
     def __init__(self, engine: Path, chapters: list[Chapter]) -> None:
         self.engine = engine
@@ -20,10 +20,10 @@ class Edits:
         self.look()
 
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
-        """Return the exercises that were edited, each with its own functions and files that were.
+        """Return the exercises that were edited, each with its edited functions and files.
 
-        A change of the layout or of a comment is no edit. Where a module cannot be read, any of
-        its functions may have been edited.
+        Changes of the layout or of comments do not count. If a module cannot be read, any of its
+        functions may have been edited.
         """
         edited = []
         for chapter in self.chapters:
@@ -35,7 +35,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return what was edited of a file, and take note of what it says now."""
+        """Return the parts of a file that were edited, and remember its current content."""
         path = self.engine / chapter.name / name
         try:
             text = path.read_bytes()
@@ -55,7 +55,7 @@ class Edits:
 
 
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
-    """Return the code of each function; None where the module cannot be read, or has none.
+    """Return the code of each function, or None if the module cannot be read or has no functions.
 
     Some editors empty a file before they write it.
     """
@@ -67,5 +67,5 @@ def _bodies(module: str, text: bytes) -> dict[str, str] | None:
 
 
 def _is_in(name: str, edited: set[str]) -> bool:
-    """Say whether a function or a file is among what was edited, module by module or by name."""
+    """Return whether a function or a file was edited, either by name or with its whole module."""
     return name in edited or f"{name.partition('.')[0]}.*" in edited

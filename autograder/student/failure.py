@@ -1,4 +1,4 @@
-"""One failed check in full, with what to do next: the diagnosis that check and watch show."""
+"""Describe one failed check in full, with the next steps. Both check and watch show this."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failed check: its diagnosis, what the student's code printed, and what to do next."""
+    """A failed check: its diagnosis, the output of the student's code, and the next steps."""
 
     heading: str
     diagnosis: list[Row]
@@ -38,10 +38,10 @@ def failure_of(
     title: str = "",
     edited: Collection[str] = (),
 ) -> Failure | None:
-    """Return the first failure of an exercise, None where it has no check that fails.
+    """Return the first failure of an exercise, or None if no check fails.
 
-    A check that calls one of the functions ``edited`` comes before the others, and one of code that
-    is written before one that waits for a body.
+    A check that calls one of the ``edited`` functions comes first. A failure in written code comes
+    before a body that is not written yet.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -57,7 +57,7 @@ def failure_of(
     )
     message = failed.message
     inherited = failed.status == "inherited"
-    if inherited:  # the cause that a check of this chapter suggests is another
+    if inherited:  # the cause is not the one that a check of this chapter suggests
         message = replace(message, likely="", other="", read="")
     rows = [("check", failed.name), *message.rows(printed=False)]
     if failed.robust and exercise.robust:
@@ -67,14 +67,14 @@ def failure_of(
     if inherited:
         steps = [f"Next: {check_command(engine, CH=numbers_of(chapters_below(chapter)))}"]
     else:
-        nudge = command("hint", EX=message.exercise or exercise.id)
+        hint = command("hint", EX=message.exercise or exercise.id)
         place = next_place(engine, chapter, exercise, failed)
-        steps = [f"Next: open {place}", f"A nudge: {nudge}"]
+        steps = [f"Next: open {place}", f"For a hint: {hint}"]
     return Failure(heading, rows, message.printed, steps)
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Print one failed check in full, and what to do next."""
+    """Print one failed check in full, with the next steps."""
     failure = failure_of(chapter, result, engine)
     if failure is None:
         words = f"No check was found for exercise {result.exercise.id}."
@@ -88,7 +88,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with what the student's code printed, cut to a few lines; none for nothing."""
+    """Return a row with the first lines that the student's code printed, or no row if none."""
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 
@@ -97,7 +97,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Say whether a check calls one of these functions, or fails in one that is not written."""
+    """Return whether a check calls one of these functions, or fails inside one."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

@@ -1,7 +1,7 @@
-"""What a student sees at the end of a chapter, and which scenes an exercise makes playable.
+"""The screen at the end of a chapter, and the scenes that an exercise makes playable.
 
 A chapter is finished when the physics of its exercises works. Robust checks, questions, projects
-and what goes further may still be open: they are listed.
+and going-further exercises may still be open. They are listed.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from autograder.student.screen import Report
 
 WIDTH = 79
-LABEL = 10  # columns, of what stands before each line
-DRAWN_WITH = "engine.txt"  # beside the pictures: the folder of the engine that drew them
+LABEL = 10  # columns of the label before each line
+DRAWN_WITH = "engine.txt"  # a file beside the pictures, which names the engine's folder
 
 
 def print_finish(
@@ -33,7 +33,7 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """Print what ``end_of`` returns, below an empty line."""
+    """Print the lines of ``end_of``, below an empty line."""
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
         console.print(words, style=style, markup=False, soft_wrap=True)
@@ -42,11 +42,11 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the end of the chapter that has just been finished, or what can be played by now.
+    """Return the end of the chapter that was just finished, or the scenes that are now playable.
 
-    Each line comes with its style. The chapter is the last finished one, as long as no unfinished
-    one has been begun. In an unfinished chapter it is ``exercise`` that unlocks what can be played,
-    or the last exercise that works.
+    Each line comes with its style. If no unfinished chapter has been begun, this is the end of the
+    last finished chapter. Otherwise it names the scenes that ``exercise`` has made playable or, by
+    default, the last exercise that works.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
@@ -64,14 +64,14 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Say whether the physics of a chapter works, projects and what goes further left out."""
+    """Return whether the physics of a chapter works, without projects and going further."""
     working = {result.exercise.id for result in report.results if result.works}
     wanted = [e for e in report.chapter.exercises if e.kind != "written" and not _is_extra(e)]
     return all(exercise.id in working for exercise in wanted)
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Return the screen at the end of a chapter, at most 20 lines of 80 columns."""
+    """Return the screen at the end of a chapter: at most 20 lines of 80 columns."""
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
@@ -93,9 +93,10 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Return what can be played by this exercise.
+    """Return a sentence on the scenes that this exercise makes playable.
 
-    Return nothing while it, or one before it, is open, or an earlier chapter is broken.
+    Return an empty string if this exercise or an earlier one is open, or if an earlier chapter is
+    broken.
     """
     exercise = result.exercise
     if not (exercise.play and result.works):
@@ -113,12 +114,12 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 
 
 def _is_extra(exercise: Exercise) -> bool:
-    """Say whether a chapter is finished without this exercise."""
+    """Return whether a chapter can be finished without this exercise."""
     return exercise.kind == "project" or exercise.id.startswith("G")
 
 
 def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Say whether a body of an exercise is still the stub, by its text."""
+    """Return whether the text of a body of an exercise is still that of the stub."""
     stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
     for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
         paths = [folder / chapter.name / file for folder in engine]
@@ -129,7 +130,7 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """Return what is still open in a finished chapter."""
+    """Return the items of a finished chapter that are still open."""
     words = []
     robust = [
         (result.exercise, check)
@@ -152,7 +153,7 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 
 
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
-    """Return where the picture is that was drawn by this code, or how to draw it."""
+    """Return where the picture drawn by this code is, or how to draw it."""
     folder = ROOT / "build" / "plots" / chapter.name
     file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH
     if file.is_file() and drawn_with.is_file():
@@ -165,7 +166,7 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return when a file was last saved that a picture of this chapter may depend on."""
+    """Return when the files that a picture of this chapter may depend on were last saved."""
     files = [
         file
         for file in engine.glob("ch??_*/*.*")
@@ -179,13 +180,13 @@ def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
-    """Return what names the engine in a command, and the chapters from the reference."""
+    """Return the make variables that name the engine and the given chapters."""
     numbers = ",".join(str(chapter.number) for chapter in given)
     return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Return words in lines beside a label."""
+    """Wrap words into lines beside a label."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

@@ -1,4 +1,4 @@
-"""Single keys from the terminal, without Enter: termios, or msvcrt on Windows."""
+"""Read single keys from the terminal, without Enter: with termios, or msvcrt on Windows."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
-SPECIAL = re.compile(r"\x1b(\[[\d;]*[A-Za-z~]|O[A-Za-z])?")  # what arrows and the like send
-END = "\x04"  # Ctrl-D, and what stands for the end of the input
+SPECIAL = re.compile(r"\x1b(\[[\d;]*[A-Za-z~]|O[A-Za-z])?")  # sent by arrow keys and the like
+END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
-def are_there() -> bool:
-    """Say whether somebody can press keys: whether the input is a terminal."""
+def available() -> bool:
+    """Return whether single keys can be read: whether the input is a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Make every key count at once, unseen; the terminal is as before at the end."""
-    if not are_there() or sys.platform == "win32":
+    """Deliver every key at once and do not show it; restore the terminal at the end."""
+    if not available() or sys.platform == "win32":
         yield
         return
     import termios
@@ -36,9 +36,9 @@ def single_keys() -> Iterator[None]:
 
 
 def pressed() -> str:
-    """Return the keys pressed since the last call, without waiting; special keys are left out.
+    """Return the keys pressed since the last call, without waiting and without special keys.
 
-    Where the terminal has gone away, that is END. There must have been one.
+    If the terminal has gone away, return END. The input must have been a terminal.
     """
     keys = ""
     if sys.platform == "win32":
@@ -46,7 +46,7 @@ def pressed() -> str:
 
         while msvcrt.kbhit():
             key = msvcrt.getwch()
-            if key in "\0\xe0":  # a special key sends a second one
+            if key in "\0\xe0":  # a special key sends a second character
                 msvcrt.getwch()
             else:
                 keys += key

@@ -1,6 +1,6 @@
-"""Remember the verdicts on files for as long as the files stay as they are.
+"""Remember verdicts for as long as the checked files stay unchanged.
 
-Nothing is read from a file: what passes is found by running the checks.
+Verdicts are never read from a file. They always come from running the checks.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks, but for those that it has run on the same files."""
+    """Runs checks, except for those that it has already run on the same files."""
 
     def __init__(self, seed: str) -> None:
         self.seed = seed
@@ -29,7 +29,7 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the verdicts as run_checks does."""
+        """Return the verdicts, as ``run_checks`` does."""
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)
         for ids in (with_needs(chapter, None), wanted):
@@ -38,7 +38,7 @@ class Memory:
         verdicts = run_checks(
             chapter, engine, seed=self.seed, exercises=wanted, on_verdict=on_verdict
         )
-        if state_of(engine, chapter) == state:  # else nobody knows which of them was checked
+        if state_of(engine, chapter) == state:  # else it is unclear which was checked
             self.known[(state, *wanted)] = verdicts
         return verdicts
 
@@ -52,7 +52,7 @@ def state_of(engine: list[Path], chapter: Chapter) -> str:
             if name <= chapter.name and file.suffix in (".py", ".csv", ".md"):
                 try:
                     content = hashlib.sha256(file.read_bytes()).hexdigest()
-                except OSError:  # it goes while we look, or is an editor's dangling link
+                except OSError:  # it was just deleted, or is an editor's dangling link
                     continue
                 state.update(f"{number} {name}/{file.name} {content}\n".encode())
     return f"{chapter.name} {state.hexdigest()}"

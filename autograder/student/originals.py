@@ -1,4 +1,4 @@
-"""Tell whether the files that students use as they are have been edited: grading uses originals."""
+"""Find out whether a student has edited complete files. Grading uses the originals."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from autograder.manifest import ROOT, Chapter
 
 
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
-    """Return the complete files of a chapter that differ from their originals, by stubs.lock.
+    """Return the complete files of a chapter that differ from the originals in stubs.lock.
 
-    A file that is not there, or that the lock does not know, counts as unchanged.
+    A file that does not exist, or that is not in the lock, counts as unchanged.
     """
     locked, changed = read_lock(root), []
     for name in chapter.complete:

@@ -1,4 +1,4 @@
-"""What watch shows: a page that fits on the terminal, with its heading and the keys in sight."""
+"""The page that watch shows. It fits on the terminal, with its heading and keys in sight."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from autograder.student.failure import Failure, few_printed
 from autograder.wrapping import MOST_PRINTED, MOST_PRINTED_LINES, cut, wrapped, wrapped_rows
 
 KEYS = "h next hint   l list   a check all   r reset   p plot   q quit"
-Line = tuple[str, str]  # words and their style
+Line = tuple[str, str]  # a text and its style
 
 
 @dataclass
 class Page:
-    """The lines of the page: what comes first, one failure, what comes after it, and a note.
+    """The lines of the page: the top, one failure, the bottom, and a note.
 
-    ``whole`` is the command that shows a diagnosis that is too long for the terminal.
+    If the diagnosis is too long for the terminal, the command ``whole`` shows it in full.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -28,11 +28,11 @@ class Page:
     note: list[Line] = field(default_factory=list)
 
     def say(self, words: str, style: str = "") -> None:
-        """Add a line at the end."""
+        """Add a line at the bottom."""
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:
-        """Print the page; on a terminal, clear it first and cut what is too long for it."""
+        """Print the page. On a terminal, clear the screen first and make the page fit."""
         keys = [(KEYS, "bold")] if with_keys else []
         if not console.is_terminal:
             lines = [*self.top, *self._diagnosis(), *self._below(), *keys]
@@ -44,17 +44,17 @@ class Page:
             _print(console, words, style)
 
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
-        """Return the lines for a terminal of this size, the diagnosis cut in the middle."""
+        """Return the lines for a terminal of this size, cutting the diagnosis in the middle."""
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
         diagnosis = wrapped_rows(self.failure.diagnosis if self.failure else [], width)
         room = height - 1 - len(top) - len(below) - len(keys)
-        # The diagnosis matters more than what the code printed, which keeps a line at least.
+        # The diagnosis matters more than the printed output, which keeps at least one line.
         few = max(2, room - len(diagnosis))
         if len(printed) > few:
-            printed = [*printed[: few - 1], (f"{'...':10}the whole: {self.whole}", "")]
+            printed = [*printed[: few - 1], (f"{'...':10}in full: {self.whole}", "")]
         room -= len(printed)
-        note = f"{'...':10}too long for this screen; the whole: {self.whole}"
+        note = f"{'...':10}too long for this screen; in full: {self.whole}"
         middle = [(words, "") for words in cut(diagnosis, room, note[:width])]
         return [*top, *middle, *printed, *below, *keys]
 
@@ -68,7 +68,7 @@ class Page:
         return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
 
     def _below(self) -> list[Line]:
-        """Return what comes after the failure: what to do next, the progress and the note."""
+        """Return what follows the failure: the next steps, the progress and the note."""
         steps: list[Line] = []
         if self.failure is not None:
             first, *others = self.failure.steps
@@ -77,7 +77,7 @@ class Page:
 
 
 def _wrapped(lines: list[Line], width: int) -> list[Line]:
-    """Return lines that are no longer than the terminal is wide."""
+    """Wrap lines to the width of the terminal."""
     return [(part, style) for words, style in lines for part in wrapped(words, width) or [""]]
 
 

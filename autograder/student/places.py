@@ -11,15 +11,15 @@ from autograder.checks.verdict import Verdict
 from autograder.definitions import functions
 from autograder.manifest import Chapter, Exercise, load_chapters
 
-FOLDER = re.compile(r"ch\d\d_\w+")  # of a chapter
+FOLDER = re.compile(r"ch\d\d_\w+")  # the name of a chapter's folder
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Return where to go: the line that the message names, or the body that the check called.
+    """Return where to look: the line that the message names, or the body that the check called.
 
-    A line does not count where it lies in a body of another exercise, which may well be right, or
-    in a file that is complete and not for the student to edit. A check of the student's own data
-    leads to its file.
+    A line does not count if it is in a body of another exercise, which may well be right, or in a
+    complete file, which students do not edit. A check of the student's own data leads to the data
+    file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -40,10 +40,10 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
 
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
-    """Return the place of a name that the manifest lets students edit, as path:line.
+    """Return the place of a name that students edit according to the manifest, as path:line.
 
-    Paths below the working folder are given from there; a file that is missing or cannot be read
-    is given without a line.
+    Paths below the working folder are relative to it. If a file is missing or cannot be read, its
+    path is returned without a line.
     """
     module, _, path = name.partition(".")
     file = _file(engine, chapter.name, f"{module}.py")
@@ -56,7 +56,7 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
 
 
 def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
-    """Return the name of the function that a line of a chapter's file lies in, as manifests do."""
+    """Return the manifest's name of the function that contains a line of a chapter's file."""
     tree = _read(_file(engine, chapter, file))
     for name, node in functions(tree).items() if tree else ():
         if node.lineno <= line <= (node.end_lineno or 0):
@@ -65,15 +65,15 @@ def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | No
 
 
 def _read(file: Path) -> ast.Module | None:
-    """Return what a file says, None where it is missing or cannot be read."""
+    """Return a file's syntax tree, or None if it is missing or cannot be read."""
     try:
-        return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors begin with a mark
+        return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors add a BOM
     except (OSError, SyntaxError, ValueError):
         return None
 
 
 def _file(engine: list[Path], chapter: str, name: str) -> Path:
-    """Return the engine's file of that name, from the working folder where it is below it."""
+    """Return the engine's file of this name, relative to the working folder if it is below it."""
     files = [folder / chapter / name for folder in engine]
     file = next((file for file in files if file.exists()), files[0])
     return file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file

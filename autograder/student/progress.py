@@ -1,4 +1,4 @@
-"""What is known of a student's progress: which exercises work, and which one comes next."""
+"""A student's progress: which exercises work, and which one comes next."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from autograder.student.screen import ProgressBar, Report, bar
 
 
 class Progress:
-    """Runs the checks, and remembers the last result of each exercise."""
+    """Runs the checks and remembers the last result of each exercise."""
 
     def __init__(
         self, chapters: list[Chapter], folders: list[Path], given: list[Chapter], memory: Memory
@@ -25,7 +25,7 @@ class Progress:
         self.last: dict[tuple[str, str], Result] = {}
 
     def report(self, chapter: Chapter, exercise: Exercise | None = None) -> Report:
-        """Check a chapter, or an exercise with what it needs, and take note of the results."""
+        """Check a chapter, or an exercise with what it needs, and remember the results."""
         with ProgressBar() as progress:
             report = report_on(chapter, exercise, self.folders, self.given, self.memory, progress)
         for result in report.results:
@@ -33,7 +33,7 @@ class Progress:
         return report
 
     def next_open(self) -> tuple[Chapter, Exercise] | None:
-        """Return what to do next: in each chapter all the physics first, then robust checks."""
+        """Return the next open exercise. In each chapter, physics comes before robust checks."""
         for chapter in self.chapters:
             results = self.report(chapter).results
             for is_open in (lacks_physics, lacks_anything):
@@ -43,16 +43,16 @@ class Progress:
         return None
 
     def works(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Say whether the physics of an exercise passed when it was last checked."""
+        """Return whether the physics of an exercise passed when it was last checked."""
         result = self.last.get((chapter.name, exercise.id))
         return result is not None and result.works
 
     def has_all_physics(self, chapter: Chapter) -> bool:
-        """Say whether the physics of the whole chapter passed when it was last checked."""
+        """Return whether the physics of the whole chapter passed when it was last checked."""
         return not any(lacks_physics(result) for result in self._results(chapter))
 
     def words(self, chapter: Chapter) -> str:
-        """Return how much of a chapter is done: its physics first, and then all of its checks."""
+        """Return how much of a chapter is done: first its physics, then all of its checks."""
         results = [result for result in self._results(chapter) if result.status != "waiting"]
         of = sum(exercise.kind != "written" for exercise in chapter.exercises)
         done, what = sum(result.works for result in results), "exercises work"
@@ -66,10 +66,10 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Say whether the physics of an exercise is still to be done."""
+    """Return whether the physics of an exercise does not pass yet."""
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Say whether there is still work on an exercise that a check can tell."""
+    """Return whether any check of an exercise does not pass yet."""
     return result.status not in ("passed", "waiting")

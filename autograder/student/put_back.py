@@ -1,4 +1,4 @@
-"""Put functions that were deleted back into a module, at the place that they have in its stub."""
+"""Restore deleted functions of a module, each at the place that it has in the stub."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ from autograder.definitions import functions
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
     """Return the module with the stub's functions of these names, such as Vector3.dot.
 
-    A class that is gone comes back whole. Raises ValueError where the stub lacks a name.
+    A class that is missing is restored as a whole.
+
+    Raises:
+        ValueError: The stub does not define one of the names.
     """
     prefixed = {name.partition(".")[0] for name in names if "." in name}
     body = [*module.body]
@@ -34,16 +37,16 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
                 _insert(body, node, stub.body)
     changed = module.with_changes(body=body)
     if body[-1:] != [*module.body][-1:] and not any(line.comment for line in module.footer):
-        changed = changed.with_changes(footer=[])  # the blank lines at the end of the file
+        changed = changed.with_changes(footer=[])  # drop blank lines at the end of the file
     if missing := set(names) - functions(ast.parse(changed.bytes)).keys():
         raise ValueError(f"its stub does not define {', '.join(sorted(missing))}")
     return changed
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return a class with the members of these names from its stub."""
+    """Return a class with the members of these names added from its stub."""
     members = [*node.body.body]
-    if not isinstance(node.body, cst.IndentedBlock):  # all of it on the line of its name
+    if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
     for member in stub.body.body:
         if _name(member) in names:
@@ -54,12 +57,12 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 
 
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
-    """Insert a node after the nearest one that comes before it in the stub, or else before one."""
+    """Insert a node after its nearest predecessor in the stub, or else before its successor."""
     names = [_name(other) for other in body]
     at = [*order].index(node)
     for other in reversed(order[:at]):
         if (name := _name(other)) and name in names:
-            last = max(i for i, there in enumerate(names) if there == name)  # of overloads
+            last = max(i for i, there in enumerate(names) if there == name)  # overload
             body.insert(last + 1, node)
             return
     for other in order[at + 1 :]:
@@ -70,7 +73,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the name of a class or a function as manifests have it; empty for anything else."""
+    """Return the manifest's name of a class or a function, or "" for any other node."""
     if isinstance(node, cst.ClassDef):
         return str(node.name.value)
     if isinstance(node, cst.FunctionDef):

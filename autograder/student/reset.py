@@ -1,7 +1,7 @@
-"""Put the stub of one exercise back, and keep a copy of the file as it was.
+"""Restore the stub of one exercise, and keep a copy of the file.
 
-A stub is made from the student's own file and the manifest. Where a function was deleted, its stub
-comes from the reference, or from the folder stubs/ that a hand-out has in its place.
+The stub is made from the student's own file and the manifest. If a function was deleted, its stub
+comes from the reference or, in a hand-out, from the folder stubs/.
 """
 
 from __future__ import annotations
@@ -24,7 +24,10 @@ COPIES = ROOT / "build" / "reset"
 
 @dataclass(frozen=True)
 class Change:
-    """What a reset makes of one file. ``gone`` says that the functions ``names`` were deleted."""
+    """The change that a reset makes to one file.
+
+    ``gone`` means that the functions ``names`` were deleted.
+    """
 
     file: Path
     before: bytes
@@ -41,40 +44,46 @@ def reset(
     *,
     whole: bool = False,
 ) -> str:
-    """Put the stub back into the engine's files; return what was done, and where the copies are.
+    """Restore the stub in the engine's files; return what was done and where the copies are.
 
-    Nothing but the bodies of the exercise changes, or the ``whole`` of its files goes back. Where
-    some of its functions were deleted, those are put back and the others stay as they are. Raises
-    ValueError where a file has no such body, or cannot be read; then nothing has changed.
+    Only the bodies of the exercise change, unless ``whole`` restores its entire files. If some of
+    its functions were deleted, only these are restored.
+
+    Raises:
+        ValueError: A file cannot be read or has no such body. Nothing has changed then.
     """
     done = []
     for change in planned(chapter, exercise, engine, whole=whole):
         file = _short(change.file)
         if change.after == change.before:
-            done.append(f"{file} has the stub already.")
+            done.append(f"{file} already has the stub.")
             continue
         if change.before:
             copy = _short(_keep(change.file, change.before, copies / chapter.name))
         change.file.write_bytes(change.after)
-        names = "all of it" if whole else ", ".join(change.names)
-        what = "the missing stub is back" if change.gone else "the stub is back"
+        names = "the whole file" if whole else ", ".join(change.names)
+        what = "restored the missing stub" if change.gone else "restored the stub"
         done.append(f"{exercise.id} {exercise.title}: {what} in {file} ({names}).")
         if change.gone:
-            done.append("The other functions are as they were.")
+            done.append("The other functions are unchanged.")
         if change.before:
-            done.append(f"A copy of the file as it was: {copy}")
+            done.append(f"A copy of your previous file: {copy}")
     return "\n".join(done)
 
 
 def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
-    """Return what to ask before a reset. Raises ValueError as reset does."""
+    """Return the question to ask before a reset.
+
+    Raises:
+        ValueError: As for ``reset``.
+    """
     changes = planned(chapter, exercise, engine)
     names = ", ".join(name for change in changes for name in change.names)
     files = " and ".join(str(_short(change.file)) for change in changes)
     if any(change.gone for change in changes):
-        does = f"This puts the missing stub of {names} back into {files}. Your other code stays."
+        does = f"This restores the missing stub of {names} in {files}. Your other code stays."
     else:
-        does = f"This replaces your code of {names} in {files} with the stub."
+        does = f"This replaces your code for {names} in {files} with the stub."
     return (
         f"Reset {exercise.id} {exercise.title}? {does} A copy of the file is kept in "
         f"{_short(copies / chapter.name)}."
@@ -84,9 +93,13 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
 def planned(
     chapter: Chapter, exercise: Exercise, engine: Path, *, whole: bool = False
 ) -> list[Change]:
-    """Return what a reset would do, without doing it. Raises ValueError as reset does."""
+    """Return the changes that a reset would make, without making them.
+
+    Raises:
+        ValueError: As for ``reset``.
+    """
     if not exercise.edit:
-        raise ValueError(f"{exercise.id} is answered in answers.md, and has no stub to put back")
+        raise ValueError(f"{exercise.id} is answered in answers.md, so it has no stub to restore")
     alone = replace(chapter, exercises=[exercise])
     changes = []
     for name in alone.edited_files:
@@ -101,7 +114,7 @@ def planned(
 
 
 def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str, str]) -> Change:
-    """Return the change of one file: its stubs, or those of them that are missing."""
+    """Return the change of one file: all of its stubs, or only those that are missing."""
     try:
         before = file.read_bytes()
         tree, module = ast.parse(before), cst.parse_module(before)
@@ -111,7 +124,7 @@ def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str
         if missing_stub := pristine_stub(chapter, file.name):
             classes = {node.name for node in tree.body if isinstance(node, ast.ClassDef)}
             lost = {name.partition(".")[0] for name in missing if "." in name} - classes
-            if lost and classes:  # most likely renamed: a second class would take its place
+            if lost and classes:  # probably renamed, so do not add a second class
                 raise ValueError(
                     f"it has no class {min(lost)}, but a class {min(classes)}. If you renamed it, "
                     "change the name back"
@@ -122,16 +135,16 @@ def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str
             return Change(file, before, after, missing, gone=True)
         why = f"it does not define {', '.join(missing)}"
     except FileNotFoundError:
-        why = "it is not there"
+        why = "it does not exist"
     except SyntaxError as error:
         why = f"it cannot be read: line {error.lineno}: {error.msg}"
     except (ValueError, cst.ParserSyntaxError) as error:
         why = str(error)
-    engine, way = file.parent.parent, "take the file from the hand-out again"
+    engine, way = file.parent.parent, "copy the file from the hand-out again"
     if pristine_stub(chapter, file.name):
         elsewhere = {} if engine == ROOT / "chapters" else {"ENGINE": str(engine)}
         back = command("reset", EX=exercise.id, WHOLE="1", **elsewhere)
-        way = f"put the whole file back (a copy is kept): {back}"
+        way = f"restore the whole file (a copy is kept): {back}"
     raise ValueError(f"nothing was reset in {_short(file)}: {why}. Fix that, or {way}")
 
 
@@ -139,14 +152,14 @@ def _whole_stub(chapter: Chapter, file: str) -> bytes:
     stub = pristine_stub(chapter, file)
     if stub is None:
         raise ValueError(
-            f"the whole of {file} cannot be put back, because this folder has neither a reference "
-            "nor the folder stubs. Take the file from the hand-out again"
+            f"{file} cannot be restored, because this folder has neither the reference nor the "
+            "folder stubs. Copy the file from the hand-out again"
         )
     return stub.encode()
 
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:
-    """Write a copy with the first number that is free; return its path."""
+    """Write a copy under the first number that is free; return its path."""
     folder.mkdir(parents=True, exist_ok=True)
     for number in count(1):
         copy = folder / f"{file.stem}-{number}{file.suffix}"
@@ -158,5 +171,5 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Return the path from the working folder where it is below it."""
+    """Return the path relative to the working folder if it is below it."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

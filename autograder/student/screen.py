@@ -1,6 +1,7 @@
-"""What a student sees: every exercise with its state, one failure in full, the next step.
+"""The student's screen: every exercise with its state, one failure in full, and the next step.
 
-rich is loaded when it is needed: by then the checks run in their own process, so nobody waits.
+rich is imported only when it is needed. By then the checks run in their own process, so nobody has
+to wait for it.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from autograder.wrapping import print_wrapped
 if TYPE_CHECKING:
     from rich.console import Console
 
-URGENCY = {"blocked": 1, "inherited": 2}  # what is shown last: another failure is behind it
+URGENCY = {"blocked": 1, "inherited": 2}  # shown last, since another failure causes them
 STYLES = {
     "passed": "green",
     "works": "green",
@@ -40,10 +41,10 @@ BAR = 40
 
 @dataclass(frozen=True)
 class Report:
-    """What became of a chapter: on the student's earlier chapters, and on the reference's.
+    """The results of a chapter: on the student's earlier chapters, and on the reference's.
 
-    ``on_reference`` is empty where there was no reason, or no way, to check on those. ``suspects``
-    are earlier chapters that may be to blame.
+    ``on_reference`` is empty if no second run was needed or possible. ``suspects`` are earlier
+    chapters that may have caused failures.
     """
 
     chapter: Chapter
@@ -53,7 +54,7 @@ class Report:
 
 
 class ProgressBar:
-    """A bar on a terminal while the checks run, silent elsewhere."""
+    """A progress bar on a terminal while the checks run. Elsewhere it shows nothing."""
 
     title = ""
     _bar = None
@@ -90,7 +91,8 @@ def print_report(
 ) -> bool:
     """Print the chapters one below the other, then the first failure; return whether all pass.
 
-    A question without an answer is said to be open, but does not count: checks cannot tell.
+    Questions without an answer are listed as open, but they do not count, because no check can
+    judge them.
     """
     for report in reports:
         print_chapter(console, report, engine)
@@ -98,11 +100,11 @@ def print_report(
     on_given = f" on the reference's {_named(given)}" if given else ""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
-    if exercise:  # of what it builds on, only the physics counts
+    if exercise:  # of the exercises that it builds on, only the physics counts
         open_ones = [p for p in open_ones if p[1].exercise == exercise or not p[1].works]
     changed = [line for report in reports for line in print_changed(console, report, engine)]
     if open_ones:
-        # The physics of everything comes before the robust checks of anything.
+        # All physics comes before any robust check.
         first = min(open_ones, key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)))
         print_failure(console, *first, engine)
     elif changed:
@@ -117,14 +119,13 @@ def print_report(
 
 
 def print_changed(console: Console, report: Report, engine: list[Path]) -> list[Path]:
-    """Print which files of a chapter are not the originals, which grading uses; return them."""
+    """Print which complete files of a chapter were edited, and return them."""
     changed = changed_files(report.chapter, engine)
     for file in changed:
         console.print(
-            f"{file} is not the original any more. It is not handed in, and grading uses the "
-            "original, so code that needs your change fails there. Keep your own code in the files "
-            f"that the exercises name, and take the original again, for example by: "
-            f"git checkout -- {file}\n",
+            f"{file} has been edited. It is not handed in, and grading uses the original, so code "
+            "that needs your change fails there. Keep your own code in the files that the "
+            f"exercises name, and restore the original, for example with: git checkout -- {file}\n",
             style="red",
             markup=False,
             soft_wrap=True,
@@ -133,7 +134,7 @@ def print_changed(console: Console, report: Report, engine: list[Path]) -> list[
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
-    """Print the table of a chapter, its points, and what of the folder is not handed in."""
+    """Print a chapter's table, its points, and the files that are not handed in."""
     from rich.table import Table
 
     chapter, results = report.chapter, report.results
@@ -181,13 +182,13 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
 
 
 def passing(checks: Sequence[Verdict]) -> str:
-    """Return how many checks of a tier pass, such as 3/4; nothing for a tier without checks."""
+    """Return how many checks of a tier pass, such as 3/4, or nothing if it has no checks."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
 
 
 def bar(part: float, whole: float) -> str:
-    """Return a bar that is filled as far as the part is of the whole."""
+    """Return a bar that shows a part of a whole."""
     filled = int(BAR * part / whole) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
@@ -195,14 +196,14 @@ def bar(part: float, whole: float) -> str:
 def print_inherited(
     console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
 ) -> None:
-    """Say how many checks an earlier chapter fails, and the two ways to go on."""
+    """Print how many checks fail because of an earlier chapter, and two ways to continue."""
     for note in inherited_notes(report, exercise, engine):
         print_wrapped(console, note, STYLES["inherited"])
         console.print()
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
-    """Return what to know of earlier chapters that may be the reason for failures here."""
+    """Return notes on earlier chapters that may cause failures here."""
     chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:
@@ -215,7 +216,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
             f"{checks} here because of mistakes in {earlier}. On the reference's {earlier} "
             f"you have {shown(earned)} of {points} points.\n"
             f"Fix them:    {check_command(engine, CH=numbers)}\n"
-            f"Or go on:    {check_command(engine, **this, GIVEN=numbers)}"
+            f"Or continue: {check_command(engine, **this, GIVEN=numbers)}"
         )
     for other in report.suspects:
         notes.append(
@@ -226,7 +227,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
 
 
 def _named(chapters: list[Chapter]) -> str:
-    """Return chapters as words, such as chapter 2 or chapters 2-5."""
+    """Return chapters in words, such as chapter 2 or chapters 2-5."""
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 
@@ -244,7 +245,7 @@ def _state(result: Result, written: set[str]) -> str:
 
 
 def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Say whether a check fails since a body of this exercise is not written yet."""
+    """Return whether a check fails because a body of this exercise is not written yet."""
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 

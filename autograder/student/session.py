@@ -1,4 +1,4 @@
-"""The exercise that a student is at: which one it is, how it does, and which one is next."""
+"""The exercise that a student is working on: which one it is, its state, and the next one."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from autograder.student.progress import Progress, lacks_anything, lacks_physics
 from autograder.student.screen import STYLES, Report, inherited_notes
 from autograder.student.written import all_pass
 
-TROUBLE = (GraderError, ValueError, OSError)  # of one run: told, and the next may be better
+TROUBLE = (GraderError, ValueError, OSError)  # of one run: show it and go on
 
 
 class Session:
-    """What is on the screen: the current exercise, or what was done and what comes next."""
+    """The state of watch: the current exercise, or the finished one and the next."""
 
     def __init__(
         self, progress: Progress, engine: list[Path], console: Console, *, has_keys: bool
@@ -40,7 +40,7 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """Show anew how things are where the files are not as they were; return whether so."""
+        """Check again if the files have changed; return whether they have."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -50,7 +50,7 @@ class Session:
         return True
 
     def choose(self) -> None:
-        """Make an exercise that was just edited the current one: best this one, or an open one."""
+        """If exercises were edited, make one of them current: first of all an open one."""
         edited = self.edits.look()
         if edited:
             chapter, exercise, names = min(
@@ -69,7 +69,7 @@ class Session:
             self.show()
 
     def show(self) -> None:
-        """Check the current exercise and say how it does; find one where there is none."""
+        """Check the current exercise and show its state; without one, find the next."""
         self.next = None
         self.page = Page()
         try:
@@ -80,15 +80,15 @@ class Session:
         self.draw()
 
     def draw(self) -> None:
-        """Draw the page as it is."""
+        """Draw the page."""
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check an exercise, with what it needs, and say how it does; return whether it is done.
+        """Check an exercise with what it needs, and show its state; return whether it is done.
 
-        Where the physics of something that it needs no longer passes, that is the current exercise.
-        An exercise is done when its physics passes. Its robust checks count from when the physics
-        of the whole chapter passes.
+        If the physics of an exercise that it needs no longer passes, that exercise becomes the
+        current one. An exercise is done when its physics passes. Its robust checks count only after
+        the physics of the whole chapter passes.
         """
         worked = self.progress.works(chapter, exercise)
         report = self.progress.report(chapter, exercise)
@@ -108,7 +108,7 @@ class Session:
         return True
 
     def say_failure(self, report: Report, tier: Result, kind: str) -> None:
-        """Say which check fails, of those of one tier of an exercise, and how many pass."""
+        """Show which check of one tier of an exercise fails, and how many pass."""
         chapter, exercise, page = report.chapter, tier.exercise, self.page
         for note in inherited_notes(report, exercise, self.engine):
             page.top += [(note, STYLES["inherited"]), ("", "")]
@@ -123,7 +123,7 @@ class Session:
         page.say(self.progress.words(chapter))
 
     def say_done(self, result: Result, *, wait: bool) -> None:
-        """Say that the physics of an exercise passes, and what is left of its robust checks."""
+        """Show that the physics of an exercise passes, and which robust checks are left."""
         exercise, count = result.exercise, len(result.checks)
         title = f"{exercise.id} {exercise.title}"
         left = sum(check.status != "passed" for check in result.robust)
@@ -141,7 +141,7 @@ class Session:
         self.page.top += [(words, "bold green"), ("", "")]
 
     def find_next(self) -> None:
-        """Find the next open exercise and say how to get to it; at the start, go to it."""
+        """Find the next open exercise and show how to get there; at the start, go there."""
         self.next = self.progress.next_open()
         if self.current or self.next is None:
             self.say_end()
@@ -151,17 +151,17 @@ class Session:
         elif self.current and self.has_keys:
             following, exercise = self.next
             if self.progress.works(following, exercise):
-                words = "All exercises work. What is left are robust checks."
+                words = "All exercises work. Only robust checks are left."
                 self.page.say(words)
             self.page.say(self.progress.words(following))
             self.page.say(
-                f"Enter goes on to {exercise.id} {exercise.title}. So does editing its code."
+                f"Press Enter, or edit its code, to go on to {exercise.id} {exercise.title}."
             )
         else:
             self.is_done(*self.next)
 
     def say_end(self) -> None:
-        """Say that a chapter is finished, or what can be played since this exercise is done."""
+        """Show the end of a chapter, or the scenes that this exercise makes playable."""
         chapter, exercise = self.current or (self.progress.chapters[-1], None)
         report = self.progress.report(chapter)
         self.page.top += end_of([report], exercise, self.engine, self.progress.given)

@@ -1,4 +1,4 @@
-"""Check the exercise that a student works on whenever a file is saved, and do what keys ask for."""
+"""Check the exercise that a student works on whenever a file is saved, and react to keys."""
 
 from __future__ import annotations
 
@@ -20,23 +20,26 @@ from autograder.student.reset import question, reset
 from autograder.student.screen import print_chapter, print_report
 from autograder.student.session import TROUBLE, Session
 
-TICK = 100  # milliseconds between two looks for keys
+TICK = 100  # milliseconds between two checks for keys
 
 
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
-    """Show how the current exercise does, at once and after every save, until q is pressed.
+    """Show the state of the current exercise, at once and after every save, until q is pressed.
 
-    It is the one that was just edited; at first it is the first of these chapters that is open.
-    Raises ValueError where the reference of a given chapter is not in this folder.
+    The current exercise is the one that was edited last. At first, it is the first open one of
+    these chapters.
+
+    Raises:
+        ValueError: The reference of a given chapter is not in this folder.
     """
     with with_given(given, engine) as folders, keys.single_keys():
         progress = Progress(chapters, folders, given, Memory(seed))
         console = Console(highlight=False)
-        session = Session(progress, engine, console, has_keys=keys.are_there())
+        session = Session(progress, engine, console, has_keys=keys.available())
         board = Keyboard(session)
         if not session.has_keys:
-            board.say("There is no terminal here, so there are no keys; Ctrl-C ends this.")
-        # The first look comes after the first tick, from which on no change is missed.
+            board.say("There is no terminal, so keys do not work. Press Ctrl-C to stop.")
+        # The first check comes after the first tick. From then on, no change is missed.
         for changes in changes_in(engine[0], rust_timeout=TICK, yield_on_timeout=True):
             if (changes or not session.seen) and session.look():
                 board.asking = False
@@ -47,7 +50,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 
 
 class Keyboard:
-    """Does what keys ask for."""
+    """Carries out the commands of the keys."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
@@ -55,7 +58,7 @@ class Keyboard:
         self.asking = False  # whether to reset the current exercise
 
     def press(self, key: str) -> None:
-        """Do what a key asks for; other keys do nothing."""
+        """Carry out the command of a key. Other keys do nothing."""
         try:
             if self.asking:
                 self.answer(key)
@@ -72,7 +75,7 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Add words to the page that is shown, in place of the last ones."""
+        """Show words on the page, in place of the last note."""
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()
 
@@ -81,7 +84,7 @@ class Keyboard:
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the next hint of the exercise, and at the end the last one again."""
+        """Show the exercise's next hint; after the last one, show that again."""
         if not self.session.current:
             return
         exercise = self.session.current[1]
@@ -90,7 +93,7 @@ class Keyboard:
         self.note(f"Hint {number} of {of}: {exercise.hints[number - 1]}")
 
     def ask(self) -> None:
-        """Ask whether the stubs of the current exercise shall come back."""
+        """Ask whether to restore the stubs of the current exercise."""
         if not self.session.current:
             return
         self.note(f"{question(*self.session.current, self.session.engine[0])} (y or n)", "bold")
@@ -113,14 +116,14 @@ class Keyboard:
         print_chapter(session.console, session.progress.report(chapter), session.engine)
 
     def check_all(self) -> None:
-        """Run every check again and print what check prints."""
+        """Run every check again, and print the same as make check."""
         session, progress = self.session, self.session.progress
         progress.memory.known.clear()
         reports = [progress.report(chapter) for chapter in progress.chapters]
         print_report(session.console, reports, None, session.engine, progress.given)
 
     def plot(self) -> None:
-        """Draw a chapter into files, in a process of its own that opens no window."""
+        """Draw a chapter's plots into files, in a separate process that opens no window."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         self.say(f"Drawing chapter {chapter.number} ...")
@@ -132,6 +135,6 @@ class Keyboard:
             cwd=ROOT,
             env=os.environ | {"MPLBACKEND": "agg"},
             stdin=subprocess.DEVNULL,
-            start_new_session=True,  # Ctrl-C is for us alone, and ends it without its stack
+            start_new_session=True,  # Ctrl-C must not make it print a traceback
             check=False,
         )

@@ -1,4 +1,4 @@
-"""Show a written exercise: the question until it is answered, then what to compare it with."""
+"""Show a written exercise: the question until it is answered, then the model answer."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 def print_written(
     console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question, and that it waits; or the answer, the model answer and the rubric.
+    """Print the question until it is answered; then the answer, the model answer and the rubric.
 
-    The model answer and the rubric are in solutions/. A hand-out has neither: there the instructor
-    has them.
+    The model answer and the rubric are in solutions/. A hand-out contains neither, because the
+    instructor has them.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{exercise.points} points"
@@ -38,17 +38,17 @@ def print_written(
     _say(console, f"{_flowing(question.section.answer)}\n")
     model = model_answer(chapter, exercise, root)
     if model is None:
-        _say(console, "Your instructor has the model answer, and marks yours.")
+        _say(console, "Your instructor has the model answer and will mark yours.")
         return
     _say(console, "The model answer", "bold")
     _say(console, f"{_flowing(model.answer)}\n")
     _say(console, "Rubric", "bold")
     _say(console, f"{_flowing(model.rubric)}\n")
-    _say(console, "Compare, and improve your answer if you like. A person marks it.")
+    _say(console, "Compare the two, and improve your answer if you like. A person marks it.")
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Return how many questions have no answer yet, which, and where; nothing without any."""
+    """Return how many questions are unanswered, which ones, and where; "" if there are none."""
     groups = [
         open_ones
         for chapter in chapters
@@ -62,13 +62,13 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Return what is said where all checks of chapters pass: questions may still be open."""
+    """Return the sentence for checks that all pass, with the questions that are still open."""
     still = open_questions(chapters, engine)
     return f"All checks pass{on_given}.{f' {still}.' if still else ''}"
 
 
 def listed(words: list[str], last: str = "and") -> str:
-    """Return words as a sentence lists them, such as a, b and c."""
+    """Return words as a list in a sentence, such as a, b and c."""
     return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
@@ -77,10 +77,10 @@ def _ids(questions: list[Question]) -> list[str]:
 
 
 def _flowing(text: str) -> str:
-    """Return text with each paragraph and each list item on one line, for any width of screen.
+    """Return text with each paragraph and each list item on one line, for any screen width.
 
-    Quotation marks of Markdown go. Indented lines, such as formulas, stay as they are, and so does
-    a text with blocks of code.
+    Quotation marks of Markdown are removed. Indented lines, such as formulas, stay as they are, and
+    so does a text with blocks of code.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

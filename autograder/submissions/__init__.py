@@ -1,1 +1,1 @@
-"""What students hand in: found, looked at from outside, and copied into a box of our own."""
+"""Find submissions, inspect them without trusting them, and copy what is graded."""

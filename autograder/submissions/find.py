@@ -1,4 +1,4 @@
-"""Find the submissions of a class, and name the reports on them."""
+"""Find the submissions of a class, and choose file names for their reports."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 
 from autograder.clean import visible
 
-LONGEST_NAME = 100  # bytes; a suffix comes after it, and file systems end at 255
+LONGEST_NAME = 100  # bytes without a suffix; file systems allow 255 in all
 SILENT = ("__pycache__", "__MACOSX", "README.md", "marks.csv")
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")
@@ -18,19 +18,21 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 
 @dataclass(frozen=True)
 class Submission:
-    """What a student handed in: a folder, or a zip file."""
+    """A student's submission: a folder or a zip file."""
 
     student: str
     path: Path
 
 
 def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
-    """Return the submissions in a class's folder, sorted by student, and notes on what is none.
+    """Return the submissions in a class's folder, sorted by student, and notes on other entries.
 
     A submission is a folder or a .zip file that is named after the student. Links are never
-    followed. Hidden files, caches, a README.md and marks.csv are passed over without a note.
-    Raises ValueError where it is no folder, has no submission, or has two of one student, and
-    OSError where it cannot be read.
+    followed. Hidden files, caches, README.md and marks.csv are skipped without a note.
+
+    Raises:
+        ValueError: It is not a folder, has no submission, or has two of one student.
+        OSError: The folder cannot be read.
     """
     if not folder.is_dir():
         raise ValueError(f"the submissions must be in a folder, got {str(folder)!r}")
@@ -46,12 +48,12 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
             notes.append(f"{printable(path.name)} was left out: it is {what}")
             continue
         new = Submission(printable(path.stem if is_zip else path.name), path)
-        # Keyed by the reports' name, so that no report is written over another,
-        # on file systems that tell A from a.
+        # Keyed by the name of the report, so that no report overwrites another one
+        # (if the file system distinguishes A from a).
         old = found.setdefault(file_name(new.student), new)
         if old is not new:
             raise ValueError(
-                f"a student must hand in once, got {old.path.name!r} and {path.name!r} "
+                f"a student must hand in only once, got {old.path.name!r} and {path.name!r} "
                 f"in {str(folder)!r}"
             )
     if not found:
@@ -62,12 +64,12 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
 
 
 def file_name(student: str) -> str:
-    """Return a name, without a suffix, for the files about a student: safe, and no one else's.
+    """Return a safe and unique name, without a suffix, for the files about a student.
 
-    It is the student's name where that is harmless and short. Otherwise it is what is harmless
-    of the name, cut, with a hash of the whole name behind it.
+    A name that is harmless and short is used as it is. Otherwise unsafe characters are replaced,
+    the name is cut, and a hash of the whole name is appended.
     """
-    # A name that looks as if it had a hash could be what another name turns into.
+    # A name that seems to end with a hash could equal the file name of another student.
     harmless = _clean(student) == student and not HASHED.fullmatch(student)
     if harmless and 0 < len(student.encode()) <= LONGEST_NAME and not DEVICE.fullmatch(student):
         return student
@@ -77,14 +79,14 @@ def file_name(student: str) -> str:
 
 
 def printable(text: str) -> str:
-    """Return a text with escapes for what cannot be printed.
+    """Return a text with unprintable characters escaped.
 
-    A backslash is doubled: so two texts never become one.
+    Backslashes are doubled, so that two different texts stay different.
     """
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
 
 def _clean(name: str) -> str:
-    """Replace what some file system takes for more than a letter of a name."""
+    """Replace the characters that have a special meaning on some file system."""
     kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in name]
     return re.sub(r"^\.", "_", "".join(kept))

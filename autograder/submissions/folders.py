@@ -1,4 +1,4 @@
-"""Search a folder that nobody vouches for, and read files from it without being led astray."""
+"""Search an untrusted folder, and read files from it without following links."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-# What the machine lacks, and not the submission: these are the grader's faults.
+# Errors that are due to the machine, not to the submission: the grader's fault.
 OURS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EIO, errno.ESTALE)
-DEEPEST = 3  # levels below the submission on which a chapter's folder may stand
-MOST_ENTRIES = 5_000  # looked at in one submission
+DEEPEST = 3  # levels below the submission at which a chapter's folder may be
+MOST_ENTRIES = 5_000  # searched in one submission
 
 
 class NotTakenError(Exception):
-    """Something handed in is not taken; the text says why, as a clause."""
+    """Something handed in is not accepted. The text is a clause that gives the reason."""
 
 
 @dataclass(frozen=True)
 class Found:
     """A file of a chapter in a submission.
 
-    ``place`` are the folders down to the chapter's own. ``read`` takes the largest size allowed,
-    and returns the content or raises NotTakenError. A ``doubtful`` place, which could not be
-    looked into, counts only if there is no other.
+    ``place`` lists the folders down to the chapter's own. ``read`` takes the largest size allowed,
+    and returns the content or raises NotTakenError. A ``doubtful`` file is in a folder that cannot
+    be read; it counts only if there is no other.
     """
 
     place: tuple[str, ...]
@@ -41,7 +41,8 @@ def search_folder(
 ) -> tuple[list[Found], list[str]]:
     """Find the wanted files of each chapter; return them and notes for the instructor.
 
-    Raises NotTakenError where the submission's folder cannot be read at all.
+    Raises:
+        NotTakenError: The submission's folder cannot be read at all.
     """
     found: list[Found] = []
     notes: list[str] = []
@@ -51,7 +52,7 @@ def search_folder(
         deeper: list[tuple[str, ...]] = []
         for place in level:
             folder = submission.joinpath(*place)
-            # Asked for by name, so that no number of other files can hide a chapter.
+            # Looked up by name, so that a chapter is found among any number of other files.
             for chapter, files in wanted.items():
                 found += _search_chapter(folder / chapter, (*place, chapter), files)
             if depth == DEEPEST or left < 0:
@@ -75,14 +76,17 @@ def search_folder(
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
-    """Return what is in a regular file of at most so many bytes.
+    """Return the content of a regular file of at most ``largest`` bytes.
 
-    Raises NotTakenError, with ``what`` for a subject, for a link, a pipe or anything else.
+    ``what`` is the subject of the sentence in errors.
+
+    Raises:
+        NotTakenError: It is too large, or it is a link, a pipe or something else.
     """
     try:
         _check_kind(path.lstat(), largest, what)
         with open(path, "rb", opener=_open) as file:
-            # It may be another one by now.
+            # Another file may have taken its place.
             _check_kind(os.fstat(file.fileno()), largest, what)
             content = file.read(largest + 1)
     except OSError as error:
@@ -95,7 +99,7 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Return a way to read a file that is none: it raises NotTakenError."""
+    """Return a function to use as ``read`` that raises NotTakenError."""
 
     def read(_: int) -> bytes:
         raise NotTakenError(reason)
@@ -104,22 +108,22 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 
 
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
-    """Return the files of a place that cannot be looked into."""
+    """Return the files of a folder that cannot be read."""
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
 
 def too_large(what: str, largest: int) -> NotTakenError:
-    """Return the exception for something larger than so many bytes."""
+    """Return the exception for something that has more than ``largest`` bytes."""
     return NotTakenError(f"{what} is larger than {largest:,} bytes")
 
 
 def is_skipped(name: str) -> bool:
-    """Say whether a folder is hidden, or one that a system leaves behind."""
+    """Return whether a folder is hidden, or created by a system for its own use."""
     return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
 
 def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
-    """Return the files that a chapter's folder has, whatever they are."""
+    """Return the wanted files in a chapter's folder, whatever their kind."""
     found: list[Found] = []
     try:
         mode = _mode(folder)
@@ -136,7 +140,7 @@ def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) 
 
 
 def _mode(path: Path) -> int:
-    """Return the mode of what is there, or 0 for nothing."""
+    """Return the mode of a path, or 0 if nothing is there."""
     try:
         return path.lstat().st_mode
     except (FileNotFoundError, NotADirectoryError):
@@ -144,7 +148,7 @@ def _mode(path: Path) -> int:
 
 
 def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
-    """Return the folders to search among the first so many entries, and how many were seen."""
+    """Return the folders among the first ``most`` entries, and the number of entries seen."""
     with os.scandir(folder) as entries:
         seen = list(itertools.islice(entries, most))
         names = [entry.name for entry in seen if entry.is_dir(follow_symlinks=False)]
@@ -152,7 +156,7 @@ def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
 
 
 def _open(path: str, flags: int) -> int:
-    """Open a file such that no link leads elsewhere and no pipe holds us up."""
+    """Open a file without following a link or waiting for a pipe."""
     return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
 
 
@@ -162,13 +166,13 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
     if stat.S_ISDIR(status.st_mode):
         raise NotTakenError(f"{what} is a folder")
     if not stat.S_ISREG(status.st_mode):
-        raise NotTakenError(f"{what} is no regular file")
+        raise NotTakenError(f"{what} is not a regular file")
     if status.st_size > largest:
         raise too_large(what, largest)
 
 
 def cause(error: OSError) -> str:
-    """Return why something cannot be read. Raises what is no fault of the submission."""
+    """Return why something cannot be read. If that is the grader's fault, raise the error."""
     if error.errno in OURS:
         raise error
     return error.strerror or type(error).__name__

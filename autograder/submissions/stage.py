@@ -1,4 +1,4 @@
-"""Copy what a submission may contain into a folder of our own: nothing else is ever imported."""
+"""Copy the files that count into a new folder. Nothing else is ever imported."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thou
 
 @dataclass(frozen=True)
 class Staged:
-    """What became of a submission.
+    """The outcome of copying a submission.
 
-    ``missing`` has, for a module such as ch02_vectors.vector, why its file was not taken although
-    it was handed in; ``notes`` are for the instructor; ``digest`` stands for all that was taken
-    or refused, so that equal ones are graded alike.
+    ``missing`` gives, for a module such as ch02_vectors.vector, the reason why its file was not
+    taken although it was handed in. ``notes`` are for the instructor. ``digest`` depends on
+    everything that was taken or refused: submissions with equal digests are graded alike.
     """
 
     missing: dict[str, str]
@@ -32,11 +32,13 @@ class Staged:
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Fill the box with an engine: the student's edited files, and the parts nobody edits.
+    """Fill the box with an engine: the student's edited files, and the files that nobody edits.
 
-    The submission is a folder or a zip file, and may hold anything: what is wrong with it is told
-    in what is returned. Nothing falls back on the stubs or on the solutions.
-    Raises OSError only where the box cannot be written or our own files cannot be read.
+    The submission is a folder or a zip file, and may contain anything. Problems with it are
+    reported in the result. A file that is missing is not replaced with a stub or a solution.
+
+    Raises:
+        OSError: The box cannot be written, or our own files cannot be read.
     """
     found, notes = _search(submission, chapters)
     missing: dict[str, str] = {}
@@ -44,7 +46,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     for chapter in chapters:
         target = box / chapter.name
         target.mkdir(parents=True)
-        target.chmod(0o755)  # whatever the umask: another user is to run what is in it
+        target.chmod(0o755)  # whatever the umask is, since another user runs the code
         for name in chapter.complete:
             _write(target / name, (root / "chapters" / chapter.name / name).read_bytes())
         files, more_notes = _choose(chapter, found)
@@ -64,7 +66,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
-    """Return the chapters' files in a submission, of whatever kind, and notes."""
+    """Return the chapters' files in a submission of any kind, and notes."""
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
         mode = submission.lstat().st_mode
@@ -80,9 +82,10 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Return the files of the chapter's shallowest folder, then the first by name, and notes.
+    """Return the files of the chapter's folder, and notes if there are several such folders.
 
-    The folder in which a hand-out keeps its stubs counts only if there is no other.
+    The shallowest folder is chosen, and the first by name among several. The folder in which a
+    hand-out keeps its stubs counts only if there is no other.
     """
     mine = [file for file in found if file.place[-1] == chapter.name]
     places = sorted(
@@ -100,13 +103,17 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
 
 def _text(content: bytes) -> bytes:
-    """Return the content of a text file. Raises NotTakenError for any other."""
+    """Return the content of a text file.
+
+    Raises:
+        NotTakenError: The content is not text.
+    """
     try:
         content.decode()
     except UnicodeDecodeError as error:
         raise NotTakenError("it is not UTF-8: save it as UTF-8 in your editor") from error
     if b"\0" in content:
-        raise NotTakenError("it has NUL bytes in it: it is no text")
+        raise NotTakenError("it contains NUL bytes, so it is not a text file")
     return content
 
 

@@ -1,4 +1,4 @@
-"""Find and read files in a zip that nobody vouches for; nothing is ever extracted by name."""
+"""Find and read files in an untrusted zip. Nothing is ever extracted by name."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from autograder.submissions.folders import (
     too_large,
 )
 
-# Bytes; a submission has well under 100,000. A zip crafted to keep zipfile busy as long as it
-# can takes about 2 s at this size, and proportionally more at a larger one.
+# Bytes. A submission has well under 100,000. At this size, a zip that is crafted to keep zipfile
+# busy takes about 2 s, and a larger one takes proportionally longer.
 LARGEST_ZIP = 5_000_000
-ENCRYPTED = 1 << 0  # a flag
-DAMAGED = "the zip is damaged, or no ordinary zip: zip the folder again"
-# What zipfile raises for one that is damaged, or of a kind that it does not know.
+ENCRYPTED = 1 << 0  # the flag of an encrypted entry
+DAMAGED = "the zip is damaged, or not an ordinary zip: zip the folder again"
+# The exceptions of zipfile for a zip that is damaged, or of an unknown kind.
 UNREADABLE = (
     zipfile.BadZipFile,
     zlib.error,
@@ -43,21 +43,22 @@ UNREADABLE = (
 def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Found], list[str]]:
     """Find the wanted files of each chapter; return them and notes for the instructor.
 
-    Raises NotTakenError where the zip as a whole cannot be taken.
+    Raises:
+        NotTakenError: The zip as a whole is not accepted.
     """
     if path.lstat().st_size > LARGEST_ZIP:
         limit = f"the zip is larger than {LARGEST_ZIP:,} bytes"
-        raise NotTakenError(f"{limit}: zip the folders of the chapters alone")
+        raise NotTakenError(f"{limit}: zip only the folders of the chapters")
     try:
         file = zipfile.ZipFile(io.BytesIO(read_file(path, LARGEST_ZIP, "the zip")))
     except UNREADABLE as error:
         raise NotTakenError(DAMAGED) from error
     if len(file.infolist()) > MOST_ENTRIES:
-        raise NotTakenError(f"the zip has more than {MOST_ENTRIES:,} files and folders in it")
+        raise NotTakenError(f"the zip contains more than {MOST_ENTRIES:,} files and folders")
     found: dict[tuple[tuple[str, ...], str], Found] = {}
     doubtful: list[Found] = []
     for entry in file.infolist():
-        # Some tools for Windows write backslashes, some others begin with a dot.
+        # Some Windows tools write backslashes, and other tools begin paths with a dot.
         name = entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
         *above, last = name.rsplit("/", 2)
         if last in wanted and stat.S_ISLNK(entry.external_attr >> 16):
@@ -80,24 +81,28 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 
 
 def _is_unsafe(name: str) -> bool:
-    """Say whether a path begins at a root or a drive, or has parts that are no names."""
+    """Return whether a path is absolute, or has parts that are empty or dots."""
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 
 
 def _read(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
-    """Return the content of a regular file. Raises NotTakenError for anything else."""
+    """Return the content of a regular file.
+
+    Raises:
+        NotTakenError: The entry is anything else.
+    """
     mode = entry.external_attr >> 16
     if stat.S_ISLNK(mode):
         raise NotTakenError("it is a symbolic link")
     if entry.orig_filename.endswith(("/", "\\")) or stat.S_ISDIR(mode):
         raise NotTakenError("it is a folder")
     if stat.S_IFMT(mode) not in (0, stat.S_IFREG):  # 0: written by a system without modes
-        raise NotTakenError("it is no regular file")
+        raise NotTakenError("it is not a regular file")
     if entry.flag_bits & ENCRYPTED:
         raise NotTakenError("it is encrypted in the zip: zip it without a password")
     if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise NotTakenError("it is compressed in an unusual way: make an ordinary zip")
-    # What inflates to little may still be much work to inflate.
+    # Even an entry with little content can take long to decompress.
     if max(entry.file_size, entry.compress_size) > largest:
         raise too_large("it", largest)
     try:

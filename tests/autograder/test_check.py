@@ -115,11 +115,11 @@ def test_a_syntax_error_is_named_with_its_line() -> None:
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
-        (["check", "--chapter", "77"], "there is no chapter 77 here; there is 2"),
+        (["check", "--chapter", "77"], "there is no chapter 77 here, only 2"),
         (["check", "--chapter", "two"], "chapters must look like 2 or 2,4-6, got 'two'"),
         (
             ["check", "--exercise", "2.99"],
-            "there is no exercise '2.99'. An exercise has an id such",
+            "there is no exercise '2.99'. An id looks like B2.1",
         ),
         (["check", "--engine", "nowhere"], "engine must be a folder of chapters, got 'nowhere'"),
         (["hint", "2.99"], "there is no exercise '2.99'"),
@@ -159,14 +159,14 @@ def test_chapters_are_selected_by_number_and_range() -> None:
 def test_an_id_may_be_written_small_and_a_part_of_one_lists_those_that_begin_so() -> None:
     assert autograder("hint", "b2.10").stdout.startswith("B2.10 An orthonormal basis")
     complaint = autograder("check", "--exercise", "2.2").stderr
-    assert complaint.strip() == "check: there is no exercise '2.2'; there is 2.2a, 2.2b"
+    assert complaint.strip() == "check: there is no exercise '2.2'. Similar ids: 2.2a, 2.2b"
 
 
 def test_a_python_without_the_packages_is_told_what_to_do() -> None:
     command = [sys.executable, "-S", "-m", "autograder", "check"]  # -S: no installed packages
     done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 2
-    assert "this Python lacks what the companion needs: run make setup" in done.stderr
+    assert "this Python lacks the companion's packages. Run make setup" in done.stderr
     assert "Traceback" not in done.stderr
 
 

@@ -32,7 +32,7 @@ from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from autograder.submissions.find import find_submissions
-from graded import told_by
+from graded import message_of
 from small import RIGHT, hand_in, make_root
 
 distributed = pytest.importorskip("distributed")
@@ -166,7 +166,7 @@ def test_what_a_killed_worker_was_at_is_done_by_another(
     assert sorted(landed) == ["ann", "slow"]
     assert landed["ann"] == ann, "down to the seconds that it took: it is not graded again"
     said = capsys.readouterr().out
-    assert "1 of 2 were graded before, and not again." in said
+    assert "1 of 2 reports were kept from an earlier run." in said
     assert said.count("/2 slow") == 1
     assert _becomes_true(lambda: not folder.exists()), "nothing is left of it on its machine"
     if allowed_failures:
@@ -175,8 +175,8 @@ def test_what_a_killed_worker_was_at_is_done_by_another(
     else:
         assert status == 1
         assert landed["slow"]["status"] == "error, retry"
-        told = {told_by(check) for e in landed["slow"]["exercises"] for check in e["checks"]}
-        assert told == {"every worker that graded it died, 1 in all"}
+        told = {message_of(check) for e in landed["slow"]["exercises"] for check in e["checks"]}
+        assert told == {"every worker that tried to grade it died; workers lost: 1"}
 
 
 def _pid_and_folder(dask_worker: Any) -> tuple[int, str]:
@@ -228,7 +228,7 @@ def test_ctrl_c_leaves_what_has_landed(cluster: Any, tmp_path: Path) -> None:
     process.send_signal(signal.SIGINT)
     told, complaint = process.communicate(timeout=PATIENCE)
     assert process.returncode == 130, complaint
-    assert "The same command goes on from there." in told
+    assert "Run the same command again to resume." in told
     assert "grade: stopped" in complaint
     assert "Traceback" not in complaint
     landed = results(out)
@@ -260,9 +260,11 @@ def test_a_worker_without_the_repository_is_refused_whenever_it_comes(
         _worker_in(tmp_path, without_workers) as address,
         distributed.Client(address, set_as_default=False) as client,
     ):
-        with pytest.raises(ValueError, match=r"worker tcp://\S+ cannot load .*; start it in the"):
+        with pytest.raises(ValueError, match=r"worker tcp://\S+ cannot load .*; start it in a"):
             grade(submissions, tmp_path / "out", root, cluster=address)
-        with pytest.raises(ValueError, match=r"a worker that came later cannot load .*; start it"):
+        with pytest.raises(
+            ValueError, match=r"a worker that joined later cannot load .*; start it"
+        ):
             list(over_cluster.grade_over(client, assignment, find_submissions(submissions)[0]))
 
 
@@ -310,11 +312,11 @@ def test_a_worker_without_a_wall_refuses(
     work: over_cluster.Work, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(level, "best_level", Level)
-    with pytest.raises(ValueError, match="there is no wall here"):
+    with pytest.raises(ValueError, match="this machine has no sandbox"):
         over_cluster.check_worker(work)
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     trusting = replace(work, assignment=replace(work.assignment, level=Level()))
-    with pytest.raises(ValueError, match="not run as root without one"):
+    with pytest.raises(ValueError, match="without one, student code never runs as root"):
         over_cluster.check_worker(trusting)
 
 
@@ -325,12 +327,12 @@ def test_a_worker_tells_what_differs(
     checks.write_text(checks.read_text(encoding="utf-8") + "\n# new\n", encoding="utf-8")
     monkeypatch.setattr(platform, "python_version", lambda: "3.99.0")
     differences = (
-        rf"Python 3\.99\.0 and not {re.escape(work.key.python)}; another version of tests/"
+        rf"Python 3\.99\.0 instead of {re.escape(work.key.python)}; another version of tests/"
     )
     with pytest.raises(ValueError, match=differences):
         over_cluster.check_worker(work)
     monkeypatch.setattr(over_cluster, "_GRADER", "what was loaded before git pull")
-    with pytest.raises(ValueError, match="since the worker was started: start it again"):
+    with pytest.raises(ValueError, match="since the worker was started: restart it"):
         over_cluster.check_worker(work)
 
 
@@ -342,7 +344,7 @@ def test_a_cluster_without_workers_is_told(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(over_cluster, "WORKERS_WITHIN", 0.2)
-    with pytest.raises(ValueError, match=r"had no workers within 0\.2 seconds; start it in"):
+    with pytest.raises(ValueError, match=r"had no worker within 0\.2 seconds; start it in"):
         grade(submissions, tmp_path / "out", root, cluster=without_workers.scheduler_address)
 
 
@@ -379,5 +381,5 @@ def test_that_dask_is_not_installed_is_told(
 
 
 def test_jobs_are_not_a_clusters(submissions: Path, root: Path, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="--jobs is of this machine"):
+    with pytest.raises(ValueError, match="--jobs is for this machine"):
         grade(submissions, tmp_path / "out", root, jobs=2, cluster="tcp://127.0.0.1:1")

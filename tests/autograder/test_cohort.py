@@ -78,7 +78,7 @@ def test_what_is_complete_is_not_graded_again(
     hand_in(submissions, "dee", HALF)
     capsys.readouterr()
     grade(submissions, out, root)
-    assert "2 of 4 were graded before, and not again." in capsys.readouterr().out
+    assert "2 of 4 reports were kept from an earlier run." in capsys.readouterr().out
     second = results(out)
     assert first["ann"] == second["ann"], "down to the seconds that it took"
     assert scores(out) == {"ann": 6.0, "bob": 6.0, "cem": 6.0, "dee": 5.0}
@@ -159,7 +159,7 @@ def test_a_run_that_is_killed_three_times_loses_nothing(root: Path, tmp_path: Pa
     done = subprocess.run(
         command, cwd=ROOT, env=environment, capture_output=True, encoding="utf-8", check=True
     )
-    assert f"{len(landed)} of 20 were graded before, and not again." in done.stdout
+    assert f"{len(landed)} of 20 reports were kept from an earlier run." in done.stdout
     final = results(out)
     assert {student: final[student] for student in landed} == landed
     assert len({report["seed"] for report in final.values()}) == 1
@@ -233,7 +233,7 @@ def test_reports_of_others_are_moved_aside_and_not_lost(
     for name in ("results/bob.json", "feedback/bob.html", "gradescope/bob/results.json"):
         assert not (out / name).exists()
         assert (out / "earlier" / name).exists()
-    assert "1 reports of other students are in" in capsys.readouterr().out
+    assert "Students not in this class: 1. See " in capsys.readouterr().out
 
 
 def test_an_empty_submission_is_noted(
@@ -242,7 +242,7 @@ def test_an_empty_submission_is_noted(
     (submissions / "dee/chapter 90").mkdir(parents=True)
     grade(submissions, tmp_path / "out", root)
     screen = " ".join(capsys.readouterr().out.split())
-    note = "nothing was found of ch90_small/small.py and so on, at most three levels down"
+    note = "no files such as ch90_small/small.py were found, at most three levels down"
     assert results(tmp_path / "out")["dee"]["notes"] == [note]
     assert f"dee: {note}" in screen
 
@@ -251,7 +251,7 @@ def test_an_empty_submission_is_noted(
     ("place", "complaint"),
     [
         (".", "must not be the folder of the class"),
-        ("ann/grades", "must not lie in the submission"),
+        ("ann/grades", "must not be inside the submission"),
     ],
 )
 def test_reports_do_not_go_where_submissions_are(
@@ -330,12 +330,12 @@ def test_without_a_wall_only_the_sample_class_is_graded(
 ) -> None:
     monkeypatch.setattr(level, "best_level", Level)
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
-    with pytest.raises(ValueError, match=r"no wall here .* --unsafe-no-sandbox grades a class"):
+    with pytest.raises(ValueError, match=r"no sandbox for submissions .* add --unsafe-no-sandbox"):
         level.choose_level(submissions, unsafe=False)
-    assert not level.choose_level(ROOT / "sample_class", unsafe=False).is_wall
-    assert not level.choose_level(submissions, unsafe=True).is_wall
+    assert not level.choose_level(ROOT / "sample_class", unsafe=False).is_sandbox
+    assert not level.choose_level(submissions, unsafe=True).is_sandbox
     monkeypatch.setattr(os, "geteuid", lambda: 0)
-    with pytest.raises(ValueError, match="not run as root without one"):
+    with pytest.raises(ValueError, match="without one, student code never runs as root"):
         level.choose_level(submissions, unsafe=True)
     wall = Level(landlock=True, seccomp=True)
     monkeypatch.setattr(level, "best_level", lambda: wall)

@@ -14,9 +14,9 @@ from typing import Any
 import pytest
 
 from autograder.checks.given import (
+    explained_on_given,
     mark_inherited,
     run_on_given,
-    told_on_given,
     with_given,
 )
 from autograder.checks.runner import GraderError, run_checks
@@ -63,7 +63,7 @@ def verdicts(engine: Path, exercises: list[str] | None = None) -> dict[str, Verd
     run = partial(run_checks, seed="1", exercises=exercises)
     before = run(CH03, folders)
     again = run_on_given(CH03, before, folders, [CH02], run)
-    marked = told_on_given(mark_inherited(before, again), again)
+    marked = explained_on_given(mark_inherited(before, again), again)
     return {verdict.name: verdict for verdict in marked}
 
 
@@ -151,8 +151,8 @@ def test_an_endless_loop_of_its_own_is_told_at_once_and_not_run_again(engine: Pa
     edit(engine, "ch02_vectors/vector.py", "self.z * scale)", "self.z)")
     marked = verdicts(engine, ["B3.2"])
     hung = [verdict for verdict in marked.values() if verdict.message.kind is Kind.HUNG]
-    assert "did not end within 3 seconds" in hung[0].message.title
-    assert "did not end within 0.75 seconds" in hung[2].message.title, (
+    assert "did not finish within 3 seconds" in hung[0].message.title
+    assert "did not finish within 0.75 seconds" in hung[2].message.title, (
         "the third is not waited for so long"
     )
     assert not [verdict for verdict in marked.values() if verdict.status == "inherited"]
@@ -223,7 +223,7 @@ def test_a_check_that_fails_both_times_is_told_as_it_fails_on_the_reference() ->
     lost = Verdict("a", "B3.1", 1, "failed", Message("as it fails on chapter 2"))
     first = [lost, replace(lost, name="b")]
     again = [replace(lost, message=Message("by itself")), replace(lost, name="b", status="passed")]
-    one, two = told_on_given(mark_inherited(first, again), again)
+    one, two = explained_on_given(mark_inherited(first, again), again)
     assert (one.status, one.message) == ("failed", Message("by itself"))
     assert (two.status, two.message) == ("inherited", lost.message)
 
@@ -239,15 +239,18 @@ def test_without_the_reference_nothing_is_offered(tmp_path: Path) -> None:
     assert "Chapter 2 fails checks of its own, which may be the reason" in done.stdout
     refused = check("chapters", "--chapter", "3", "--given", "2", root=tmp_path / "out")
     assert refused.returncode == 2
-    assert "check: chapter 2 cannot be given: this folder has no reference" in refused.stderr
+    assert "check: chapter 2 cannot be given: its reference is not in this folder" in refused.stderr
 
 
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
-        (["--chapter", "3", "--given", "3"], "nothing is left of your own: chapter 3 is given"),
+        (["--chapter", "3", "--given", "3"], "there is nothing left to check: chapter 3 is given"),
         (["--chapter", "3", "--given", "19"], "there is no chapter 19 here"),
-        (["--exercise", "2.1", "--given", "2"], "nothing is left of your own: chapter 2 is given"),
+        (
+            ["--exercise", "2.1", "--given", "2"],
+            "there is nothing left to check: chapter 2 is given",
+        ),
     ],
 )
 def test_a_mistake_in_what_is_given_is_one_clear_sentence(
@@ -262,11 +265,11 @@ def test_a_hand_out_without_the_earlier_chapter_says_what_to_bring(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     make_handout([CH03], [], tmp_path / "out")
-    assert "to be brought along by each student: ch02_vectors" in capsys.readouterr().out
+    assert "each student must add: ch02_vectors" in capsys.readouterr().out
     done = check("chapters", "--chapter", "3", root=tmp_path / "out")
     assert done.returncode == 2
-    wanted = "check: ch02_vectors is not here: put your own folder beside ch03_laws_of_motion\n"
-    assert done.stderr == wanted
+    wanted = "ch02_vectors is missing: put your own folder of that name beside ch03_laws_of_motion"
+    assert done.stderr == f"check: {wanted}\n"
 
 
 def test_an_earlier_chapter_of_ones_own_that_cannot_be_read_is_named(tmp_path: Path) -> None:

@@ -59,7 +59,7 @@ def test_scenes_are_played_on_what_is_given(engine: str, tmp_path: Path) -> None
 def test_an_exercise_of_a_given_chapter_has_nothing_to_write(command: str) -> None:
     refused = run("autograder", command, "2.5", "--given", "2-3")
     assert refused.returncode == 2
-    assert "exercise 2.5 is part of chapter 2, which is given" in refused.stderr
+    assert "exercise 2.5 is in chapter 2, which is given" in refused.stderr
     assert refused.stdout == ""
 
 

@@ -26,7 +26,7 @@ from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.records import to_json
 from autograder.submissions.find import Submission
 from copies import copy_tree
-from graded import told_by
+from graded import message_of
 
 CHAPTER = load_chapters()[0]
 POSSIBLE = sum(exercise.points for exercise in CHAPTER.exercises if exercise.kind != "written")
@@ -54,7 +54,7 @@ def result(out: Path, student: str) -> dict[str, Any]:
 
 
 def messages(report: dict[str, Any]) -> str:
-    return "\n".join(told_by(c) for e in report["exercises"] for c in e["checks"])
+    return "\n".join(message_of(c) for e in report["exercises"] for c in e["checks"])
 
 
 def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str]) -> None:
@@ -71,7 +71,7 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
         assert report["score"] == pytest.approx(earned, abs=0.01)
         for exercise in report["exercises"]:
             for check in exercise["checks"]:
-                assert (told_by(check) == "") == (check["status"] == "passed")
+                assert (message_of(check) == "") == (check["status"] == "passed")
 
 
 @pytest.mark.parametrize(
@@ -81,8 +81,8 @@ def test_every_student_has_a_result_of_the_promised_form(graded: tuple[Path, str
         ("ben", 10, 25, "not written yet: Exercise B2.8"),
         ("cleo", 15, 35, "(E-14)"),
         ("dina", 0, 0, "vector.py cannot be read: '(' was never closed"),
-        ("eli", 0, 0, "vector.py is missing: not handed in"),
-        ("finn", 5, 20, "did not end within 3 seconds: an endless loop?"),
+        ("eli", 0, 0, "vector.py is missing: it was not handed in"),
+        ("finn", 5, 20, "did not finish within 3 seconds. Is there an endless loop?"),
         ("gwen", 3, 15, "SystemExit: clear is not done yet"),
     ],
 )
@@ -124,7 +124,7 @@ def test_the_screen_shows_the_class_and_how_it_was_isolated(graded: tuple[Path, 
     assert re.search(rf"ada {POSSIBLE}/{POSSIBLE} {POSSIBLE} (\d+)/\1 graded", screen)
     assert "ben 17" in screen
     assert "graded B2.5: v and w were the same vector" in screen, "physics comes first"
-    assert "B2.4: did not end within 3 seconds" in screen
+    assert "B2.4: did not finish within 3 seconds" in screen
     assert "cleo" in screen
     assert "the book's listing, which sets x from z" in screen
     assert f"Seed 7. Isolation: {level.best_level()}" in screen
@@ -195,7 +195,9 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
         assert report["score"] == report["score_on_given"] == POSSIBLE
         later = [e for e in report["exercises"] if e["chapter"] == 3]
         assert {e["status"] for e in later} == {"failed", "blocked"}
-        assert "ch03_laws_of_motion/particle.py is missing: not handed in" in messages(report)
+        assert "ch03_laws_of_motion/particle.py is missing: it was not handed in" in messages(
+            report
+        )
     assert runs == [2, 3, 2]
     # What became of the first student's files is no other's.
     once = OnceForAll()

@@ -27,8 +27,8 @@ from walls import behind_walls
 
 SCHEMA = json.loads(Path(__file__).with_name("gradescope.schema.json").read_text(encoding="utf-8"))
 CH02, CH03 = load_chapters()[:2]
-WALLS = Level(**behind_walls().level).is_wall
-NO_ZERO = "this is no fault of the submission, and it is no zero"
+WALLS = Level(**behind_walls().level).is_sandbox
+NO_ZERO = "this is not the submission's fault and does not count as zero"
 
 pytestmark = pytest.mark.skipif(shutil.which("timeout") is None, reason="as Ubuntu has it")
 
@@ -159,7 +159,7 @@ def test_nothing_of_the_chapters_is_a_zero_that_says_what_was_looked_for(tree: P
     (tree / "submission_metadata.json").unlink()
     results, printed = run(tree)
     assert results["score"] == 0
-    assert "nothing was found of ch02_vectors/vector.py" in results["output"]
+    assert "no files such as ch02_vectors/vector.py were found" in results["output"]
     assert "grading submission, seed" in printed
 
 
@@ -190,8 +190,8 @@ def test_a_broken_tree_is_told_in_a_sentence_and_gives_no_number(
     [
         (None, "there is no Python to grade with"),
         ("echo '{\"score\": 81'; exit 3", "the grader stopped with status 3"),
-        ("echo '{\"score\": 81}'; exit 124", "the run did not end within 540 seconds"),
-        ("echo '{\"score\": 81}'; kill -9 $$", "the run did not end"),  # out of time, or memory
+        ("echo '{\"score\": 81}'; exit 124", "the run did not finish within 540 seconds"),
+        ("echo '{\"score\": 81}'; kill -9 $$", "the run did not finish"),  # out of time, or memory
     ],
 )
 def test_where_the_grader_does_not_come_to_its_end_nothing_it_said_counts(
@@ -222,7 +222,7 @@ def test_without_a_wall_nothing_is_graded_and_the_results_say_why(
     jsonschema.Draft202012Validator(SCHEMA).validate(results)
     assert "score" not in results
     assert NO_ZERO in results["output"]
-    assert "there is no wall here" in results["output"]
+    assert "this machine has no sandbox" in results["output"]
     assert "--unsafe-no-sandbox" in results["output"]
 
 

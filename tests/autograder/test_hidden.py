@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from autograder.grader import cohort
-from graded import told_by
+from graded import message_of
 from small import RIGHT, hand_in, make_root
 from small_class import everything_in, grade, make_class, results, scores
 
@@ -61,7 +61,7 @@ def test_hidden_checks_count_and_tell_a_rationale_alone(
     # Exercise 90.1 has 2 points for 4 checks now, and bob passes the one of zero.
     assert scores(out) == {"ann": 6.0, "bob": 4.5, "cem": 6.0, "dee": 4.0}
     (exercise,) = (e for e in results(out)["bob"]["exercises"] if e["id"] == "90.1")
-    told = {c["name"]: told_by(c) for c in exercise["checks"] if c["hidden"]}
+    told = {c["name"]: message_of(c) for c in exercise["checks"] if c["hidden"]}
     assert told == {
         "hidden check 2": "Quadruple must hold for large numbers.",
         "hidden check 3": "Quadruple must hold for large numbers.",
@@ -81,7 +81,7 @@ def test_hidden_checks_count_and_tell_a_rationale_alone(
         (
             "test_x.py",
             HIDDEN.replace('"90.1"', '"90.9"'),
-            "do not run: .* is of an exercise that there is not",
+            "cannot be run: .* belongs to an unknown exercise",
         ),
         ("notes.py", "", "there is no check in"),
     ],
@@ -128,5 +128,5 @@ def test_a_hidden_check_that_the_grader_fails_on_tells_nothing_either(
 def test_hidden_checks_of_no_chapter_are_refused(
     submissions: Path, root: Path, tmp_path: Path
 ) -> None:
-    with pytest.raises(ValueError, match="--checks must be a folder that has one of ch90_small"):
+    with pytest.raises(ValueError, match="--checks must be a folder with one of ch90_small"):
         grade(submissions, tmp_path / "out", root, hidden=tmp_path / "nowhere")

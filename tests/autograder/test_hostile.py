@@ -56,7 +56,7 @@ from machine import (  # noqa: E402
 )
 from odd_files import SUMS  # noqa: E402
 
-from graded import told_by  # noqa: E402
+from graded import message_of  # noqa: E402
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the walls are those of Linux")
 
@@ -184,7 +184,7 @@ def lost_checks(result: dict[str, Any]) -> list[dict[str, Any]]:
 def test_a_submission_gets_what_its_honest_code_is_worth(run: Run, submission: Submission) -> None:
     result = result_of(submission, run.results)
     assert result is not None, f"there is no result; the grader said: {run.screen[-2000:]}"
-    messages = "\n".join(told_by(check) for check in lost_checks(result))
+    messages = "\n".join(message_of(check) for check in lost_checks(result))
     assert result["status"] == "graded", messages
     earned = {e["id"] for e in result["exercises"] if e["status"] == "passed"}
     assert earned == submission.earns, messages
@@ -199,7 +199,7 @@ def test_every_lost_check_says_why_in_words(run: Run, submission: Submission) ->
     result = result_of(submission, run.results)
     assert result is not None
     for check in lost_checks(result):
-        message = told_by(check)
+        message = message_of(check)
         assert check["status"] in ("failed", "blocked")
         assert len(re.findall(r"[a-z]{2,}", message)) >= 3, message
         assert "Traceback (most recent call last)" not in message

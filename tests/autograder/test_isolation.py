@@ -233,7 +233,7 @@ def test_only_exact_types_cross_by_value(session: Session) -> None:
 def test_what_is_too_much_is_said_and_is_no_result(session: Session) -> None:
     same, nested = name(session, "same"), name(session, "nested")
     assert nested(20) is not None
-    with pytest.raises(WorkerFailure, match="a list in more than 20 others"):
+    with pytest.raises(WorkerFailure, match="a list nested in more than 20 others"):
         nested(22)
     with pytest.raises(WorkerFailure, match="an integer of 5001 bits"):
         session.ask("operate", "lshift", [1, 5000])
@@ -281,17 +281,17 @@ def test_a_call_back_that_ends_the_check_is_not_caught_by_the_student(session: S
 
     with pytest.raises(pytest.fail.Exception, match="enough"):
         name(session, "tries")(fails)
-    with pytest.raises(WorkerFailure, match="a call-back of the check failed"):
+    with pytest.raises(WorkerFailure, match="a callback of the check failed"):
         name(session, "LIMIT")
 
 
 @pytest.mark.parametrize(
     ("wanted", "arguments", "words"),
     [
-        ("leave", [0], "in the middle, with exit code 0"),
-        ("leave", [3], "in the middle, with exit code 3"),
-        ("crash", [], "in the middle: Python crashed .Segmentation fault"),
-        ("close_everything", [], "in the middle: the code closed what the checks use"),
+        ("leave", [0], "ended early, with exit code 0"),
+        ("leave", [3], "ended early, with exit code 3"),
+        ("crash", [], "ended early: Python crashed .Segmentation fault"),
+        ("close_everything", [], "stopped answering: the code closed its connection"),
     ],
 )
 def test_a_worker_that_leaves_is_no_exception_that_a_check_may_expect(
@@ -360,6 +360,6 @@ def test_each_worker_starts_from_nothing(start: Callable[[], Session]) -> None:
 
 
 def test_a_worker_is_no_root(session: Session, level: Level) -> None:
-    if not level.is_wall:
+    if not level.is_sandbox:
         pytest.skip("no wall stands here")
     assert 0 not in name(session, "who")()

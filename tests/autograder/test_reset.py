@@ -100,13 +100,13 @@ def test_the_file_as_it_was_is_kept_and_no_copy_is_overwritten(tmp_path: Path) -
     file = engine / CH02.name / "vector.py"
     first = file.read_bytes()
     said = reset(CH02, CH02.exercise("B2.5"), engine, copies)
-    assert f"A copy of the file as it was: {copies}/ch02_vectors/vector-1.py" in said
+    assert f"A copy of your previous file: {copies}/ch02_vectors/vector-1.py" in said
     assert "Vector3.__add__, Vector3.__iadd__, Vector3.__sub__, Vector3.__isub__" in said
     second = file.read_bytes()
     reset(CH02, CH02.exercise("B2.4"), engine, copies)
     kept = sorted((copies / CH02.name).iterdir())
     assert [copy.read_bytes() for copy in kept] == [first, second]
-    assert "has the stub already" in reset(CH02, CH02.exercise("B2.4"), engine, copies)
+    assert "already has the stub" in reset(CH02, CH02.exercise("B2.4"), engine, copies)
     assert sorted((copies / CH02.name).iterdir()) == kept
 
 
@@ -139,7 +139,7 @@ def test_a_students_own_way_of_writing_stays(tmp_path: Path) -> None:
     [
         ("x = (\n", "it cannot be read: line 1: '(' was never closed"),
         ("class Vector3:\n    normalize = normalized = len\n", "Vector3.normalized without a def"),
-        (None, "it is not there"),
+        (None, "it does not exist"),
     ],
 )
 def test_a_file_without_such_a_body_is_left_alone_and_the_way_out_works(
@@ -232,12 +232,12 @@ def test_a_hand_out_can_do_it_too_without_solutions(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     stub = 'raise NotImplementedError("Exercise B90.1: Double")'
     assert file.read_text(encoding="utf-8") == RIGHT.replace("return x + x", stub)
-    assert "as it was: build/reset/ch90_small/small-1.py" in done.stdout
+    assert "your previous file: build/reset/ch90_small/small-1.py" in done.stdout
     file.write_bytes(b"x = (\n")
     for arguments in (("reset", "B90.1"), ("reset", "B90.1", "--whole")):
         done = autograder(root, *arguments)
         assert done.returncode == 2
-        assert "ake the file from the hand-out again" in done.stderr
+        assert "opy the file from the hand-out again" in done.stderr
         assert file.read_bytes() == b"x = (\n"
     kept = root / "stubs/ch90_small/small.py"  # as a hand-out has it
     kept.parent.mkdir(parents=True)
@@ -247,15 +247,15 @@ def test_a_hand_out_can_do_it_too_without_solutions(tmp_path: Path) -> None:
     assert file.read_text(encoding="utf-8") == STUB
     file.write_text(RIGHT.partition("def quadruple")[0], encoding="utf-8")
     done = autograder(root, "reset", "90.1")
-    assert "the missing stub is back" in done.stdout
+    assert "restored the missing stub" in done.stdout
     written = file.read_text(encoding="utf-8")
     assert written == RIGHT.partition("def quadruple")[0] + STUB[STUB.index("def quadruple") :]
 
 
 def test_what_cannot_be_reset_is_one_clear_sentence() -> None:
     for exercise, complaint in (
-        ("2.99", "there is no exercise '2.99'. An exercise has an id such as B2.1"),
-        ("2.2", "there is no exercise '2.2'; there is 2.2a, 2.2b"),
+        ("2.99", "there is no exercise '2.99'. An id looks like B2.1"),
+        ("2.2", "there is no exercise '2.2'. Similar ids: 2.2a, 2.2b"),
         ("2.3", "2.3 is answered in answers.md"),
     ):
         done = autograder(ROOT, "reset", exercise)

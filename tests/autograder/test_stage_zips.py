@@ -166,14 +166,14 @@ def test_a_zip_cut_or_changed_anywhere_is_told_and_never_raises(
 @posix
 def test_a_submission_that_is_a_pipe_holds_nothing_up(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "ann.zip")
-    assert boxed(tmp_path / "ann.zip") == refused("the zip is no regular file")
+    assert boxed(tmp_path / "ann.zip") == refused("the zip is not a regular file")
 
 
 def test_a_zip_that_is_too_large_is_not_opened(tmp_path: Path) -> None:
     assert boxed(make_zip(tmp_path, {VECTOR: CODE, "film": bytes(4_999_000)}, 0)) == TAKEN
     made = make_zip(tmp_path, {VECTOR: CODE, "film": bytes(5_000_000)}, 0)
     assert boxed(made) == refused(
-        "the zip is larger than 5,000,000 bytes: zip the folders of the chapters alone"
+        "the zip is larger than 5,000,000 bytes: zip only the folders of the chapters"
     )
 
 

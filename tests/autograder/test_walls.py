@@ -37,7 +37,7 @@ def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Le
         with contextlib.closing(template):
             session = template.start_worker(hang)
             path = str(tmp_path / "forbidden")
-            through.append(set(session.ask("test_the_walls", attempts, path)))
+            through.append(set(session.ask("test_walls", attempts, path)))
     nothing, landlock, seccomp, all_of_them = through
     assert nothing >= {*HELD_BY_LANDLOCK, "sending a signal"}
     assert landlock.isdisjoint(HELD_BY_LANDLOCK)
@@ -58,7 +58,7 @@ def test_a_template_that_cannot_start_says_so(
     template = Template(level, [], str(tmp_path), tmp_path, 1.0)
     with (
         contextlib.closing(template),
-        pytest.raises(TemplateError, match=r"(?s)did not come up: .*No module named"),
+        pytest.raises(TemplateError, match=r"(?s)did not start: .*No module named"),
     ):
         template.start_worker(hang)
 

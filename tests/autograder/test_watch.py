@@ -42,7 +42,7 @@ def test_from_the_stubs_to_the_end_of_the_chapter(root: Path, terminal: Terminal
     terminal.wait_for("Next: open chapters/ch90_small/small.py:3", "0 of 2 exercises work", KEYS)
     save(root, HALF)
     terminal.wait_for("B90.1 Double is done: 2 of 2 checks pass", f"Chapter 90 [{BAR}] 1 of 2")
-    terminal.wait_for("Enter goes on to 90.1 Quadruple", KEYS)
+    terminal.wait_for("to go on to 90.1 Quadruple", KEYS)
     save(root, RIGHT.replace("4 * x", "5 * x"))  # without Enter
     terminal.wait_for("Current exercise (1 of 2 checks pass): 90.1 Quadruple", KEYS)
     save(root, RIGHT)
@@ -62,7 +62,7 @@ def test_it_outlives_a_syntax_error_a_deleted_file_and_an_endless_loop(
     small(root).unlink()
     terminal.wait_for("ch90_small/small.py is missing", KEYS)
     save(root, RIGHT.replace("return x + x", "while True:\n        pass"))
-    terminal.wait_for("did not end within 3 seconds", KEYS)
+    terminal.wait_for("did not finish within 3 seconds", KEYS)
     save(root, RIGHT)
     terminal.wait_for("B90.1 Double is done", KEYS)
     assert "Traceback" not in terminal.text
@@ -73,7 +73,7 @@ def test_a_save_that_breaks_what_the_current_exercise_needs_leads_back_there(
 ) -> None:
     terminal.wait_for(KEYS)
     save(root, HALF)
-    terminal.wait_for("Enter goes on", KEYS)
+    terminal.wait_for("to go on to", KEYS)
     terminal.press("\n")
     terminal.wait_for("): 90.1 Quadruple", KEYS)
     save(root, HALF.replace("x + x", "x * x"))
@@ -98,7 +98,7 @@ def test_the_keys(root: Path, terminal: Terminal) -> None:
     terminal.wait_for("Nothing was reset", KEYS)
     assert small(root).read_text(encoding="utf-8") == wrong
     terminal.press("ry")
-    terminal.wait_for("): B90.1 Double", "the stub is back", "build/reset/ch90_small/small-1.py")
+    terminal.wait_for("): B90.1 Double", "restored the stub", "build/reset/ch90_small/small-1.py")
     stub = 'raise NotImplementedError("Exercise B90.1: Double")'
     assert small(root).read_text(encoding="utf-8") == wrong.replace("return x + x", stub)
     terminal.press("q")
@@ -162,7 +162,7 @@ def test_without_a_terminal_it_says_so_and_goes_on_by_itself(root: Path) -> None
     process.send_signal(signal.SIGINT)
     assert process.wait(PATIENCE) == 130
     process.stdout.close()
-    said = ("so there are no keys", "): B90.1 Double", "B90.1 Double is done", "): 90.1 Quadruple")
+    said = ("so keys do not work", "): B90.1 Double", "B90.1 Double is done", "): 90.1 Quadruple")
     places = [text.find(words) for words in said]
     assert -1 not in places
     assert places == sorted(places)

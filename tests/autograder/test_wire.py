@@ -71,10 +71,10 @@ def test_a_subclass_is_referred_to() -> None:
 @pytest.mark.parametrize(
     ("sent", "complaint"),
     [
-        (b"no json\n", "no JSON"),
-        (b"[1]\n", "no JSON object"),
-        (b"[" * 100_000 + b"\n", "no JSON"),
-        (b'{"n": ' + b"9" * 5000 + b"}\n", "no JSON"),
+        (b"no json\n", "not JSON"),
+        (b"[1]\n", "not a JSON object"),
+        (b"[" * 100_000 + b"\n", "not JSON"),
+        (b'{"n": ' + b"9" * 5000 + b"}\n", "not JSON"),
         (b'{"text": "' + b"x" * (LONGEST_LINE + 70_000), "too long"),
     ],
 )

@@ -1,6 +1,6 @@
 """A real browser for tests: Debian's Chromium, driven by Playwright.
 
-Where one of the two is missing a test is skipped, unless the environment says CI: there it fails.
+If either of them is missing, a test is skipped. It fails if the environment variable CI is set.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or ""
 
 
 def missing() -> str:
-    """Return why no browser can be driven here; an empty text where one can."""
+    """Return why no browser can be used here, or an empty string if one can."""
     try:
         import playwright  # noqa: F401
     except ImportError:
@@ -33,7 +33,7 @@ def browser() -> Iterator[Any]:
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as driver:
-        # Chromium's own sandbox needs rights that containers do not give; the pages are ours.
+        # Chromium's sandbox needs rights that containers do not give, and the pages are our own.
         opened = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
         yield opened
         opened.close()

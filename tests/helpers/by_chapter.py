@@ -1,9 +1,10 @@
-"""A pytest plugin: run what is about one chapter, as `make test CH=6` does.
+"""A pytest plugin that runs the tests of one chapter, as `make test CH=6` does.
 
-- A test whose parameters have a chapter, or a path of one, is about that chapter.
-- Every other test is about the latest chapter that its file imports, or names: the earlier ones are
-  what it builds on. A file that has none is asked for the modules of studies that it imports.
-- The tests of the tools, in tests/autograder/, are about no chapter; nor is a file that names none.
+- If the parameters of a test contain a chapter, or a path in one, the test is about that chapter.
+- Any other test is about the latest chapter that its file imports or names, since earlier chapters
+  are only what it builds on. If the file names none, the modules of studies that it imports decide.
+- The tests of the tools in tests/autograder/ are about no chapter, and neither is a file that names
+  none.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ IMPORT = re.compile(r"^ *from (studies[\w.]*) import (.*)$", re.MULTILINE)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--chapter", type=int, help="run only what is about this chapter")
+    parser.addoption("--chapter", type=int, help="run only the tests of this chapter")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -36,7 +37,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def chapters_of(item: pytest.Item) -> set[int]:
-    """Return the chapters that a test is about; one at most, but for odd parameters."""
+    """Return the chapters that a test is about, which is rarely more than one."""
     if item.path.is_relative_to(ROOT / "tests/autograder"):
         return set()
     parameters = item.callspec.params.values() if hasattr(item, "callspec") else ()
@@ -49,11 +50,11 @@ def chapters_of(item: pytest.Item) -> set[int]:
 
 @cache
 def latest(file: Path) -> set[int]:
-    """Return the latest chapter that a file imports or names, if any."""
+    """Return the latest chapter that a file imports or names, if there is one."""
     if own := NAME.match(file.parent.name):
         return {int(own[1])}
     if file.is_relative_to(ROOT / "tests/project"):
-        return set()  # what holds of every chapter has it as a parameter
+        return set()  # tests that run for every chapter have it as a parameter
     text = file.read_text(encoding="utf-8")
     found = {
         number

@@ -1,4 +1,4 @@
-"""Copy a folder without the bytecode that lies in it."""
+"""Copy a folder without its bytecode."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def copy_tree(source: Path, target: Path) -> None:
-    """Copy what a folder holds into another, which may be there already."""
+    """Copy the contents of a folder into another one, which may exist already."""
     shutil.copytree(
         source, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__")
     )

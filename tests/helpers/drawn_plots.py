@@ -1,4 +1,4 @@
-"""Draw plots as the command does, and read the tables that they write."""
+"""Draw plots as the command does, and read the tables that it writes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A small invented class with its reports, for the tests of what is made from them."""
+"""A small invented class with its reports, for tests of the pages and files made from them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from autograder.reports.report import CheckReport, ExerciseReport, StudentReport
 from autograder.scores import ExerciseStatus
 
 SHOUT = "<script>document.title = 'owned'</script><b onclick='x'>&amp;\"'"
-# Escape sequences, control characters, half a character, a turn of the reading direction.
+# Escape sequences, control characters, half a character, a reversal of the reading direction.
 NASTY = (
     "\x1b[31mred\x1b[0m\x1b]8;;http://a.example\x07link\x00\x08\x9b1m\ud800\u202ereversed\r\nnext"
 )
@@ -40,7 +40,7 @@ CHAPTERS = [
 
 
 def points_of(*chapters: Chapter) -> int:
-    """Return what the checks of these chapters can give, written answers left out."""
+    """Return the points that the checks of these chapters can give, without written answers."""
     return sum(e.points for c in chapters for e in c.exercises if e.kind != "written")
 
 
@@ -52,17 +52,17 @@ def check(
     hidden: bool = False,
     robust: bool = False,
 ) -> CheckReport:
-    told = Message(message) if isinstance(message, str) else message
-    return CheckReport(name, status, told, 1.0, hidden, robust)
+    shown = Message(message) if isinstance(message, str) else message
+    return CheckReport(name, status, shown, 1.0, hidden, robust)
 
 
-def told_by(check: dict[str, Any]) -> str:
-    """Return what a check in the JSON of a report tells, as people read it."""
+def message_of(check: dict[str, Any]) -> str:
+    """Return the message of a check in the JSON of a report, as people read it."""
     return str(from_json(Message, check["message"]))
 
 
 def report_of(student: str = "ada", **changes: Any) -> StudentReport:
-    """A report with an exercise that is passed, failed, waiting and inherited."""
+    """Return a report with an exercise of each kind: passed, failed, waiting and inherited."""
     statuses: list[tuple[ExerciseStatus, float | None, float | None]]
     statuses = [("passed", 2.0, 2.0), ("failed", 1.0, 1.0), ("waiting", None, None)]
     statuses.append(("inherited", 0.0, 5.0))
@@ -120,7 +120,7 @@ def with_exercise(report: StudentReport, number: int, **changes: Any) -> Student
 
 
 def with_words(report: StudentReport, text: str) -> StudentReport:
-    """Return a report whose checks have this text for their name and for their message."""
+    """Return a report in which every check has this text as its name and its message."""
     exercises = [
         replace(e, checks=[replace(c, name=text, message=Message(text)) for c in e.checks])
         for e in report.exercises
@@ -129,14 +129,14 @@ def with_words(report: StudentReport, text: str) -> StudentReport:
 
 
 def failed_run(student: str = "eve") -> StudentReport:
-    """A report where the grader failed on the last exercise."""
+    """Return a report in which the grader failed on the last exercise."""
     report = report_of(student, status="error, retry", score=None, score_on_given=None)
     lost = [check("every check", "error", "the disk is full")]
     return with_exercise(report, 3, status="error", score=None, score_on_given=None, checks=lost)
 
 
 def nothing_done(student: str = "eli") -> StudentReport:
-    """A report where every check fails."""
+    """Return a report in which every check fails."""
     report = report_of(student, score=0.0, score_on_given=0.0)
     lost = [check("test_it", "failed", "vector.py is missing")]
     for number, exercise in enumerate(report.exercises):
@@ -148,7 +148,7 @@ def nothing_done(student: str = "eli") -> StudentReport:
 
 
 def hostile(student: str = SHOUT + NASTY) -> StudentReport:
-    """A report in which every text that others write tries to get out of its place."""
+    """Return a report in which every untrusted text tries to break out of its place on the page."""
     text = SHOUT + NASTY + "x" * 20_000
     report = report_of(student, notes=[text], seed=text, isolation=text, by_hand=1.0, waiting=0)
     return with_exercise(with_words(report, text), 2, status="marked", score=1.0, comment=text)

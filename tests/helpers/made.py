@@ -1,4 +1,4 @@
-"""The stubs as they are made now, once for all tests of a process: that takes some seconds."""
+"""The current stubs, generated once for all tests of a process, because that takes seconds."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""An engine with the book's formulas alone: the reference, made to refuse nothing.
+"""An engine with only the book's formulas: the reference, without its refusals.
 
-It is what a student has who has written the physics and has not met refusal yet.
+This is the engine of a student who has written the physics and does not refuse anything yet.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def instance_of(name, value, kind):
     return value
 """
 
-# Bodies that go out of their way for NaN, or for huge and tiny numbers, written plainly.
+# Simple versions of bodies that take special care of NaN, or of huge and tiny numbers.
 BODIES = {
     "ch05_forces": {
         "forces.InverseSquareGravity.update_force": """
@@ -68,7 +68,7 @@ return not self.determinant() < 0.0
 
 
 class _Unguarded(ast.NodeTransformer):
-    """Takes the refusals out of a module, and what keeps a length from overflowing."""
+    """Removes the refusals from a module, and the protection of lengths against overflow."""
 
     def visit_If(self, node: ast.If) -> ast.AST:
         """Drop an "if" that only raises ValueError or TypeError, or returns NotImplemented."""
@@ -78,7 +78,7 @@ class _Unguarded(ast.NodeTransformer):
         return node
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
-        """Make the length of math.hypot(x, y) the square root of x * x + y * y."""
+        """Replace math.hypot(x, y) by the square root of x * x + y * y."""
         self.generic_visit(node)
         if ast.unparse(node.func) != "math.hypot":
             return node
@@ -93,12 +93,12 @@ def _refuses(statement: ast.stmt) -> bool:
 
 
 def plain(source: str) -> str:
-    """Return a module that refuses nothing."""
+    """Return the source of a module without its refusals."""
     return ast.unparse(ast.fix_missing_locations(_Unguarded().visit(ast.parse(source))))
 
 
 def write_plain_engine(engine: Path) -> list[Path]:
-    """Write every module that students hand in, without refusals; return the whole engine."""
+    """Write every module that students hand in without refusals, and return the whole engine."""
     for chapter in load_chapters():
         folder = engine / chapter.name
         folder.mkdir(parents=True)

@@ -1,11 +1,13 @@
 """Run a chapter's checks on the reference with some bodies changed, in a twentieth of a second.
 
-To import an engine and to collect the checks takes ten times as long as to run those of one
-exercise. So a process does both once, and waits. For each change it forks, and gives the functions
-their new code: whatever has imported one of them then calls the new one.
+Importing an engine and collecting the checks takes ten times as long as running the checks of one
+exercise. So one process does both once and then waits. For each change it forks, and the copy
+replaces the code of the changed functions. Every module that has imported such a function then
+calls its new code.
 
-This file is also the process that waits: it reads a request a line. Where there is no fork, or the
-new code does not fit (it uses super() where the old one does not), the checks run the slow way.
+This file is also the program of the waiting process, which reads one request per line. The checks
+run in the ordinary, slow way if there is no fork, or if the new code does not fit (because it uses
+super() and the old code does not).
 """
 
 from __future__ import annotations
@@ -34,11 +36,11 @@ from autograder.checks.verdicts import Recorder, exercise_of, pytest_arguments, 
 from autograder.manifest import ROOT, Chapter
 from autograder.records import from_json, to_json
 
-_ready: dict[str, Ready] = {}  # by chapter and seed
+_ready: dict[str, Ready] = {}  # keyed by chapter and seed
 
 
 def ready(chapter: Chapter, seed: str = "1") -> Ready:
-    """Return what waits for a chapter, with its folder empty: one process for all tests of ours."""
+    """Return the waiting process of a chapter, with an empty folder. All tests here share it."""
     key = f"{chapter.name} {seed}"
     if key not in _ready:
         _ready[key] = Ready(chapter, seed)
@@ -47,7 +49,7 @@ def ready(chapter: Chapter, seed: str = "1") -> Ready:
 
 
 class Ready:
-    """A chapter's checks on the reference. What differs from it is written into a folder, top."""
+    """A chapter's checks on the reference. Changed modules are written into the folder ``top``."""
 
     def __init__(self, chapter: Chapter, seed: str) -> None:
         self.chapter = chapter
@@ -60,12 +62,12 @@ class Ready:
         self.process = self._start() if CAN_COPY else None
 
     def clear(self) -> None:
-        """Empty the folder of what differs."""
+        """Remove the changed modules from the folder."""
         for file in self.top.glob("*/*"):
             file.unlink()
 
     def run(self, edits: Collection[str], exercises: list[str]) -> list[Verdict]:
-        """Return the verdicts on these exercises, with the bodies ``edits`` as top has them."""
+        """Return the verdicts on these exercises. ``edits`` names the bodies that differ in top."""
         ran = Run(self._order(exercises))
         events = self.folder / "events.txt"
         events.unlink(missing_ok=True)
@@ -95,18 +97,18 @@ class Ready:
             encoding="utf-8",
         )
         atexit.register(process.stdin.close)  # it ends with its input
-        process.stdout.readline()  # it has imported the reference, and top may be filled
+        process.stdout.readline()  # it has imported the reference; top may now be filled
         return process
 
 
-class Waiting(Recorder):
-    """A recorder that waits when the checks are collected, and forks for each request."""
+class WaitingRecorder(Recorder):
+    """A recorder that waits after the checks are collected, and forks for each request."""
 
-    told: list[Event]
+    events: list[Event]
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
-        (checks,) = (event for event in self.told if isinstance(event, Checks))
+        (checks,) = (event for event in self.events if isinstance(event, Checks))
         os.write(ANSWERS, b"\n")
         for line in sys.stdin:
             copy = os.fork()
@@ -120,26 +122,26 @@ class Waiting(Recorder):
         os._exit(0)
 
     def _run(self, session: pytest.Session, checks: Checks, request: dict[str, Any]) -> None:
-        """Be a copy: change the bodies, run the checks, and tell what a runner expects."""
+        """In a copy, change the bodies, run the checks, and send the events for the runner."""
         wanted = request["exercises"]
         with Path(request["events"]).open("w", encoding="utf-8", buffering=1) as events:
-            self.tell = lambda event: events.write(write_event(event))
+            self.send = lambda event: events.write(write_event(event))
             for edit in request["edits"]:
                 change(self.engine.engine[0] / self.config.arranged.chapter, edit)
-            self.tell(Checks([check for check in checks.checks if check.exercise in wanted]))
+            self.send(Checks([check for check in checks.checks if check.exercise in wanted]))
             run_all([item for item in session.items if exercise_of(item) in wanted])
-            self.tell(Ended())
+            self.send(Ended())
 
 
 def change(folder: Path, edit: str) -> None:
-    """Give a function of a module that has been imported the code that a file has for it."""
+    """Replace the code of a function in an imported module by the code in a file."""
     module, *names = edit.split(".")
     file = folder / f"{module}.py"
     code = compile(file.read_bytes(), file, "exec", dont_inherit=True)
     setter = names[-1] == "setter"
     names = names[:-1] if setter else names
     new: CodeType = code
-    for name in names:  # of a property the last is what sets it
+    for name in names:  # the last function of a property's name is its setter
         found = [c for c in new.co_consts if isinstance(c, CodeType) and c.co_name == name]
         new = found[-1] if setter else found[0]
     *scope, name = names
@@ -149,21 +151,21 @@ def change(folder: Path, edit: str) -> None:
     old: Any = vars(owner)[name]
     if isinstance(old, property):
         old = old.fset if setter else old.fget
-    while not isinstance(old, FunctionType):  # a classmethod, or what a decorator has made
+    while not isinstance(old, FunctionType):  # a classmethod, or a decorated function
         old = old.__func__ if hasattr(old, "__func__") else old.__wrapped__
     old.__code__ = new
 
 
 def main() -> None:
-    """Collect the checks that a configuration names, and wait."""
+    """Collect the checks of a configuration, and wait for requests."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
-    told: list[Event] = []
-    recorder = Waiting(config, told.append)
-    recorder.told = told
+    events: list[Event] = []
+    recorder = WaitingRecorder(config, events.append)
+    recorder.events = events
     pytest.main(pytest_arguments(config), plugins=[recorder])
 
 
 if __name__ == "__main__":
     ANSWERS = os.dup(1)
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what the checks print is no answer
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # output of checks is not an answer
     main()

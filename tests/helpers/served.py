@@ -1,4 +1,4 @@
-"""A lab's server in a process of its own, for tests."""
+"""Run the server of the lab in a separate process, for tests."""
 
 from __future__ import annotations
 

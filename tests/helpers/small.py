@@ -76,7 +76,7 @@ def quadruple(x):
 
 
 def make_root(folder: Path) -> Path:
-    """Make the repository in a new folder, its reference included."""
+    """Make the repository in a new folder, including its reference."""
     for name, text in (
         ("chapters/ch90_small/chapter.toml", MANIFEST),
         ("solutions/ch90_small/small.py", RIGHT),
@@ -90,7 +90,7 @@ def make_root(folder: Path) -> Path:
 
 
 def make_students_root(folder: Path) -> Path:
-    """Make what a student has of it: the stub, the checks and the tools, and no reference."""
+    """Make the student's part of the repository: the stub, the checks and the tools."""
     make_root(folder)
     shutil.rmtree(folder / "solutions")
     (folder / "chapters/ch90_small/small.py").write_text(STUB, encoding="utf-8")

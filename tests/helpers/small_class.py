@@ -1,4 +1,4 @@
-"""A class of the small chapter, graded here, and what that leaves."""
+"""Grade a class of the small chapter in this process, and read its results."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ HALF = RIGHT.replace("4 * x", "3 * x")
 
 
 def make_class(folder: Path) -> Path:
-    """Make a class of three: one right, one half right, one in a zip with a folder around it."""
+    """Make a class of three: right, half right, and right in a zip with a folder around it."""
     hand_in(folder, "ann", RIGHT)
     hand_in(folder, "bob", HALF)
     with zipfile.ZipFile(folder / "cem.zip", "w") as zipped:

@@ -1,4 +1,4 @@
-"""Submissions to be staged, as folders and as zips, and what comes of them."""
+"""Make submissions as folders and zips, stage them, and describe the outcome."""
 
 from __future__ import annotations
 
@@ -22,41 +22,41 @@ EDITED = OF_CH02 + OF_CH03
 VECTOR, EXERCISES = "ch02_vectors/vector.py", "ch02_vectors/exercises.py"
 CODE = b"x = 1\n"
 HandIn = Callable[[dict[str, bytes]], Path]
-# The files taken, why others are not, and the notes.
+# The files that were taken, the reasons why others were not, and the notes.
 Outcome = tuple[dict[str, bytes], dict[str, str], list[str]]
 TAKEN: Outcome = ({VECTOR: CODE}, {}, [])
 NOTHING: Outcome = ({}, {}, [])
 LINKED: Outcome = ({}, dict.fromkeys(OF_CH02, "its folder is a symbolic link"), [])
 
 LINK = "it is a symbolic link"
-NO_FILE = "it is no regular file"
+NO_FILE = "it is not a regular file"
 FOLDER = "it is a folder"
 TOO_LARGE = "it is larger than 1,000,000 bytes"
 NO_UTF8 = "it is not UTF-8: save it as UTF-8 in your editor"
 DENIED = "Permission denied"
 UNSEARCHED = f"was not searched: {DENIED}"
-UNKNOWN = f"a folder of the submission cannot be read: {DENIED}"  # who knows what is in it
+UNKNOWN = f"a folder of the submission cannot be read: {DENIED}"  # its content is unknown
 GONE = "No such file or directory"
 UNUSUAL = "it is compressed in an unusual way: make an ordinary zip"
 SPOILT = "it is damaged in the zip: zip the folder again"
-DAMAGED = "the zip is damaged, or no ordinary zip: zip the folder again"
-CROWDED = "the zip has more than 5,000 files and folders in it"
+DAMAGED = "the zip is damaged, or not an ordinary zip: zip the folder again"
+CROWDED = "the zip contains more than 5,000 files and folders"
 
-posix = pytest.mark.skipif(os.name != "posix", reason="modes, pipes and such names are POSIX's")
+posix = pytest.mark.skipif(os.name != "posix", reason="only POSIX has modes, pipes and such names")
 
 
 def only(why: str) -> Outcome:
-    """Nothing was taken of a submission that has but one file."""
+    """Return the outcome for a submission whose only file was not taken."""
     return {}, {VECTOR: why}, []
 
 
 def refused(why: str) -> Outcome:
-    """The submission as a whole was not taken, which the instructor is told as well."""
+    """Return the outcome for a submission that was refused as a whole, with the note on it."""
     return {}, dict.fromkeys(EDITED, why), [f"nothing was taken: {why}"]
 
 
 def boxed(submission: Path, root: Path = ROOT) -> Outcome:
-    """Stage a submission into a new box, and see what becomes of it."""
+    """Stage a submission into a new box, and return the outcome."""
     box = Path(tempfile.mkdtemp(dir=submission.parent, prefix=".box-"))
     staged = stage(submission, CHAPTERS, box, root)
     files = {str(p.relative_to(box)): p.read_bytes() for p in box.rglob("*") if p.is_file()}
@@ -90,7 +90,7 @@ def make_zip(folder: Path, files: dict[str, bytes], method: int = zipfile.ZIP_DE
 def special_zip(
     folder: Path, name: str = VECTOR, mode: int = 0o100644, extra: bytes = b"", **fields: int
 ) -> Path:
-    """A zip with one stored file, of which fields in the directory are set to other values."""
+    """Make a zip with one stored file, and set fields of its directory to other values."""
     info = zipfile.ZipInfo(name)
     info.create_system, info.external_attr, info.extra = 3, mode << 16, extra
     with zipfile.ZipFile(folder / "ann.zip", "w") as file:
@@ -99,7 +99,7 @@ def special_zip(
 
 
 def set_fields(path: Path, **fields: int) -> Path:
-    """Set fields of a zip's directory to other values, in what it says of its last file."""
+    """Set fields of a zip's directory to other values, in the entry of its last file."""
     data = bytearray(path.read_bytes())
     short = {"version": 6, "flags": 8, "method": 10}
     long = {"crc": 16, "packed": 20, "size": 24, "offset": 42}

@@ -1,9 +1,10 @@
-"""Run a command of the studies or of the lab in a copy of a process that has matplotlib ready.
+"""Run a command of the studies or of the lab in a process that has already imported matplotlib.
 
-A new Python takes most of a second to import matplotlib, and the tests run dozens of such commands.
-Where there is no fork, as on Windows, each command has a process of its own after all.
+A new Python process takes most of a second to import matplotlib, and the tests run dozens of such
+commands. So one process imports it and forks for each command. Without fork, as on Windows, each
+command runs in a new process.
 
-This file is also what waits: it reads a request a line, and forks for each.
+This file is also the program of the waiting process, which reads one request per line.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ def study(
 ) -> subprocess.CompletedProcess:
     """Run `python -m` with the package and these arguments.
 
-    Settings replace constants of the module that plays scenes: {"STEPS_A_PICTURE": 6}.
+    ``settings`` replaces constants of the module that plays scenes, as in {"STEPS_A_PICTURE": 6}.
     """
     if not hasattr(os, "fork"):
         command = [sys.executable, "-m", package, *arguments]
@@ -47,7 +48,7 @@ def study(
 
 @cache
 def _waiting() -> subprocess.Popen[str]:
-    """Return the process that waits for requests, one for all tests of a process."""
+    """Return the process that waits for requests, which all tests of a process share."""
     waiting = subprocess.Popen(
         [sys.executable, __file__],
         cwd=ROOT,
@@ -61,7 +62,7 @@ def _waiting() -> subprocess.Popen[str]:
 
 
 def _wait() -> None:
-    """Import what takes long, and fork for each request; say how the copy ended."""
+    """Import the slow modules, fork for each request, and print the exit code of the copy."""
     sys.path[0] = str(ROOT)
     import lab.__main__
     import lab.play  # noqa: F401
@@ -76,7 +77,7 @@ def _wait() -> None:
 
 
 def _run(request: dict) -> int:
-    """Be the process of one command; return its exit status."""
+    """Run one command in this copy, and return its exit status."""
     for number, name in ((1, "out"), (2, "err")):
         os.dup2(os.open(request[name], os.O_WRONLY | os.O_CREAT), number)
     sys.argv = [request["package"], *request["arguments"]]

@@ -1,4 +1,4 @@
-"""A pseudo-terminal with watch in it, for the tests of what somebody sees there."""
+"""A pseudo-terminal that runs watch, for tests of what a student sees there."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from pathlib import Path
 
 import pytest
 
-fcntl = pytest.importorskip("fcntl", reason="no pseudo-terminals here")
+fcntl = pytest.importorskip("fcntl", reason="there are no pseudo-terminals here")
 pty = pytest.importorskip("pty")
 termios = pytest.importorskip("termios")
 
 HEIGHT, WIDTH = 24, 80
-CLEARED = "\f"  # stands for the clearing of the screen
-PATIENCE = 60.0  # seconds, on a machine with much else to do
+CLEARED = "\f"  # marks where the screen was cleared
+PATIENCE = 60.0  # seconds, enough for a busy machine
 KEYS = "q quit"  # the end of every screen
 
 
@@ -39,7 +39,7 @@ def command(root: Path) -> tuple[list[str], dict[str, str]]:
 
 
 class Terminal:
-    """A pseudo-terminal with watch in it."""
+    """A pseudo-terminal that runs watch."""
 
     def __init__(self, root: Path) -> None:
         self.ours, self.its = pty.openpty()
@@ -50,22 +50,22 @@ class Terminal:
             arguments, cwd=root, env=environment, stdin=self.its, stdout=self.its, stderr=self.its
         )
         self.output = b""
-        self.read = 0  # characters of the text that have been waited for
+        self.read = 0  # number of characters up to the last words that were waited for
 
     @property
     def text(self) -> str:
-        """All that was shown, without colors and the like."""
+        """All text that was shown, without colors and other escape sequences."""
         shown = self.output.decode("utf-8", errors="replace")
         shown = shown.replace("\x1b[2J", CLEARED).replace("\r\n", "\n")
         return re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "", shown)
 
     @property
     def screen(self) -> list[str]:
-        """What is to be seen now: the lines since the screen was last cleared."""
+        """The lines on the screen now, that is, since it was last cleared."""
         return self.text[self.text.rindex(CLEARED) + 1 :].splitlines()
 
     def wait_for(self, *words: str) -> None:
-        """Wait until the words have been shown, in this order, since the last that were."""
+        """Wait until the words are shown, in this order, after the words waited for before."""
         deadline = time.monotonic() + PATIENCE
         for word in words:
             while word not in self.text[self.read :]:

@@ -1,4 +1,4 @@
-"""The walls that stand on this machine, found out once."""
+"""Find the sandbox of this machine once for all tests."""
 
 from __future__ import annotations
 
@@ -10,5 +10,5 @@ from autograder.isolation.probe import best_level
 
 @cache
 def behind_walls() -> Behind:
-    """Return what runs a student's code in workers, at the best level there is here."""
+    """Return settings that run a student's code in workers, in the best sandbox of this machine."""
     return Behind(vars(best_level()))

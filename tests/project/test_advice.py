@@ -1,6 +1,6 @@
-"""Advice can be followed: each file, function and name that a student is sent to is there.
+"""Advice can be followed: every file, function and name that it mentions exists.
 
-Advice is what checks say, the hints, and the docstrings of what students write.
+Advice is the text of checks, the hints, and the docstrings of the functions that students write.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from autograder.student.places import next_place
 CHAPTERS = load_chapters()
 FILE = re.compile(r"\b[a-z]\w*\.(?:py|md|csv|toml)\b")
 OF_A_FILE = re.compile(r"((?:\w+(?:, | and ))*\w+) (?:of|from) (\w+\.py)")
-PROSE = {"functions", "lines", "line", "head", "top", "rest"}  # of a file, and no names in it
+PROSE = {"functions", "lines", "line", "head", "top", "rest"}  # words about a file, not names in it
 LIBRARY = re.compile(r"\b(math|random|itertools|functools|statistics|copy)\.([a-z]\w*)")
-# A name of two words or more; what begins with one letter, such as v_s, is a formula's.
+# A name of two words or more. A name that begins with one letter, such as v_s, is from a formula.
 NAME = re.compile(r"(?<![\w.\"'{/-])_?[a-z]{2,}_[a-z_0-9]+\b(?!\.(?:py|csv|md))")
 FOR_ALL_CHAPTERS = ("tests/shared/expect.py", "autograder/checks/explain.py")
 ROOT_FILES = {*STUDENT_TOOLS["."].split(), "README.md", "errata.md"}
 
 
 def texts(tree: ast.Module, *, docstrings: bool) -> Iterator[str]:
-    """The texts of a file: its docstrings, or all others."""
+    """Yield the texts of a file: its docstrings, or all others."""
     kinds = (ast.Module, ast.ClassDef, ast.FunctionDef)
     owners = [node for node in ast.walk(tree) if isinstance(node, kinds)]
     documented = {
@@ -53,7 +53,7 @@ def texts(tree: ast.Module, *, docstrings: bool) -> Iterator[str]:
 
 @cache
 def stub(chapter: str, file: str) -> ast.Module:
-    """What a student's file says: the reference's, without the bodies that students write."""
+    """Return a student's file: the reference, without the bodies that students write."""
     tree = parsed(f"solutions/{chapter}/{file}")
     (manifest,) = [each for each in CHAPTERS if each.name == chapter]
     edited = {name for exercise in manifest.exercises for name in exercise.edit}
@@ -68,15 +68,15 @@ def parsed(path: str) -> ast.Module:
 
 
 def advice(chapter: Chapter) -> list[str]:
-    """All that a student of a chapter is told."""
-    told = [hint for exercise in chapter.exercises for hint in exercise.hints]
+    """Return all advice for the students of a chapter."""
+    given = [hint for exercise in chapter.exercises for hint in exercise.hints]
     for file in sorted((ROOT / "tests" / chapter.name).glob("test_*.py")):
-        told += texts(parsed(str(file.relative_to(ROOT))), docstrings=False)
+        given += texts(parsed(str(file.relative_to(ROOT))), docstrings=False)
     for path in FOR_ALL_CHAPTERS:
-        told += texts(parsed(path), docstrings=False)
+        given += texts(parsed(path), docstrings=False)
     for file in chapter.edited_files:
-        told += texts(stub(chapter.name, file), docstrings=True)
-    return [text for text in told if " " in text]
+        given += texts(stub(chapter.name, file), docstrings=True)
+    return [text for text in given if " " in text]
 
 
 def below(chapter: Chapter) -> list[Chapter]:
@@ -84,7 +84,7 @@ def below(chapter: Chapter) -> list[Chapter]:
 
 
 def names_in(tree: ast.AST) -> set[str]:
-    """Each name that a file uses or defines, and each single word among its texts."""
+    """Return every name that a file uses or defines, and every string in it."""
     found: set[str] = set()
     for node in ast.walk(tree):
         for key in ("id", "name", "arg", "attr", "value"):
@@ -94,7 +94,7 @@ def names_in(tree: ast.AST) -> set[str]:
 
 
 def file_named(chapter: Chapter, name: str) -> str | None:
-    """The path of a module that a student of the chapter has, of this chapter or one below."""
+    """Return the path of a module of this chapter, or of an earlier one, that a student has."""
     for other in reversed(below(chapter)):
         if name in other.edited_files:
             return f"solutions/{other.name}/{name}"
@@ -115,7 +115,7 @@ def test_each_file_that_is_named_is_there_for_students(chapter: Chapter) -> None
 
 
 def functions_of_files(chapter: Chapter) -> set[tuple[str, str]]:
-    """The file and the name of each function that advice names as one of a file."""
+    """Return the file and the name of each function that advice attributes to a file."""
     return {
         (file, name)
         for text in advice(chapter)
@@ -145,8 +145,8 @@ def test_each_name_of_several_words_is_one_that_students_see(chapter: Chapter) -
         for file in other.complete:
             if file.endswith(".py"):
                 known |= names_in(parsed(f"chapters/{other.name}/{file}"))
-    told = {(name, text) for text in advice(chapter) for name in NAME.findall(text)}
-    assert {(name, text) for name, text in told if name not in known} == set()
+    named = {(name, text) for text in advice(chapter) for name in NAME.findall(text)}
+    assert {(name, text) for name, text in named if name not in known} == set()
 
 
 IMPORT_EACH = """
@@ -159,7 +159,7 @@ for module in sys.argv[1:]:
 
 
 def test_what_is_advised_can_be_imported_in_every_file_that_students_edit(tmp_path: Path) -> None:
-    """Really done: the import is put at the top of each of the reference's modules."""
+    """Each module of the reference is imported with the advised imports at its top."""
     advised = {
         (path, name)
         for chapter in CHAPTERS
@@ -189,7 +189,7 @@ def test_what_is_advised_can_be_imported_in_every_file_that_students_edit(tmp_pa
 
 @pytest.fixture
 def second() -> tuple[Chapter, Exercise]:
-    """The first exercise of chapter 2."""
+    """Return chapter 2 and its first exercise."""
     return CHAPTERS[0], CHAPTERS[0].exercises[0]
 
 
@@ -206,7 +206,7 @@ def test_nobody_is_sent_to_a_file_that_is_not_to_be_edited(
 
 
 def test_a_complete_module_that_an_edit_breaks_leads_to_the_students_line() -> None:
-    """A contact lost its name: joints.py cannot import it, and bridge.py imports joints.py."""
+    """The name of Contact was lost: joints.py cannot import it, and bridge.py imports joints.py."""
     frames = [
         Place("ch08_mass_aggregate/bridge.py", 13, "<module>"),
         Place("ch08_mass_aggregate/joints.py", 9, "<module>"),
@@ -215,7 +215,7 @@ def test_a_complete_module_that_an_edit_breaks_leads_to_the_students_line() -> N
     fault = Fault("ImportError", text, frames)
     engine = [ROOT / "solutions", ROOT / "chapters"]
     complete = ["ch08_mass_aggregate/joints.py"]
-    told = explain_import(fault, "ch08_mass_aggregate.bridge", engine, complete)
-    assert text in told.title
-    assert told.where is not None
-    assert (told.where.file, told.where.line) == ("ch08_mass_aggregate/bridge.py", 13)
+    message = explain_import(fault, "ch08_mass_aggregate.bridge", engine, complete)
+    assert text in message.title
+    assert message.where is not None
+    assert (message.where.file, message.where.line) == ("ch08_mass_aggregate/bridge.py", 13)

@@ -1,4 +1,4 @@
-"""`make test CH=6` runs what is about chapter 6, and nothing that is about another one."""
+"""`make test CH=6` runs the tests that are about chapter 6, and no others."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ REFERENCE = sorted((ROOT / "tests/reference").glob("test_*.py"))
 
 
 def item(file: str, **parameters: object) -> SimpleNamespace:
-    """Return what the plugin reads of a test."""
+    """Return the part of a pytest item that the plugin reads."""
     return SimpleNamespace(path=ROOT / "tests" / file, callspec=SimpleNamespace(params=parameters))
 
 
@@ -23,10 +23,10 @@ def item(file: str, **parameters: object) -> SimpleNamespace:
     ("file", "parameters", "chapters"),
     [
         ("ch06_springs/test_steps.py", {}, {6}),
-        ("reference/test_links.py", {}, {7}),  # it imports 2, 5 and 6 as well
+        ("reference/test_links.py", {}, {7}),  # it also imports chapters 2, 5 and 6
         ("reference/test_links.py", {"count": 3, "name": "ch06"}, {7}),
-        ("studies/test_limits.py", {}, {6}),  # by what it imports of the studies
-        ("studies/test_plot_rotations.py", {}, {9}),  # by the names in its text
+        ("studies/test_limits.py", {}, {6}),  # because of the studies that it imports
+        ("studies/test_plot_rotations.py", {}, {9}),  # because of the names in its text
         ("studies/test_plot.py", {"name": "ch02_vectors/addition"}, {2}),
         ("project/test_proofs.py", {"chapter": CHAPTERS[2]}, {4}),
         ("project/test_structure.py", {"path": ROOT / "solutions/ch05_forces/forces.py"}, {5}),

@@ -1,4 +1,4 @@
-"""CONTRIBUTING.md has every folder on its map, and its list is all that an exercise takes."""
+"""The map in CONTRIBUTING.md has every folder, and its list of texts suffices for an exercise."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ TURN = """
 make check EX=G2.1
 ```
 """
-TEXTS = {  # what is written by hand, by the file that the page names
+TEXTS = {  # the texts that are written by hand, keyed by the file that the page names
     "solutions/chNN_name/module.py": SOLUTION,
     "sample_class/ada/chNN_name/module.py": SECOND,
     "chapters/chNN_name/chapter.toml": ENTRY,
@@ -102,7 +102,7 @@ TEXTS = {  # what is written by hand, by the file that the page names
     "tests/chNN_name/wrong.toml": WRONG,
     "chapters/chNN_name/README.md": TURN,
 }
-# What must hold of the exercise, and of what is generated, among the tests of the project.
+# The tests of the project that the exercise and the generated files must pass.
 PROOFS = (
     "test_structure.py::test_every_exercise_has_checks_hints_and_a_docstring_or_a_question[ch02_vectors]",
     "../lessons/test_lessons.py::test_each_exercise_has_its_turn_a_command_and_a_time[ch02_vectors]",
@@ -138,7 +138,7 @@ def test_it_is_one_page() -> None:
 
 @pytest.fixture(scope="module")
 def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of the repository, with chapter 2 alone, and an exercise added by hand."""
+    """Return a copy of the repository with only chapter 2, and an exercise added by hand."""
     root = tmp_path_factory.mktemp("contributing") / "companion"
     others = [chapter.name for chapter in load_chapters()[1:]]
     unneeded = shutil.ignore_patterns(".?*", "build", "__pycache__", "hostile", *others)
@@ -154,7 +154,7 @@ def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(root: Path, *command: str) -> str:
-    """Return what a command in the copy prints. It must succeed."""
+    """Return the output of a command in the copy. The command must succeed."""
     done = subprocess.run(command, cwd=root, capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
@@ -162,14 +162,14 @@ def run(root: Path, *command: str) -> str:
 
 @pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
 def test_an_exercise_takes_what_the_page_lists_and_no_more(root: Path) -> None:
-    """The commands of the page are run, except those that take minutes: make only plans these."""
+    """Run the commands of the page. Make only plans those that take minutes."""
     screens = {}
     for command in dict.fromkeys(COMMANDS):
         _, name, *variables = command.split()
         plan = ["--dry-run"] if name in ("test", "mutants", "seeds") else []
         screens[name] = run(root, "make", "--old-file=.venv/ready", *plan, name, *variables)
     assert screens.keys() == {"update", "check", "test", "mutants", "seeds"}
-    assert "made chapters/ch02_vectors/exercises.py\n" in screens["update"]
+    assert "generated chapters/ch02_vectors/exercises.py\n" in screens["update"]
     total = points_of(load_chapters()[0]) + POINTS
     assert f"] {total} of {total} points" in screens["check"]
     pages = {

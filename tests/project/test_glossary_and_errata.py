@@ -1,4 +1,4 @@
-"""Glossary and errata are complete, in order, and lead to code and tests that are there."""
+"""Glossary and errata are complete and in order, and refer to existing code and tests."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ import pytest
 from autograder.manifest import ROOT, Chapter, load_chapters
 
 CHAPTERS = load_chapters()
-DOUBTFUL = [10, 18, 25]  # our scan may have lost a mark: advice, and no blame
+DOUBTFUL = [10, 18, 25]  # the scan may have lost a mark, so these are only advice
 SECTION = r"(?:chapter [2-9]|[2-9](?:\.\d+){1,2}|Eq\. [2-9]\.\d+|(?:exercise|project) [2-9]\.\d+)"
-# term, its other names, explanation with symbol and unit, place in the book or none, in the code
+# term, its other names, explanation with symbol and unit, place in the book (or none) and in code
 ENTRY = re.compile(
     r"\*\*(.+?)\*\*(?: \(([^)]+)\))?: ([A-Z\"].+?) "
     rf"Book: (none known|{SECTION}(?:, {SECTION})*(?:, [^.]+)?)\. Code: (`.+)\."
@@ -57,7 +57,7 @@ def test_an_entry_has_an_explanation_a_place_in_the_book_and_one_in_the_code(ent
 
 
 def source(chapter: int, module: str) -> Path:
-    """Return a chapter's module: the reference's, or the one that is complete in chapters/."""
+    """Return a chapter's module, from the reference or from the complete ones in chapters/."""
     found = [
         path
         for folder in ("solutions", "chapters")
@@ -69,7 +69,7 @@ def source(chapter: int, module: str) -> Path:
 
 @cache
 def defined(file: Path) -> set[str]:
-    """Return the functions and classes of a module, and Class.name for methods and attributes."""
+    """Return the functions and classes of a module, and methods and attributes as Class.name."""
     names = set()
     for node in ast.parse(file.read_text(encoding="utf-8")).body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
@@ -93,7 +93,7 @@ def test_the_glossary_has_every_term_of_the_manifests_once_and_in_order() -> Non
 
 
 def test_the_glossary_has_no_term_that_nobody_uses() -> None:
-    """Each term is in the text of a chapter, or explains another entry."""
+    """Each term appears in a chapter, or in the explanation of another term."""
     files = [
         path
         for folder in ("chapters", "solutions")
@@ -119,7 +119,7 @@ def test_a_chapter_links_to_the_glossary_and_to_the_errata(chapter: Chapter) -> 
     assert {"../../glossary.md", "../../errata.md", "README.md"} <= {*reference}
 
 
-# number, section, evidence, what is printed (or what we see), what is right, difference, tests
+# number, section, evidence, printed text (or the text of our copy), correct text, difference, tests
 ERRATUM = re.compile(
     r"### (E-\d+) \*\*.+?\.\*\* "
     rf"Section: ({SECTION}(?:, {SECTION})*)\. "
@@ -131,7 +131,7 @@ ERRATUM = re.compile(
 
 
 def errata() -> list[tuple[str, str]]:
-    """Return each entry as one line, and the title of the part of the page it is in."""
+    """Return each entry on one line, with the title of its part of the page."""
     text = (ROOT / "errata.md").read_text(encoding="utf-8")
     parts = [part.partition("\n") for part in re.split(r"(?m)^## ", text)]
     return [
@@ -171,7 +171,7 @@ def test_an_erratum_has_evidence_both_forms_what_tells_them_apart_and_its_tests(
     assert {*kinds} <= {"listing", "text", "number", "formula", "doubtful"}
     assert ("doubtful" in kinds) is not certain
     assert kinds != ["formula"], "small marks of a formula may be lost in a scan"
-    assert re.search(r"\d", difference) or number == "E-35", "a number tells them apart"
+    assert re.search(r"\d", difference) or number == "E-35", "a number shows the difference"
     named = f"test_{number.lower().replace('-', '')}"
     linked = re.findall(r"\[(\w+)\]\(([^)]+)\)", shown or "")
     there = {
@@ -181,7 +181,7 @@ def test_an_erratum_has_evidence_both_forms_what_tells_them_apart_and_its_tests(
     }
     assert {path for _, path in linked} == there, "each test that shows it is linked"
     assert {name for name, _ in linked} == ({named} if there else set())
-    assert there or number == "E-35", "all but a promise can run"
+    assert there or number == "E-35", "every erratum but E-35 has a test"
 
 
 def test_the_index_by_chapter_has_each_erratum_once_under_its_chapter() -> None:
@@ -194,11 +194,11 @@ def test_the_index_by_chapter_has_each_erratum_once_under_its_chapter() -> None:
 
 
 def test_each_reference_names_the_errata_of_its_chapter() -> None:
-    """The doubtful ones need not be named: they are advice, and may be no mistakes at all."""
+    """Doubtful errata need not be named: they are advice, and may not be mistakes at all."""
     for chapter in CHAPTERS:
         page = (ROOT / "chapters" / chapter.name / "reference.md").read_text(encoding="utf-8")
-        told = page.partition("## Where the printed book is wrong")[2]
+        listed = page.partition("## Where the printed book is wrong")[2]
         first = rf"[^\d]*{chapter.number}\."  # of the section
         certain = [number_and_section(e) for e, part in errata() if part == "The entries"]
         own = {number for number, section in certain if re.match(first, section)}
-        assert own <= set(re.findall(r"E-\d+", told)), chapter.name
+        assert own <= set(re.findall(r"E-\d+", listed)), chapter.name

@@ -1,4 +1,4 @@
-"""A hand-out has what students need, works on its own, and holds no solution."""
+"""A hand-out has what students need, works on its own, and contains no solution."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_twice():
 
 
 def check(handout: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run the student's check inside a hand-out, with nothing of this repository on the path."""
+    """Run the student's check in a hand-out, without this repository on the import path."""
     command = [sys.executable, "-P", "-m", "autograder", "check", *arguments]
     environment = {"PYTHONPATH": ".", "PYTHONUTF8": "1", "SYSTEMROOT": "C:\\Windows"}
     return subprocess.run(
@@ -91,7 +91,7 @@ def test_the_stubs_are_made_anew_and_no_solution_goes_along(tmp_path: Path) -> N
     for path, text in made_stubs().items():
         if CH02.name in path:
             assert (out / path).read_text(encoding="utf-8") == text
-            if path.endswith(".py"):  # make reset takes it from there
+            if path.endswith(".py"):  # make reset copies it from there
                 kept = out / path.replace("chapters", "stubs", 1)
                 assert kept.read_text(encoding="utf-8") == text
     assert "](tests/" not in (out / "errata.md").read_text(encoding="utf-8")
@@ -116,7 +116,7 @@ def test_the_links_and_pictures_of_the_readmes_are_there(tmp_path: Path) -> None
 
 
 def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> None:
-    """A later chapter is handed out on top of chapter 2, which is given."""
+    """A later chapter is handed out together with chapter 2, which is given."""
     root = tmp_path / "root"
     for folder in ("chapters", "solutions", "tests", "autograder", "studies"):
         copy_tree(ROOT / folder, root / folder)
@@ -167,6 +167,6 @@ def test_a_folder_with_something_in_it_and_a_chapter_named_twice_are_refused(
     (tmp_path / "notes.txt").write_text("mine", encoding="utf-8")
     with pytest.raises(ValueError, match="is not empty"):
         make_handout([CH02], [], tmp_path)
-    with pytest.raises(ValueError, match="cannot be both"):
+    with pytest.raises(ValueError, match="both as stubs and as given"):
         make_handout([CH02], [CH02], tmp_path / "out")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["notes.txt"]

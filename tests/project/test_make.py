@@ -1,4 +1,4 @@
-"""make puts students first, refuses variables that it does not know, and fails only for trouble."""
+"""make lists students' commands first, refuses unknown variables, and fails only for trouble."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ pytestmark = pytest.mark.skipif(shutil.which("make") is None, reason="there is n
 
 
 def make(*arguments: str, folder: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    """Run make, which takes .venv as it is."""
+    """Run make without setting up .venv."""
     command = ["make", "--no-print-directory", "--old-file=.venv/ready", *arguments]
     return subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False)
 
@@ -112,7 +112,7 @@ def test_the_tests_of_the_companion_say_what_they_are_and_how_long_they_take() -
 
 @pytest.fixture
 def engine(tmp_path: Path) -> Path:
-    """The reference's chapter 2, in which one body is not written."""
+    """Return the reference's chapter 2, with one body not written yet."""
     copy_tree(ROOT / "solutions/ch02_vectors", tmp_path / "ch02_vectors")
     vector = tmp_path / "ch02_vectors/vector.py"
     source = vector.read_text(encoding="utf-8")

@@ -1,6 +1,6 @@
-"""Three proofs a chapter: right answers earn all, stubs none, wrong ones lose exactly theirs.
+"""Three proofs per chapter: right answers earn everything, stubs nothing, wrong ones lose theirs.
 
-Both ways: beside the checks, as students run them, and in workers, as a class is graded.
+All are run in both ways: beside the checks, as students run them, and in workers, as in grading.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ EXERCISES = [(chapter, e.id) for chapter in CHAPTERS for e in chapter.exercises 
 
 
 def depth_of(chapter: Chapter, exercise: str) -> int:
-    """Return how many exercises build on one another up to this one, without it."""
+    """Return the length of the longest chain of exercises that this one builds on."""
     (needs,) = (e.needs for e in chapter.exercises if e.id == exercise)
     return 1 + max((depth_of(chapter, need) for need in needs), default=-1)
 
@@ -49,7 +49,7 @@ def by_name(value: object) -> str | None:
 
 
 def engine_with(top: Path) -> list[Path]:
-    """Return an engine of a folder over the reference."""
+    """Return an engine with a folder on top of the reference."""
     return [top, ROOT / "solutions", ROOT / "chapters"]
 
 
@@ -60,7 +60,7 @@ def behind(request: pytest.FixtureRequest) -> Behind | None:
 
 @pytest.fixture(params=[*SEEDS, "in workers"])
 def seed_and_behind(request: pytest.FixtureRequest) -> tuple[str, Behind | None]:
-    """Every seed beside the checks, and one in workers."""
+    """Return each seed for a run beside the checks, and one seed for a run in workers."""
     if request.param == "in workers":
         return SEEDS[-1], behind_walls()
     return request.param, None
@@ -114,7 +114,7 @@ def test_the_stubs_earn_nothing(chapter: Chapter, behind: Behind | None, tmp_pat
 def test_doing_nothing_and_refusing_everything_earn_nothing(
     chapter: Chapter, body: str | None, tmp_path: Path
 ) -> None:
-    """Every body is the same line; without one, the modules are empty."""
+    """Every body is the same line or, if ``body`` is None, the modules are empty."""
     write_all(chapter, body, tmp_path)
     verdicts = run_checks(chapter, engine_with(tmp_path), seed=SEED)
     assert [verdict.name for verdict in verdicts if verdict.status == "passed"] == []
@@ -122,7 +122,7 @@ def test_doing_nothing_and_refusing_everything_earn_nothing(
 
 @pytest.mark.parametrize(("chapter", "exercise"), EXERCISES, ids=[e for _, e in EXERCISES])
 def test_an_exercise_needs_no_other_than_it_says(chapter: Chapter, exercise: str) -> None:
-    """With all other bodies unwritten, its checks pass."""
+    """Its checks pass while all bodies that it does not need are unwritten."""
     needed = with_needs(chapter, [exercise])
     waiting = ready(chapter)
     write_all(chapter, "raise NotImplementedError('no')", waiting.top, but=needed)
@@ -136,9 +136,9 @@ def test_an_exercise_needs_no_other_than_it_says(chapter: Chapter, exercise: str
 def test_a_wrong_submission_is_caught(
     chapter: Chapter, wrong: Wrong, pytestconfig: pytest.Config
 ) -> None:
-    """It can make no other checks fail than those of its exercise and of what builds on that:
+    """Only the checks of its exercise run: others fail only if they build on that exercise.
 
-    test_an_exercise_needs_no_other_than_it_says.
+    test_an_exercise_needs_no_other_than_it_says shows this.
     """
     waiting = ready(chapter, pytestconfig.getoption("seed"))
     write_wrong(chapter, [wrong], waiting.top)
@@ -162,9 +162,9 @@ def test_a_wrong_submission_is_caught(
     ("chapter", "depth"), LEVELS, ids=[f"{chapter.name}, {depth}" for chapter, depth in LEVELS]
 )
 def test_a_wrong_submission_is_told_the_same_both_ways(chapter: Chapter, depth: int) -> None:
-    """The first wrong submission of each exercise: every verdict and every word of its checks.
+    """The first wrong submission of each exercise gives the same verdicts and messages both ways.
 
-    All exercises that as many build the way to are wrong at once; what they need is right.
+    All exercises of the same depth are wrong at once. The exercises that they need are right.
     """
     ids = [e.id for e in chapter.exercises if e.edit and depth_of(chapter, e.id) == depth]
     wrongs = [w for w in read_wrong(chapter) if exercise_of(chapter, w).id in ids]

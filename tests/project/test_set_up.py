@@ -1,4 +1,4 @@
-"""Setting up says in one sentence what is missing, and installs what is pinned."""
+"""Setting up reports in one sentence what is missing, and installs the pinned packages."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from autograder.manifest import ROOT
 
 def test_a_python_that_is_too_old_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "version_info", (3, 10, 4))
-    with pytest.raises(SystemExit, match=r"is Python 3\.10, .* needs 3\.11 or newer; install one"):
+    with pytest.raises(SystemExit, match=r"is Python 3\.10, .* needs 3\.11 or newer\. Install one"):
         make_venv.check_python()
 
 
@@ -26,7 +26,7 @@ def test_a_missing_venv_module_is_named_with_the_package_to_install(
     module: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, module, None)
-    with pytest.raises(SystemExit, match=r"has no venv module; install it .*apt install python3"):
+    with pytest.raises(SystemExit, match=r"has no venv module\. Install it .*apt install python3"):
         make_venv.check_python()
 
 
@@ -35,12 +35,15 @@ def test_a_missing_venv_module_is_named_with_the_package_to_install(
     [
         (
             "WARNING: Retrying (Retry(total=0)) after connection broken by 'NewConnectionError'",
-            r"\(PyPI\) cannot be reached; check the network",
+            r"\(PyPI\) cannot be reached\. Check the network",
         ),
         ("[Errno -3] Temporary failure in name resolution", "cannot be reached"),
-        ("ERROR: No matching distribution found for numpy==9", "its last words:\n.*numpy==9"),
-        ("ResolutionImpossible", "its last words"),
-        ("Looking in indexes: http://proxy.here\nERROR: hashes do not match", "its last words"),
+        ("ERROR: No matching distribution found for numpy==9", "Its output ends with:\n.*numpy==9"),
+        ("ResolutionImpossible", "Its output ends with"),
+        (
+            "Looking in indexes: http://proxy.here\nERROR: hashes do not match",
+            "Its output ends with",
+        ),
     ],
 )
 def test_what_pip_could_not_do_is_said_and_nothing_counts_as_ready(
@@ -68,7 +71,7 @@ EXTRAS = [each for extra in PROJECT["optional-dependencies"].values() for each i
 
 
 def pins(lock: str) -> dict[str, str]:
-    """Return what a lock has of each package, by name==version."""
+    """Return the entries of a lock, keyed by name==version."""
     text = (ROOT / lock).read_text(encoding="utf-8")
     return {entry.split()[0]: entry for entry in re.split(r"(?m)^(?=[a-z])", text)[1:]}
 
@@ -84,11 +87,11 @@ def test_a_lock_pins_what_the_project_asks_for_with_hashes(lock: str, wanted: li
     for entry in pins(lock).values():
         assert re.match(r"[a-z0-9-]+==\S+ ", entry)
         assert "--hash=sha256:" in entry
-        assert "://" not in entry, "the lock names packages, not where they come from"
+        assert "://" not in entry, "the lock names packages, not their addresses"
 
 
 def test_no_package_is_pinned_twice() -> None:
-    """Except within one lock, where two Pythons need two versions of it."""
+    """Within one lock, two Pythons may still need two versions of a package."""
     students, extras = (
         {pin.partition("==")[0] for pin in pins(lock)}
         for lock in ("requirements.lock", "extras.lock")

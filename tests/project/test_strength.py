@@ -1,4 +1,4 @@
-"""The checks are as strong as tests/README.md says, and what measures them does so rightly."""
+"""The checks are as strong as tests/README.md says, and the measurements are correct."""
 
 from __future__ import annotations
 
@@ -56,14 +56,14 @@ def test_a_survivor_is_a_line_of_the_reference_and_has_a_reason(chapter: Chapter
 
 @pytest.fixture
 def strength(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let the modules of tests/strength be imported."""
+    """Let tests import the modules of tests/strength."""
     monkeypatch.setattr(sys, "path", [str(ROOT / "tests/strength"), *sys.path])
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
 @pytest.mark.usefixtures("strength")
 def test_make_table_would_write_the_row_that_is_there(chapter: Chapter) -> None:
-    """Of what this copy has: in a fresh one it changes nothing."""
+    """In a fresh copy, make table changes nothing."""
     import table
     from pages import between
 
@@ -96,7 +96,7 @@ def test_the_checks_of_a_chapter_are_strong_and_fair_enough(chapter: Chapter) ->
 
 
 def test_what_is_measured_is_committed() -> None:
-    """What a fresh copy lacks, make table there would erase."""
+    """Otherwise make table in a fresh copy would erase the figures."""
     ignored = ("git", "check-ignore", "tests/strength/figures.json", str(bench_figures.FILE))
     assert subprocess.run(ignored, cwd=ROOT, check=False).returncode != 0
 
@@ -126,7 +126,7 @@ def test_a_figure_that_was_never_measured_is_a_dash(monkeypatch: pytest.MonkeyPa
 def test_no_table_is_written_while_the_second_solution_loses_a_point(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """It lacks a body that is new, say, or the machine is too busy to check it in time."""
+    """It may lack a new body, or the machine may be too busy to check it in time."""
     import sample
     import table
 

@@ -1,4 +1,4 @@
-"""Manifests, checks, imports and README fit together."""
+"""Manifests, checks, imports and READMEs are consistent with each other."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ BELOW = {  # the chapters that a chapter's modules may import
 
 def python_files(*folders: str) -> list[Path]:
     files = [path for folder in folders for path in sorted((ROOT / folder).rglob("*.py"))]
-    return [file for file in files if "hostile" not in file.parts]  # those keep no rules
+    return [file for file in files if "hostile" not in file.parts]  # hostile files follow no rules
 
 
 SHARED = [path.stem for path in python_files("tests/shared")]
@@ -57,13 +57,13 @@ def test_a_chapter_imports_only_chapters_below_it(path: Path) -> None:
     number = int(path.parent.name[2:4])
     assert chapter_numbers(imported(path)) <= BELOW[number] | {number}
     engine = {name for name in imported(path) if not re.match(r"ch\d\d_", name)}
-    assert engine <= set(sys.stdlib_module_names), "the engine is the standard library alone"
+    assert engine <= set(sys.stdlib_module_names), "an engine imports only the standard library"
 
 
 @pytest.mark.parametrize("path", python_files("tests"), ids=str)
 def test_a_chapters_checks_import_no_later_chapter_and_nothing_heavy(path: Path) -> None:
     if match := re.match(r"ch(\d\d)_", path.parent.name):
-        assert imported(path).isdisjoint(HELPERS), "they stay here when the checks go out"
+        assert imported(path).isdisjoint(HELPERS), "hand-outs have the checks but not the helpers"
         assert chapter_numbers(imported(path)) <= BELOW[int(match[1])] | {int(match[1])}
         assert imported(path).isdisjoint({"hypothesis", "scipy", "pymunk", "numpy", "autograder"})
 
@@ -111,7 +111,7 @@ def test_every_exercise_has_checks_hints_and_a_docstring_or_a_question(chapter: 
         else:
             assert exercise.edit
     checked = {exercise.id for exercise in chapter.exercises if exercise.kind != "written"}
-    assert marked == checked, "each exercise has a check, but for the written ones"
+    assert marked == checked, "each exercise has a check, except the written ones"
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
@@ -127,7 +127,7 @@ def test_every_chapter_has_what_its_end_shows(chapter: Chapter) -> None:
 
 
 def names_in(module: str, listed: str) -> list[str]:
-    """Return the names of what a module lists, such as PLOTS; none without the module."""
+    """Return the names of the items that a module lists, such as PLOTS; [] without the module."""
     if importlib.util.find_spec(module) is None:
         return []
     found = getattr(importlib.import_module(module), listed)
@@ -167,14 +167,14 @@ def test_links_between_pages_lead_somewhere(path: Path) -> None:
         (('kind = "build"', 'kind = "game"'), "kind must be one of"),
         (("stars = 1", "stars = 4"), "stars must be 1, 2 or 3"),
         (("points = 2", "points = 0"), "points must be a positive whole number"),
-        (('id = "B2.2"', 'id = "B2.1"'), "exercise B2.1 stands twice"),
-        (("needs = []", 'needs = ["2.7"]'), "B2.1 needs 2.7, which is not above it"),
+        (('id = "B2.2"', 'id = "B2.1"'), "exercise B2.1 is listed twice"),
+        (("needs = []", 'needs = ["2.7"]'), "B2.1 needs 2.7, which does not precede it"),
         (("needs = []", "need = []"), "unknown key 'need'"),
         (('title = "Length"\n', ""), "'title' is missing"),
         (("[[exercise]]", "[[exercise"), "chapter.toml"),
         (('title = "Vectors"\n', ""), "'title' is missing"),
         (("picture = ", "pictures = "), "unknown key 'pictures'"),
-        (('picture = "cross_product"', "picture = 3"), "picture must be a text, got 3"),
+        (('picture = "cross_product"', "picture = 3"), "picture must be a string, got 3"),
         (("you_can = [", "you_can = [2, "), "you_can must be a list of sentences, got [2, "),
         (
             ("needs = []", "needs = []\nplay = 'throw'"),

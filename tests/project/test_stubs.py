@@ -1,4 +1,4 @@
-"""The stubs are what solutions/ makes, hold no answer, and never overwrite anybody's work."""
+"""The stubs match solutions/, contain no answers, and never overwrite anybody's work."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ from typing import Protocol
 
 LIMIT = 3.0
 SIDES = 4.0
-# What the answer starts from.
+# A constant that only the answer uses.
 _SECRET = 4.0
 
 
@@ -69,7 +69,7 @@ def throw() -> str:
 
 
 class Solid(Protocol):
-    """What the answer alone asks for, as a name of two."""
+    """Has a method whose name appears twice, and which only the answer calls."""
 
     def weight(self) -> float:
         """Return the weight."""
@@ -158,7 +158,7 @@ def throw() -> str:
 
 
 class Solid(Protocol):
-    """What the answer alone asks for, as a name of two."""
+    """Has a method whose name appears twice, and which only the answer calls."""
 
     def weight(self) -> float:
         """Return the weight."""
@@ -180,7 +180,7 @@ def test_a_name_that_the_solution_does_not_have_is_an_error() -> None:
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    """A copy of what make stubs reads and writes."""
+    """Return a copy of the files that make stubs reads and writes."""
     for folder in ("chapters", "solutions"):
         copy_tree(ROOT / folder, tmp_path / folder)
     shutil.copyfile(ROOT / "stubs.lock", tmp_path / "stubs.lock")

@@ -1,4 +1,4 @@
-"""What a student runs is the same on Linux, macOS and Windows, with make and without."""
+"""Students' commands work alike on Linux, macOS and Windows, with and without make."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from copies import copy_tree
 from graded import points_of
 from small import RIGHT, make_root
 
-# Modules that Python's documentation offers on POSIX alone.
+# Modules that, according to Python's documentation, exist only on POSIX.
 POSIX_ONLY = {"curses", "fcntl", "grp", "posix", "pty", "pwd", "readline", "resource"}
 POSIX_ONLY |= {"syslog", "termios", "tty"}
 STUDENTS_COMMANDS = {"check", "watch", "hint", "reset", "plot", "lab", "demo"}
@@ -38,7 +38,7 @@ def run(*command: str, cwd: Path = ROOT, **variables: str) -> subprocess.Complet
 
 
 def imported_at_once(body: list[ast.stmt]) -> Iterator[str]:
-    """Yield what a module imports whenever it is imported: not in functions, nor behind a guard."""
+    """Yield the modules imported at the top level, not in functions or behind a guard."""
     for node in body:
         if isinstance(node, ast.Import):
             yield from (alias.name.split(".")[0] for alias in node.names)
@@ -58,7 +58,7 @@ def test_a_hand_out_imports_what_every_system_has(tmp_path: Path) -> None:
 
 
 def test_the_students_tools_call_nothing_that_windows_lacks(tmp_path: Path) -> None:
-    """As the type checker knows Python's library there: os.killpg, say, only behind a guard."""
+    """The type checker knows Python's library on Windows: os.killpg, say, needs a guard."""
     modules = [
         ".".join(file.relative_to(ROOT).with_suffix("").parts)
         for file in student_tools()
@@ -71,7 +71,7 @@ def test_the_students_tools_call_nothing_that_windows_lacks(tmp_path: Path) -> N
 
 
 def test_every_text_file_says_its_encoding() -> None:
-    """That of the system is not UTF-8 on Windows. Hostile submissions run on Linux alone."""
+    """The default is not UTF-8 on Windows. Hostile submissions run only on Linux."""
     for folder in ("autograder", "studies", "chapters", "solutions", "tests"):
         for file in (ROOT / folder).rglob("*.py"):
             if file.parent.parent.name == "hostile":
@@ -83,7 +83,7 @@ def test_every_text_file_says_its_encoding() -> None:
 
 
 def _opens_a_text(call: ast.Call) -> bool:
-    """Say whether a call reads or writes a text. What a path's open takes first is a mode."""
+    """Return whether a call reads or writes text. The first argument of Path.open is a mode."""
     function = call.func
     if isinstance(function, ast.Attribute) and function.attr in ("read_text", "write_text"):
         return True
@@ -113,7 +113,7 @@ def test_make_takes_the_python_of_the_environment(system: str, scheme: str) -> N
 
 
 def would_run(arguments: str, system: str = "") -> str:
-    """Return the last command that make would run, and not what it does with the exit status."""
+    """Return the last command that make would run, without its handling of the exit status."""
     make = ("make", "--no-print-directory", "--dry-run")
     done = run(*make, *arguments.split(), OS=system)
     assert done.returncode == 0, done.stderr
@@ -127,7 +127,7 @@ def test_the_commands_without_make_are_those_that_make_runs() -> None:
     for make, python in rows:
         words = shlex.split(would_run(make))
         at = words.index("--engine") if "--engine" in words else len(words)
-        assert words[at + 1 : at + 2] in ([], ["chapters"]), "what Python takes of itself"
+        assert words[at + 1 : at + 2] in ([], ["chapters"]), "the default of the Python command"
         assert sorted(words[:at] + words[at + 2 :]) == sorted(python.split())
 
 
@@ -141,18 +141,18 @@ def test_every_chapter_leads_to_the_commands_without_make() -> None:
 def test_where_there_is_no_make_the_screen_names_commands_that_run(tmp_path: Path) -> None:
     no_make = {"PATH": str(tmp_path)}
     done = run(sys.executable, "-m", "autograder", "check", "--exercise", "B2.5", **no_make)
-    nudge = re.search(r"(?m)^A nudge: (.+)$", done.stdout)
+    nudge = re.search(r"(?m)^For a hint: (.+)$", done.stdout)
     assert nudge, done.stdout
     for _ in range(2):  # the hint names the next one
         python, *words = nudge[1].split()
         assert python == make_venv.shown_python()
         done = run(sys.executable, *words, **no_make)
         assert done.returncode == 0, done.stderr
-        nudge = re.search(r"the next: (.+)$", done.stdout)
+        nudge = re.search(r"For the next one: (.+)$", done.stdout)
         assert nudge, done.stdout
     engine = ("--engine", "sample_class/hana", "--chapter", "3")
     done = run(sys.executable, "-m", "autograder", "check", *engine, **no_make)
-    onward = re.search(r"(?m)^Or go on: +(\S+) (.+)$", done.stdout)
+    onward = re.search(r"(?m)^Or continue: +(\S+) (.+)$", done.stdout)
     assert onward, done.stdout
     done = run(sys.executable, *onward[2].split(), **no_make)
     assert done.returncode in (0, 1), done.stderr
@@ -163,12 +163,12 @@ def test_where_there_is_no_make_the_screen_names_commands_that_run(tmp_path: Pat
 def test_a_drawing_command_without_the_packages_says_what_to_do(command: str) -> None:
     done = run(sys.executable, "-S", "-m", *command.split())  # no installed packages
     assert done.returncode == 2
-    assert "run make setup (without make: " in done.stderr
+    assert "Run make setup (without make: " in done.stderr
     assert "Traceback" not in done.stderr
 
 
 def test_a_console_that_lacks_a_character_stops_no_plot(tmp_path: Path) -> None:
-    """Where the code page has no sign for infinity, as on Windows."""
+    """A code page may have no sign for infinity, as on Windows."""
     (tmp_path / "ch02_vectors").mkdir()
     wrong = tmp_path / "ch02_vectors/vector.py"
     wrong.write_text("raise ValueError('\u221e meters')\n", encoding="utf-8")
@@ -180,7 +180,7 @@ def test_a_console_that_lacks_a_character_stops_no_plot(tmp_path: Path) -> None:
 
 
 def hanging(root: Path, engine: Path) -> list[Verdict]:
-    """Return the verdicts of the small chapter whose second body hangs, on an engine there."""
+    """Return the verdicts on the small chapter with an endless second body, in this engine."""
     folder = engine / "ch90_small"
     folder.mkdir(parents=True)
     endless = RIGHT.replace("return 4 * x", "while True: pass")
@@ -191,13 +191,13 @@ def hanging(root: Path, engine: Path) -> list[Verdict]:
 
 @pytest.mark.parametrize("name", [r"C:\xfaces\u00e9t\games", "Spiele für mich", "\u5b66\u751f"])
 def test_an_endless_loop_is_placed_whatever_the_folder_is_called(name: str, tmp_path: Path) -> None:
-    """The stack of a process has other letters escaped, and backslashes as they are."""
+    """A stack dump escapes non-ASCII letters, but not backslashes."""
     verdicts = hanging(make_root(tmp_path / "root"), tmp_path / name)
     assert "where     ch90_small/small.py, line 7, in quadruple" in str(verdicts[-1].message)
 
 
 def test_an_endless_loop_is_placed_in_a_folder_that_is_a_link(tmp_path: Path) -> None:
-    """As /tmp on macOS, and a mapped drive on Windows."""
+    """Examples are /tmp on macOS, and a mapped drive on Windows."""
     (tmp_path / "disk").mkdir()
     (tmp_path / "drive").symlink_to(tmp_path / "disk", target_is_directory=True)
     verdicts = hanging(make_root(tmp_path / "root"), tmp_path / "drive/engine")
@@ -205,7 +205,7 @@ def test_an_endless_loop_is_placed_in_a_folder_that_is_a_link(tmp_path: Path) ->
 
 
 def test_files_as_editors_on_windows_save_them_are_taken(tmp_path: Path) -> None:
-    """With two characters at the end of a line, and a mark before the first."""
+    """They have two characters at the end of each line, and a byte order mark at the start."""
     out = tmp_path / "out"
     make_handout(load_chapters()[:1], [], out)
     folder = out / "chapters/ch02_vectors"

@@ -1,4 +1,4 @@
-"""The physics tier and the robust tier: which exercises have them, and what each asks for."""
+"""The physics tier and the robust tier: which exercises have them, and what each one checks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from autograder.manifest import Chapter, load_chapters
 from plain import write_plain_engine
 
 CHAPTERS = load_chapters()
-REFUSING = "B2.11"  # the exercise that teaches how to refuse: refusing is all that it asks for
+REFUSING = "B2.11"  # the exercise that teaches refusal, and asks for nothing else
 LONGEST_REASON = 100  # characters, so that it fits on one line of a screen
 
 
@@ -26,7 +26,7 @@ def plain_engine(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 def checked(
     request: pytest.FixtureRequest, plain_engine: list[Path]
 ) -> tuple[Chapter, list[Verdict]]:
-    """Return a chapter, and what its checks say of an engine that refuses nothing."""
+    """Return a chapter, and the verdicts on an engine that refuses nothing."""
     return request.param, run_checks(request.param, plain_engine, seed="1")
 
 
@@ -42,7 +42,7 @@ def test_an_engine_that_refuses_nothing_has_all_of_the_physics(
 def test_every_robust_tier_asks_for_more_than_the_physics(
     checked: tuple[Chapter, list[Verdict]],
 ) -> None:
-    """Otherwise a student would be told of a tier that is passed without knowing of it."""
+    """Otherwise students would read about a tier that they pass without knowing it."""
     _, verdicts = checked
     robust = [verdict for verdict in verdicts if verdict.robust]
     lost = {verdict.exercise for verdict in robust if verdict.status != "passed"}

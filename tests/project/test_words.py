@@ -1,4 +1,4 @@
-"""The old words of the companion do not come back into text that a reader sees."""
+"""The old words of the companion do not return to text that a reader sees."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 from autograder.manifest import ROOT, load_chapters
 
-# What was written, and what a native writer says.
+# The old wording, and what a native writer would write instead.
 OLD = {
     r"\bas new\b(?! \w+s\b| matrix)": "Return a new vector ...",
     r"\bturned round\b|\bturn(?:s)? (?:it )?round\b": "reversed, rotated",
@@ -37,7 +37,7 @@ MANIFESTS = sorted(ROOT.glob("chapters/*/chapter.toml"))
 
 
 def found(text: str) -> list[str]:
-    """Return the old words in a text, each with what to say in place of it."""
+    """Return the old words in a text, each with its replacement."""
     return [f"{hit[0]!r}: {new}" for old, new in OLD.items() for hit in re.finditer(old, text)]
 
 

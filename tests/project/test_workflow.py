@@ -1,4 +1,4 @@
-"""The workflow runs commands that there are, on the systems and Pythons that are promised."""
+"""The workflow runs commands that exist, on the systems and Pythons that the README promises."""
 
 from __future__ import annotations
 

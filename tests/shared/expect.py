@@ -190,7 +190,7 @@ def expect_finite_numbers(
 
 @scoped
 def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
-    """Expect v to be the same object as before: a change of one is seen in the other."""
+    """Expect v to be the same object as before, so that a change of one shows in the other."""
     before.x = 99.0
     about(
         f"{made}; w = v; {step}; w.x = 99.0; v.x",
@@ -207,7 +207,7 @@ def blame(
 ) -> None:
     """If a known mistake gives exactly the numbers in got, make it the likely cause.
 
-    ``mistakes`` is a list as in cause_of, or a mapping from names to numbers as in named.
+    ``mistakes`` is a list as in cause_of, or a mapping from slips to numbers as in named.
     """
     if isinstance(mistakes, Mapping):
         about.cause = named(got, about.cause, mistakes)
@@ -239,9 +239,9 @@ def cause_of(
 
 
 def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) -> str:
-    """Return the cause, after the slip that gives exactly the numbers in got, if one does.
+    """Return the cause, preceded by the slip that gives exactly the numbers in got, if any.
 
-    A slip is a sentence, or a name that "This is" makes one.
+    A slip is a whole sentence, or a phrase that "This is" completes.
     """
     mistakes = [
         (gives, f"{slip if slip.endswith('.') else f'This is {slip}.'} {cause}")

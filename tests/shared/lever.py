@@ -1,6 +1,7 @@
-"""A trebuchet by Lagrange's equations, to hold one of particles and rods to.
+"""A trebuchet by Lagrange's equations, for comparison with one made of particles and rods.
 
-Two angles tell all of it: that of the long arm, and that of the sling, which stays taut.
+Two angles describe its whole state: the angle of the long arm and that of the sling, which stays
+taut.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ import math
 
 G, PIVOT_HEIGHT, PROJECTILE, TIP = 9.81, 5.0, 5.0, 5.0
 START, BEND = math.radians(200.0), math.radians(120.0)
-STEP = 1e-3  # s, by Runge-Kutta: right to more digits than are asked for
+STEP = 1e-3  # s; with Runge-Kutta, more accurate than the checks need
 
 State = tuple[float, float, float, float]  # angles of arm and sling, and their rates
 
@@ -17,7 +18,7 @@ State = tuple[float, float, float, float]  # angles of arm and sling, and their 
 def thrown(
     counterweight: float, short_arm: float, long_arm: float, sling: float, release_angle: float
 ) -> tuple[float, float]:
-    """Return range in m and share of the energy; zeros where it is never let go."""
+    """Return the range in m and the fraction of the energy; zeros without a release."""
     inertia = counterweight * short_arm**2 + (TIP + PROJECTILE) * long_arm**2
     joint = PROJECTILE * long_arm * sling
     bob = PROJECTILE * sling**2
@@ -47,8 +48,8 @@ def thrown(
         k2 = rates(along(state, k1, 0.5 * STEP))
         k3 = rates(along(state, k2, 0.5 * STEP))
         k4 = rates(along(state, k3, STEP))
-        for rate, share in ((k1, 1.0), (k2, 2.0), (k3, 2.0), (k4, 1.0)):
-            state = along(state, rate, share * STEP / 6.0)
+        for rate, weight in ((k1, 1.0), (k2, 2.0), (k3, 2.0), (k4, 1.0)):
+            state = along(state, rate, weight * STEP / 6.0)
         arm, cord, arm_rate, cord_rate = state
         x = long_arm * math.cos(arm) + sling * math.cos(cord)
         rise = long_arm * math.sin(arm) + sling * math.sin(cord)

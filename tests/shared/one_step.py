@@ -1,4 +1,4 @@
-"""One step of each integrator of chapter 6 in plain numbers, and of its likely mistakes."""
+"""One step of each integrator of chapter 6 in plain numbers, with and without likely mistakes."""
 
 from __future__ import annotations
 
@@ -8,51 +8,51 @@ def one_step(
 ) -> tuple[float, float, float]:
     """Make a step of x'' = a - k x - c v on one axis.
 
-    Return the new place, the new velocity, and the mean acceleration of the step.
+    Return the new position, the new velocity, and the mean acceleration of the step.
     """
 
-    def force(place: float, velocity: float) -> float:
-        return a - k * place - c * velocity
+    def force(position: float, velocity: float) -> float:
+        return a - k * position - c * velocity
 
     keep = d**h
     first = force(x, v)
     if method == "leapfrog":
         middle = x + 0.5 * h * v
         mean = force(middle, v)
-        place = middle + 0.5 * h * (v + mean * h) * keep
+        position = middle + 0.5 * h * (v + mean * h) * keep
     elif method == "velocity_verlet":
-        place = x + v * h + 0.5 * first * h * h
-        mean = 0.5 * (first + force(place, v + first * h))
+        position = x + v * h + 0.5 * first * h * h
+        mean = 0.5 * (first + force(position, v + first * h))
     elif method == "runge_kutta_4":
-        # For a linear equation it is Taylor's series to the fourth order: a way of its own.
-        place, mean, rate, jerk, factor = x, 0.0, v, first, h
+        # For a linear equation, this equals Taylor's series up to the fourth order.
+        position, mean, rate, jerk, factor = x, 0.0, v, first, h
         for n in (1, 2, 3, 4):
-            place += rate * factor
+            position += rate * factor
             mean += jerk * factor / h
             rate, jerk = jerk, -k * rate - c * jerk
             factor *= h / (n + 1)
     else:
         mean = first
-        place = x + h * (v if method == "explicit_euler" else (v + mean * h) * keep)
-    return place, (v + mean * h) * keep, mean
+        position = x + h * (v if method == "explicit_euler" else (v + mean * h) * keep)
+    return position, (v + mean * h) * keep, mean
 
 
 def wrong_steps(
     method: str, x: float, v: float, a: float, k: float, c: float, d: float, h: float
 ) -> dict[str, tuple[float, float]]:
-    """Return place and velocity after steps that are nearly that of one_step, by their mistake."""
+    """Return position and velocity after steps with a mistake, keyed by its explanation."""
 
-    def force(place: float, velocity: float) -> float:
-        return a - k * place - c * velocity
+    def force(position: float, velocity: float) -> float:
+        return a - k * position - c * velocity
 
     def mean_of(weights: tuple[float, ...], parts: tuple[float, ...]) -> tuple[float, float]:
-        way = push = velocity = rate = 0.0
+        moved = pushed = velocity = rate = 0.0
         for weight, part in zip(weights, parts, strict=True):
-            place, velocity = x + velocity * part * h, v + rate * part * h
-            rate = force(place, velocity)
-            way += weight * velocity
-            push += weight * rate
-        return x + way / sum(weights) * h, (v + push / sum(weights) * h) * keep
+            position, velocity = x + velocity * part * h, v + rate * part * h
+            rate = force(position, velocity)
+            moved += weight * velocity
+            pushed += weight * rate
+        return x + moved / sum(weights) * h, (v + pushed / sum(weights) * h) * keep
 
     keep, first = d**h, force(x, v)
     if method == "semi_implicit_euler":
@@ -103,10 +103,10 @@ def wrong_steps(
     if method == "runge_kutta_4":
         parts = (0.0, 0.5, 0.5, 1.0)
         return {
-            "All rates count the same. The middle ones must count double.": mean_of(
+            "All rates count the same. The two in the middle must count double.": mean_of(
                 (1.0, 1.0, 1.0, 1.0), parts
             ),
-            "The outer rates count double. The middle ones must.": mean_of(
+            "The outer rates count double. Count the two in the middle double.": mean_of(
                 (2.0, 1.0, 1.0, 2.0), parts
             ),
             "The third rate is at the end. Take it in the middle.": mean_of(

@@ -1,7 +1,8 @@
-"""Which motions rods leave to the places that they join: the null space of the rigidity matrix.
+"""The motions that rods still allow the points that they join: the null space of a rigidity matrix.
 
-A rod forbids its ends to move towards or away from each other: (p_i - p_j) . (v_i - v_j) = 0. All
-rods together are a matrix, whose rank is what decides: whole numbers are solved without rounding.
+A rod keeps its ends from moving towards or away from each other: (p_i - p_j) . (v_i - v_j) = 0.
+These equations form a matrix. It is solved with fractions, because rounding errors could change its
+rank.
 """
 
 from __future__ import annotations
@@ -9,24 +10,25 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-Place = Sequence[float]
+Position = Sequence[float]
 
 
 def motions(
-    places: Sequence[Place], rods: Iterable[tuple[int, int]], held: Iterable[int]
+    positions: Sequence[Position], rods: Iterable[tuple[int, int]], held: Iterable[int]
 ) -> list[list[float]]:
-    """Return independent motions that rods allow, each as three numbers for every place.
+    """Return independent motions that the rods allow, each with three numbers for every point.
 
-    ``held`` are numbers that stay 0: number 3 i + k is how place i moves along axis k.
+    ``held`` lists the numbers that must stay 0. Number 3 i + k is the motion of point i along axis
+    k.
     """
-    count = 3 * len(places)
+    count = 3 * len(positions)
     rows = [[Fraction(k == i) for k in range(count)] for i in held]
     for i, j in rods:
         row = [Fraction(0)] * count
         for k in range(3):
-            way = Fraction(places[i][k]) - Fraction(places[j][k])
-            row[3 * i + k] += way
-            row[3 * j + k] -= way
+            along = Fraction(positions[i][k]) - Fraction(positions[j][k])
+            row[3 * i + k] += along
+            row[3 * j + k] -= along
         rows.append(row)
     pivots: list[int] = []
     for column in range(count):
@@ -53,7 +55,7 @@ def motions(
 
 
 def told(motion: Sequence[float], name: str) -> str:
-    """Return in words which places move in a motion, and along what."""
+    """Return in words which points move in a motion, and in which direction."""
     words = []
     for i in range(0, len(motion), 3):
         x, y, z = motion[i : i + 3]

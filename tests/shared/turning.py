@@ -93,7 +93,7 @@ def applied(m: Sequence[float], v: Sequence[float]) -> Components:
 
 
 def joined(linear: Nine, move: Components) -> Nine:
-    """Return the twelve numbers of a Matrix4."""
+    """Return the twelve numbers of a Matrix4 with this linear part and translation."""
     return (*linear[0:3], move[0], *linear[3:6], move[1], *linear[6:9], move[2])
 
 
@@ -156,14 +156,14 @@ def named(
     slips: Mapping[str, float | Sequence[float]],
     wanted: Sequence[float] = (),
 ) -> str:
-    """Return the cause with the slip that gives the numbers in got, as expect.named does.
+    """Return the cause, after the slip that gives the numbers in got, as expect.named does.
 
     If no slip does, but only one or two numbers of a matrix differ from ``wanted``, name their rows
-    and columns.
+    and columns instead.
     """
-    told = expect.named(got, cause, slips)
-    if told != cause or not isinstance(got, tuple) or not 0 < len(wanted) == len(got):
-        return told
+    likely = expect.named(got, cause, slips)
+    if likely != cause or not isinstance(got, tuple) or not 0 < len(wanted) == len(got):
+        return likely
     columns, near = len(wanted) // 3, 1e-9 * max(map(abs, wanted))
     wrong = [
         f"row {place // columns + 1}, column {place % columns + 1}"
@@ -176,7 +176,7 @@ def named(
 
 
 def same_sign(got: Any, wanted: Sequence[float]) -> Any:
-    """Return q or -q, whichever is nearer to the wanted one. Both are the same orientation."""
+    """Return q or -q, whichever is closer to ``wanted``. Both represent the same orientation."""
     if isinstance(got, NoVector) or len(got) != len(wanted):
         return got
     if not all(type(number) in (int, float) for number in got):

@@ -1,4 +1,4 @@
-"""How strong the checks are, and how fair: python tests/strength COMMAND; make calls the same."""
+"""Measure how strong and how fair the checks are: python tests/strength COMMAND."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ sys.path[1:1] = [str(TESTS / "helpers"), str(TESTS.parent)]
 
 
 def main() -> int:
-    """Run one command; return 0 if the checks are as they should be."""
+    """Run one command; return 0 if the checks are strong and fair enough."""
     from rich.console import Console
 
     from autograder.manifest import select_chapters
 
     parser = argparse.ArgumentParser(prog="python tests/strength", description=__doc__)
     parser.add_argument("command", choices=["mutants", "seeds", "table"])
-    parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="at a time")
-    parser.add_argument("--seeds", type=int, default=1000, help="how many, from 1 on")
+    parser.add_argument("--chapter", default="", help="such as 2 or 2-4 (default: all)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="jobs at a time")
+    parser.add_argument("--seeds", type=int, default=1000, help="number of seeds")
     arguments = parser.parse_args()
     try:
         chapters = select_chapters(arguments.chapter)
@@ -47,5 +47,5 @@ if __name__ == "__main__":
     try:
         sys.exit(main())
     except KeyboardInterrupt:
-        print("\nstopped; what is known stays", file=sys.stderr)
+        print("\nstopped; the results so far are kept", file=sys.stderr)
         sys.exit(130)

@@ -1,4 +1,4 @@
-"""The figures that have been measured, by chapter, in one committed file for the table."""
+"""The measured figures of each chapter, in one committed file from which the table is made."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import Any
 
 from autograder.manifest import ROOT, Chapter
 
-FOLDER = ROOT / "build" / "strength"  # what a measurement needs to resume: not committed
+FOLDER = ROOT / "build" / "strength"  # lets a measurement resume; not committed
 FILE = Path(__file__).with_name("figures.json")
 
 
 def kept(name: str, chapter: Chapter) -> dict[str, Any]:
-    """Return the figures of this name, or an empty dict where nothing was measured."""
+    """Return the figures of this name, or an empty dict if nothing was measured."""
     return dict(_read().get(name, {}).get(chapter.name, {}))
 
 

@@ -1,9 +1,9 @@
-"""Mutants of the reference: bodies with one operator or number changed, which checks should kill.
+"""Mutants of the reference: bodies with one operator or number changed, which checks should notice.
 
-What survives is as right as the reference, and said so in the chapter's survivors.toml, or it is a
-mistake that no check sees. The mutations are Cosmic Ray's. Results are kept under build/strength/:
-a mutant is run again when the file of the check that killed it has changed, or, if none did, any
-check of its chapter.
+Cosmic Ray makes the mutations. A mutant that survives is either as right as the reference, which
+the chapter's survivors.toml then explains, or a mistake that no check notices. Results are kept in
+build/strength/. A mutant runs again if the file of the check that killed it has changed. A mutant
+that survived runs again if any check of its chapter has changed.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ from autograder.manifest import ROOT, Chapter
 from kept import FOLDER, keep
 from ready import Ready
 
-SHARE = 0.97  # of the mutants that do not do the same as the reference, at least
-# Shifts, bits and matrix products fail on every float, and so tell nothing of a check; and "is".
+SHARE = 0.97  # least fraction killed of the mutants that differ from the reference
+# Shifts, bits and matrix products fail on every float, so they do not test a check. Nor does "is".
 IMPLAUSIBLE = re.compile("BitAnd|BitOr|BitXor|Shift|MatMult|Invert|Is")
 SEED = "1"
 
@@ -43,10 +43,10 @@ class Mutant:
     """A module of the reference with one change in a body that students write."""
 
     file: str
-    edit: str  # the body, as manifests name it
-    line: str  # as it was, without its indent
+    edit: str  # the name of the body in the manifest
+    line: str  # the original line, without its indent
     became: str
-    code: str  # of the whole module
+    code: str  # the source of the whole module
 
     @property
     def key(self) -> str:
@@ -55,7 +55,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Survivor:
-    """Mutants that do what the reference does, and why."""
+    """Mutants that do the same as the reference, and the reason."""
 
     edit: str
     line: str
@@ -90,7 +90,7 @@ def mutants_of(chapter: Chapter) -> Iterator[Mutant]:
 
 
 def _is_python(code: str) -> bool:
-    """Return whether it compiles: an operator may put a "not" where none can stand."""
+    """Return whether the code can be parsed: an operator may insert "not" where it is invalid."""
     try:
         ast.parse(code)
     except SyntaxError:
@@ -110,9 +110,9 @@ def _bodies(chapter: Chapter, file: str, source: str) -> dict[str, tuple[int, in
 
 
 def killer_of(waiting: Ready, mutant: Mutant) -> str:
-    """Return the first check that a mutant does not pass, or nothing where it survives.
+    """Return the first check that a mutant does not pass, or "" if it survives.
 
-    Those of its own exercise come first: most die there.
+    The checks of its own exercise run first, because most mutants die there.
     """
     chapter = waiting.chapter
     (exercise,) = (e.id for e in chapter.exercises if mutant.edit in e.edit)
@@ -126,7 +126,7 @@ def killer_of(waiting: Ready, mutant: Mutant) -> str:
 
 
 def _killer_of(mutant: Mutant, free: Queue[Ready]) -> str:
-    """Return what kills a mutant, by one of the processes that wait."""
+    """Return the check that kills a mutant, using one of the waiting processes."""
     waiting = free.get()
     try:
         return killer_of(waiting, mutant)
@@ -135,7 +135,7 @@ def _killer_of(mutant: Mutant, free: Queue[Ready]) -> str:
 
 
 def run_mutants(chapter: Chapter, jobs: int, console: Console) -> bool:
-    """Run a chapter's mutants that have no result yet, and print what lives; return success."""
+    """Run a chapter's mutants that have no result yet, print the survivors, and return success."""
     mutants = {mutant.key: mutant for mutant in mutants_of(chapter)}
     FOLDER.mkdir(parents=True, exist_ok=True)
     results = FOLDER / f"mutants_{chapter.name}.jsonl"
@@ -160,14 +160,14 @@ def run_mutants(chapter: Chapter, jobs: int, console: Console) -> bool:
                 out.write(json.dumps(line) + "\n")
                 out.flush()
                 progress.update(task, advance=1)
-        except BaseException:  # Ctrl-C above all: what is known stays
+        except BaseException:  # most often Ctrl-C: the results so far are kept
             pool.shutdown(cancel_futures=True)
             raise
     return _print_result(chapter, mutants, known, results, console)
 
 
 def _read(results: Path, chapter: Chapter) -> Iterator[tuple[str, str]]:
-    """Yield the mutants and killers of earlier runs that still hold."""
+    """Yield the mutants and killers of earlier runs that are still valid."""
     for line in results.read_text(encoding="utf-8").splitlines() if results.exists() else ():
         result = json.loads(line)
         if result["checks"] == _state(chapter.name, result["killer"]):
@@ -176,7 +176,7 @@ def _read(results: Path, chapter: Chapter) -> Iterator[tuple[str, str]]:
 
 @cache
 def _state(chapter: str, check: str) -> str:
-    """Return a hash of a check's file, or of all of its chapter, and of what checks share."""
+    """Return a hash of a check's file, or of all of the chapter's, and of shared files."""
     folder = ROOT / "tests" / chapter
     files = [*folder.glob("*probes.py"), *shared_by_checks(ROOT)]
     for file in folder.glob("test_*.py"):
@@ -189,7 +189,7 @@ def _state(chapter: str, check: str) -> str:
 
 
 def read_survivors(chapter: Chapter) -> list[Survivor]:
-    """Return the survivors that are known to do what the reference does."""
+    """Return the survivors that are known to do the same as the reference."""
     path = ROOT / "tests" / chapter.name / "survivors.toml"
     if not path.exists():
         return []
@@ -204,25 +204,25 @@ def _print_result(
     results: Path,
     console: Console,
 ) -> bool:
-    """Print the share that was killed, and what survives without a reason; return success."""
+    """Print the fraction that was killed, and survivors without a reason; return success."""
     living = [mutant for key, mutant in mutants.items() if not known[key]]
-    told = {(s.edit, s.line, became) for s in read_survivors(chapter) for became in s.became}
-    same = [m for m in living if (m.edit, m.line, m.became) in told]
-    untold = [m for m in living if (m.edit, m.line, m.became) not in told]
-    for mutant in untold:
+    listed = {(s.edit, s.line, became) for s in read_survivors(chapter) for became in s.became}
+    same = [m for m in living if (m.edit, m.line, m.became) in listed]
+    unlisted = [m for m in living if (m.edit, m.line, m.became) not in listed]
+    for mutant in unlisted:
         console.print(
             f"{mutant.edit}\n  - {mutant.line}\n  + {mutant.became}", markup=False, soft_wrap=True
         )
-    others = told - {(m.edit, m.line, m.became) for m in living}
+    others = listed - {(m.edit, m.line, m.became) for m in living}
     for edit, line, became in sorted(others):
-        console.print(f"no survivor: {edit}: {line} -> {became}", markup=False)
+        console.print(f"does not survive: {edit}: {line} -> {became}", markup=False)
     killed, others_of = len(mutants) - len(living), len(mutants) - len(same)
     share = killed / others_of
     console.print(
         f"chapter {chapter.number}: {killed} of {others_of} mutants killed, {100.0 * share:.1f} %, "
-        f"and {len(same)} do what the reference does; {results}",
+        f"and {len(same)} do the same as the reference; {results}",
         markup=False,
         soft_wrap=True,
     )
     keep("mutants", chapter, killed=killed, of=others_of, same=len(same))
-    return share >= SHARE and not untold and not others
+    return share >= SHARE and not unlisted and not others

@@ -1,15 +1,19 @@
-"""Text of a page that is made, between two comments."""
+"""Generated text of a page, between two comments."""
 
 from __future__ import annotations
 
 
 def between(page: str, begin: str, end: str) -> str:
-    """Return what stands between two comments. Raises ValueError where the page lacks one."""
+    """Return the text between two comments.
+
+    Raises:
+        ValueError: The page lacks one of the comments.
+    """
     return _split(page, begin, end)[1]
 
 
 def with_text(page: str, begin: str, end: str, text: str) -> str:
-    """Return a page with another text between two comments, an empty line around it.
+    """Return a page with other text between two comments, with empty lines around it.
 
     Raises:
         ValueError: The page lacks one of the comments.

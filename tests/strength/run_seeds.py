@@ -1,4 +1,4 @@
-"""Run the checks of many seeds on both right solutions: the reference and the second one."""
+"""Run the checks with many seeds on both right solutions: the reference and the second one."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SECOND = ROOT / "sample_class" / "ada"
 
 
 def run_seeds(chapters: list[Chapter], seeds: int, jobs: int) -> bool:
-    """Run the chapters' checks, each with its numbers of that many seeds; return success."""
+    """Run the chapters' checks with this many seeds on each solution; return success."""
     python = ".".join(platform.python_version_tuple()[:2])
     success = True
     for name, folders in (("reference", []), ("second solution", [SECOND])):

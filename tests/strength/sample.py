@@ -1,4 +1,4 @@
-"""What students of the sample class get, as the README shows it."""
+"""The results of the sample class, as its README shows them."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from autograder.reports.report import StudentReport
 from autograder.submissions.find import Submission
 
 STUDENTS = ("ada", "ben", "dina", "finn", "hana")
-WIDTH = 130  # characters of a line, of which some messages have more
+WIDTH = 130  # characters of a line; some messages are longer
 
 
 def sample_table(students: Sequence[str] = STUDENTS) -> str:
     """Grade some students and return their lines of the table that `make grade` prints.
 
-    They are indented, which makes them a block of code in Markdown.
+    The lines are indented, so that Markdown shows them as a block of code.
 
     Raises:
         ValueError: Ada's work, the second right solution, loses a point.
@@ -42,7 +42,7 @@ def sample_table(students: Sequence[str] = STUDENTS) -> str:
 
 
 def check_whole(report: StudentReport) -> None:
-    """Raise ValueError for a report with a check that does not pass."""
+    """Raise ValueError if a check in the report does not pass."""
     for exercise in report.exercises:
         for check in exercise.checks:
             if check.status != "passed":
@@ -53,5 +53,5 @@ def check_whole(report: StudentReport) -> None:
 
 
 def cut(line: str) -> str:
-    """Return a line, or its first words and dots where it is too long for the page."""
+    """Return a line, or only its beginning and dots if it is too long for the page."""
     return line if len(line) <= WIDTH else f"{line[:WIDTH].rpartition(' ')[0]} ..."

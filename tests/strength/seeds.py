@@ -1,8 +1,8 @@
-"""A pytest plugin: each check that draws numbers is called with those of many seeds, in one run.
+"""A pytest plugin that calls each check that draws numbers with many seeds, in one run.
 
     make seeds SEEDS=1000
 
-The reference earns every point with all of them, or a tolerance is wrong.
+The reference must earn every point with every seed. Otherwise a tolerance is wrong.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ import pytest
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--seeds", type=int, default=1000, help="how many seeds, from 1 on")
+    parser.addoption("--seeds", type=int, default=1000, help="number of seeds")
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
-    """Call a check once a seed. Fails with the first failure, and with the seeds of all."""
+    """Call a check once per seed. Raise the first failure, with a list of all seeds that fail."""
     fixtures = pyfuncitem.funcargs
     if "rng" not in fixtures:
         return None

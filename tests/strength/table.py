@@ -1,4 +1,4 @@
-"""Write what was measured into the pages: the checks' strength, the sample class, the speeds."""
+"""Write the measured figures into the pages: strength of the checks, sample class, speeds."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ HEAD = [
 
 
 def write_tables(console: Console) -> bool:
-    """Write all that is made into the pages; return whether every figure has been measured.
+    """Write all tables into the pages; return whether every figure has been measured.
 
-    Nothing is written where the sample class is not as it should be.
+    Nothing is written if the second solution of the sample class loses a point.
     """
     try:
         sample = sample_table()
@@ -50,18 +50,18 @@ def write_tables(console: Console) -> bool:
     console.print(f"the tables are in {PAGE} and {CLASS}", markup=False)
     missing = any("-" in cells for cells in rows)
     if missing:
-        console.print("A dash is a figure that was never measured: make mutants, make seeds")
+        console.print("A dash means that a figure is missing. Run make mutants and make seeds.")
     return not missing
 
 
 def table_of(rows: list[list[str]]) -> str:
-    """Return the table of all chapters' rows in Markdown."""
+    """Return the rows of all chapters as a table in Markdown."""
     lines = [HEAD, ["---", *["---:"] * (len(HEAD) - 1)], *rows]
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 def row(chapter: Chapter) -> list[str]:
-    """Return the cells of a chapter."""
+    """Return the cells of a chapter's row."""
     checks = run_checks(chapter, [ROOT / "solutions", ROOT / "chapters"], seed="1")
     mutants = kept("mutants", chapter)
     killed = same = "-"
@@ -81,6 +81,6 @@ def row(chapter: Chapter) -> list[str]:
 
 
 def _held(chapter: Chapter, name: str) -> str:
-    """Return how many seeds, at least, hold on which Pythons."""
+    """Return the number of seeds that passed on every listed Python, and these Pythons."""
     pythons = kept(name, chapter)
     return f"{min(pythons.values())} on {', '.join(sorted(pythons))}" if pythons else "-"

@@ -1,7 +1,7 @@
 """Writes a stack of its own, with a line number of 5,000 digits, and hangs.
 
 earns: nothing
-says: did not end
+says: did not finish
 """
 
 import os

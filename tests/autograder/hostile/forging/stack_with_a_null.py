@@ -1,7 +1,7 @@
 """Writes a stack of its own, with a path that no system has, and hangs.
 
 earns: nothing
-says: did not end
+says: did not finish
 """
 
 import os

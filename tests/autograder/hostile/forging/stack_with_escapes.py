@@ -1,7 +1,7 @@
 """Writes a stack of its own, with escape sequences for the terminal, and hangs.
 
 earns: nothing
-says: did not end
+says: did not finish
 """
 
 import os

@@ -1,7 +1,7 @@
 """Counters loop when they are destroyed.
 
 earns: add total
-says: did not end
+says: did not finish
 """
 
 

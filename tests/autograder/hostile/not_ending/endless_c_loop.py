@@ -1,7 +1,7 @@
 """Consumes an endless iterator in C, where no signal handler of Python runs.
 
 earns: add counter
-says: did not end
+says: did not finish
 """
 
 import collections

@@ -1,7 +1,7 @@
 """Is never done with being imported.
 
 earns: nothing
-says: did not end
+says: did not finish
 """
 
 import itertools

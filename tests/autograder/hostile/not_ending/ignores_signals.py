@@ -1,7 +1,7 @@
 """Blocks and ignores every signal, stops the clocks that it can find, and loops.
 
 earns: counter total
-says: did not end
+says: did not finish
 """
 
 import faulthandler

@@ -1,7 +1,7 @@
 """Waits for a lock that it holds itself.
 
 earns: counter total
-says: did not end
+says: did not finish
 """
 
 import threading

@@ -1,7 +1,7 @@
 """Sleeps, and uses no processor time at all.
 
 earns: counter total
-says: did not end
+says: did not finish
 """
 
 import time

@@ -1,7 +1,7 @@
 """Each call ends soon; all of them together do not.
 
 earns: add total
-says: did not end
+says: did not finish
 """
 
 import time

@@ -1,7 +1,7 @@
 """A regular expression that takes for ever to fail.
 
 earns: add total
-says: did not end
+says: did not finish
 """
 
 import re

@@ -1,7 +1,7 @@
 """Loops, and catches every exception that could end the loop.
 
 earns: counter total
-says: did not end
+says: did not finish
 """
 
 

@@ -66,6 +66,7 @@ def play_until(page: Any, time: float) -> None:
 @pytest.mark.parametrize("scene", SCENES)
 def test_a_scene_runs_for_two_seconds(page: Any, address: str, scene: str) -> None:
     open_scene(page, address, scene)
+    page.select_option("#speed", "2")
     play_until(page, 2.0)
     assert page.is_hidden("#trouble"), page.inner_text("#trouble")
     drawn = "(c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some(b => b))"

@@ -2,6 +2,8 @@
 SUBMISSIONS ?= sample_class
 # It grades a class on all cores, and would do so once a process of the others.
 HOSTILE := tests/autograder/test_hostile.py
+# One more than there are cores, since some tests wait for a browser or a time limit.
+WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 
 TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED
 TAKES_handout := CHAPTERS GIVEN OUT
@@ -38,11 +40,12 @@ gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
 
 # == For those who work on the companion itself ==
-test: say-what-test-is lint .venv/extras ## test the companion itself; CH=6: what is about a chapter
+# A test runs lint beside the others. The tests of one chapter are few, so there it comes first.
+test: say-what-test-is .venv/extras $(if $(CH),lint) ## test the companion itself; CH=6: what is about a chapter
 ifneq ($(CH),)
 	@PYTHONPATH=tests/helpers $(RUN) -m pytest -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
 else
-	@$(RUN) -m pytest -n auto --ignore=$(HOSTILE)
+	@$(RUN) -m pytest -n $(WORKERS) --ignore=$(HOSTILE)
 	@$(RUN) -m pytest $(HOSTILE)
 endif
 

@@ -163,12 +163,12 @@ def thrown(kappa: float) -> int:
 
 
 # The values of z = k1 h / m above which a speed grows in a step, and above which it reverses. The
-# Euler steps, leapfrog and pymunk with a force by hand multiply the speed by 1 - z. Verlet evaluates
-# its second force at v + a h, and so multiplies the speed by 1 - z / 2 - z (1 - z) / 2, which is
+# Euler steps, leapfrog and pymunk with a force by hand multiply the speed by 1 - z. Verlet, which
+# evaluates its second force at v + a h, multiplies the speed by 1 - z / 2 - z (1 - z) / 2. This is
 # 1 - z + z^2 / 2 and at least 1/2. Runge-Kutta's series, 1 - z + z^2 / 2 - z^3 / 6 + z^4 / 24, is
-# also positive, and is 1 again at the root of z^3 - 4 z^2 + 12 z - 24. Backward Euler has the factor
-# 1 / (1 + z), and the trapezoidal rule (1 - z / 2) / (1 + z / 2). Methods that damp by d^h, such as
-# pymunk's spring, have e^-z.
+# also positive, and is 1 again at the root of z^3 - 4 z^2 + 12 z - 24. Backward Euler multiplies by
+# 1 / (1 + z), and the trapezoidal rule by (1 - z / 2) / (1 + z / 2). Methods that damp by d^h, such
+# as pymunk's spring, multiply by e^-z.
 DRAG_THEORY = {
     "explicit Euler": (2.0, 1.0),
     "semi-implicit Euler": (2.0, 1.0),

@@ -44,8 +44,8 @@ class Model:
     """A way to run a scene with a number of steps per frame.
 
     ``by`` is "ours", "the book" or "pymunk". An exact model has no steps to choose, so its
-    ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own steps. Its ``steps``
-    are then numbers n for a tolerance of 1 / n, so that a larger number is more accurate here, too.
+    ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own steps. The numbers
+    in ``steps`` are then 1 / tolerance, so that a larger number is more accurate here, too.
     """
 
     name: str

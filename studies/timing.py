@@ -180,8 +180,8 @@ def against_peers(
     for peer, title, target in peers:
         if importlib.util.find_spec(peer) is None:
             console.print(
-                f"{peer} is not installed. To install it: "
-                f"{shown_python()} -m pip install -r studies/peers.txt"
+                f"{peer} is not installed. To install it:\n"
+                f"  {shown_python()} -m pip install -r studies/peers.txt"
             )
             continue
         theirs = statements[peer]

@@ -34,7 +34,9 @@ def main() -> int:
     record.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
     for command in (play, record):
         command.add_argument("--seconds", type=float, help="the length of the recording in s")
-        command.add_argument("--out", type=Path, default=ROOT / "build" / "lab")
+        command.add_argument(
+            "--out", type=Path, default=ROOT / "build" / "lab", help="the folder for the files"
+        )
     for command in (serve, play, record):
         add_engine_options(command)
         command.add_argument(

@@ -29,7 +29,8 @@ def main(arguments: list[str]) -> int:
         measurements = every(console)
     console.print(f"Taking {len(measurements)} measurements in turn takes about seven minutes.")
     lines = measure(measurements)
-    console.print("Each figure is a ratio of two times: the first divided by the second.\n")
+    console.print("Each figure is a ratio of two times, first / second, unless stated otherwise.")
+    console.print("It is the median of several rounds, followed by their quartiles.\n")
     for line in lines:
         console.print(line.what)
         console.print(f"    {told(line)}", style="bold")

@@ -38,7 +38,9 @@ def main(arguments: list[str]) -> int:
         "--quick", action="store_true", help="take a minute: fewer points, fewer rounds"
     )
     parser.add_argument("--scene", default="", help="only scenes with this text in their name")
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "charts")
+    parser.add_argument(
+        "--out", type=Path, default=ROOT / "build" / "charts", help="the folder for the charts"
+    )
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These modules import chapters.

@@ -30,7 +30,12 @@ Move = Callable[[], object]
 def main(arguments: list[str]) -> int:
     """Measure, print and draw the costs. Return 0."""
     parser = argparse.ArgumentParser(prog="python -m studies economy", description=__doc__)
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "economy.png")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=ROOT / "build" / "economy.png",
+        help="the file for the picture; the numbers are written next to it",
+    )
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = Console(highlight=False)
@@ -40,6 +45,7 @@ def main(arguments: list[str]) -> int:
             for what, with_it, without in parts()
         ]
     )
+    console.print("Time per frame with a part / without it (quartiles):")
     for line in lines:
         console.print(f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}")
     options.out.parent.mkdir(parents=True, exist_ok=True)

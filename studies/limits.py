@@ -32,7 +32,12 @@ WORST = 0.05  # largest relative error allowed for a limit
 def main(arguments: list[str]) -> int:
     """Print, draw and write the results. Return 1 if a limit is off by more than 5 %."""
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "limits.csv")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=ROOT / "build" / "limits.csv",
+        help="the file for the numbers; the pictures are written next to it",
+    )
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These modules import chapters.
@@ -74,8 +79,8 @@ def main(arguments: list[str]) -> int:
         f"{limit_search.OUTSIDE} times the limit\n"
         f"is 1e6 times as large. A limit of 0 means growth even at {limit_search.LEAST:g}.\n"
         "Energies are relative to the initial energy, at k h^2 / m = "
-        f"{limit_search.STIFFNESS * limit_search.FRAME**2:.3g}, where explicit\n"
-        "Euler is unstable.\n"
+        f"{limit_search.STIFFNESS * limit_search.FRAME**2:.3g},\n"
+        "where explicit Euler is unstable.\n"
         f"\nMaps: {shown(maps)}\nTime to divergence, energies: {shown(curves)}\n"
         f"All numbers: {shown(options.out)}",
         soft_wrap=True,
@@ -95,7 +100,7 @@ def _table(bounds: list[Bound], where: str, what: str) -> Table:
     table = Table(*headings, title=f"Limits of {what}", box=SIMPLE_HEAD, pad_edge=False)
     for name, at, found, true, steps in bounds:
         off = f"{100.0 * (found / true - 1.0):.1g}" if 0.0 < true < math.inf else ""
-        reached = "none up to 1e6" if found == math.inf else _number(found)
+        reached = "over 1e6" if found == math.inf else _number(found)
         lasts = "" if math.isnan(steps) else f"{steps:.0f}"
         table.add_row(name, at, reached, _number(true), off, lasts)
     return table

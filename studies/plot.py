@@ -29,7 +29,9 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="python -m studies plot", description=__doc__)
     parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
     add_engine_options(parser)
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "plots")
+    parser.add_argument(
+        "--out", type=Path, default=ROOT / "build" / "plots", help="the folder for the plots"
+    )
     options = parser.parse_args(arguments)
     use_engine(parser, options.engine, options.given)
     try:

@@ -116,7 +116,7 @@ def largest(values: list[float]) -> float:
 
 
 # A thin disc that is thrown up and rotates freely. Its axis is tilted from the vertical by TILT and
-# precesses about the vertical at PRECESSION. The moment of inertia about a diameter is half of the
+# rotates about the vertical at PRECESSION. The moment of inertia about a diameter is half of the
 # moment about the axis. It follows that the disc also spins about its axis at SPIN, against the
 # precession.
 TILT = math.radians(25.0)

@@ -104,7 +104,7 @@ def line(
     tried = tried_steps(scene, other, tolerance)
     finest = tried[-1]
     sides = f"{told(other, finest.steps, finest.error)} / {told(mine, steps, error)}"
-    what = f"{scene.name}, every frame: {sides}"
+    what = f"{scene.name}: {sides}"
     figure = versus(partial(seconds_of, other, finest.steps), partial(seconds_of, mine, steps))
     if finest.error <= tolerance:
         return Measurement(what, figure, rounds, target)
@@ -157,5 +157,5 @@ def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
 
 def told(model: Model, steps: int, error: float) -> str:
     """Describe a model with its steps and its error."""
-    chosen = "" if is_exact(model) else f", {steps:,} {'step' if steps == 1 else 'steps'} per frame"
-    return f"{model.name}{chosen}, error {error:.1g}"
+    chosen = "" if is_exact(model) else f"{steps:,} {'step' if steps == 1 else 'steps'} per frame, "
+    return f"{model.name} ({chosen}error {error:.1g})"

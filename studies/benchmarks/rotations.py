@@ -69,7 +69,7 @@ def lines(console: Console) -> list[Measurement]:
         for first, second, what, target in RIVALS
     ]
     form, rotate, transform = map(_timer, ("M3.from_quaternion(q)", "q.rotate(v)", "m @ v"))
-    what = "number of vectors from which converting the quaternion to a matrix is faster"
+    what = "number of vectors above which converting the quaternion to a matrix is faster"
     found.append(Measurement(what, versus(form, lambda: rotate() - transform()), ROUNDS))
     peers = (
         ("pyglet", "pyglet Quaternion, Mat3 and Mat4", None),

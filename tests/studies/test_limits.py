@@ -129,9 +129,9 @@ def test_a_simulation_is_lost_when_the_eigenvalue_says(
     name: str, damping: float, share: float
 ) -> None:
     # At 1.02 times 4, the eigenvalues -r and -1 / r add up to the trace, 2 - 4.08. The position
-    # from rest is A (-r)^n + B (-1 / r)^n with A + B = 1. The first position after it gives A: it is
-    # -3.08 for semi-implicit Euler, -1.04 for leapfrog and Verlet, or 1. ``share`` is A times the
-    # size of the eigenvector of -r, whose position is 1.
+    # from rest is A (-r)^n + B (-1 / r)^n with A + B = 1. The first position after it gives A,
+    # which is -3.08, -1.04 (for leapfrog and Verlet) or 1. ``share`` is A times the size of the
+    # eigenvector of -r, whose position is 1.
     rate = math.log(1.04 + math.sqrt(1.04**2 - 1.0))
     predicted = math.log(1e6) / rate
     rest, evenly = limit_maps.steps_to_loss(name, damping, 4.08, predicted)
@@ -183,7 +183,7 @@ def test_the_command_prints_writes_and_draws(
     assert limits.main(["--out", str(tmp_path / "limits.csv")]) == 0
     told = capsys.readouterr().out
     assert "Runge-Kutta 4" in told
-    assert "none up to 1e6" in told
+    assert "over 1e6" in told
     with (tmp_path / "limits.csv").open(encoding="utf-8") as file:
         rows = [*csv.reader(file)]
     assert rows[0] == ["method", "case", "limit of k h^2 / m", "theory", "steps to x 1e6"]

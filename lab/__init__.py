@@ -1,1 +1,1 @@
-"""The lab: scenes that a student's own engine plays, in a browser, a window or a picture."""
+"""Interactive scenes that run on a student's own engine, in a browser, a window or a picture."""

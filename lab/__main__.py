@@ -1,4 +1,4 @@
-"""The lab's commands: serve the page, play a scene in a window, record a scene into files."""
+"""Serve the lab's page, play a scene in a window, or record a scene to files."""
 
 from __future__ import annotations
 
@@ -20,21 +20,23 @@ from studies.reason import reason, shown
 
 
 def main() -> int:
-    """Do what the command line names; return 1 where it cannot be done."""
+    """Run the command given on the command line and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m lab", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     serve = commands.add_parser("serve", help="serve the page on this machine")
-    serve.add_argument("scene", nargs="?", default="", help="the scene to begin with")
-    serve.add_argument("--chapter", type=int, help="begin with the first scene of a chapter")
-    serve.add_argument("--port", type=int, default=0, help="a port (default: any that is free)")
-    serve.add_argument("--no-browser", action="store_true", help="print the address only")
-    play = commands.add_parser("play", help="play a scene in a window, or into files")
+    serve.add_argument("scene", nargs="?", default="", help="the scene to open first")
+    serve.add_argument("--chapter", type=int, help="open the first scene of this chapter")
+    serve.add_argument("--port", type=int, default=0, help="the port (default: any free port)")
+    serve.add_argument("--no-browser", action="store_true", help="only print the address")
+    play = commands.add_parser("play", help="play a scene in a window, or record it to files")
     play.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
-    record = commands.add_parser("record", help="let the scripted player play into files")
+    record = commands.add_parser("record", help="record a scripted run of a scene to files")
     record.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
     for command in (play, record):
-        command.add_argument("--seconds", type=float, help="how long the scripted player plays")
-        command.add_argument("--out", type=Path, default=ROOT / "build" / "lab")
+        command.add_argument("--seconds", type=float, help="the length of the recording in s")
+        command.add_argument(
+            "--out", type=Path, default=ROOT / "build" / "lab", help="the folder for the files"
+        )
     for command in (serve, play, record):
         add_engine_options(command)
         command.add_argument(
@@ -50,17 +52,17 @@ def main() -> int:
 
 
 def _serve(options: argparse.Namespace) -> int:
-    """Serve the page until Ctrl-C."""
-    from lab.server import Lab, serve  # the other commands can do without a server
+    """Serve the page until the user presses Ctrl-C."""
+    from lab.server import Lab, serve  # only this command needs a server
 
     find_engine(options.engine)
     if not entries():
-        raise ValueError("there is no scene for the chapters in this folder")
+        raise ValueError("this folder has no scenes for its chapters")
     query = first_query(options.scene, options.chapter, settings_of(options))
 
     def ready(address: str) -> None:
         address = f"{address}?{query}" if query else address
-        print(f"The lab is at {address}\nCtrl-C ends it.", flush=True)
+        print(f"The lab is running at {address}\nPress Ctrl-C to stop it.", flush=True)
         if not options.no_browser:
             webbrowser.open(address)
 
@@ -70,7 +72,7 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 def _play(options: argparse.Namespace) -> int:
-    """Play a scene in a window; without a display, or for a recording, into files."""
+    """Play a scene in a window. Record it to files if there is no display or on request."""
     find(options.scene)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:
         raise ValueError(f"--seconds must be positive and finite, got {options.seconds!r}")
@@ -83,18 +85,18 @@ def _play(options: argparse.Namespace) -> int:
     from lab.play import TIME_LIMIT, record, show
 
     use_engine(argparse.ArgumentParser(prog="python -m lab"), options.engine, options.given)
-    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
+    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # shows where an endless loop is
     try:
         scene = load(options.scene)(**settings_of(options))
         if pyplot.get_backend().lower() != "agg":
             keys = [f"{key}: {words}" for key, words in scene.keys.items()]
-            print("; ".join([*keys, "q: end"]))
+            print("; ".join([*keys, "q: quit"]))
             show(scene)
             return 0
         files = record(scene, options.out, options.seconds)
         print(f"{options.scene}: {', '.join(str(shown(file)) for file in files)}")
     except (Exception, SystemExit) as error:
-        print(f"{options.scene}: not played, {reason(error)}")
+        print(f"{options.scene}: cannot be played, {reason(error)}")
         return 1
     finally:
         faulthandler.cancel_dump_traceback_later()
@@ -102,18 +104,22 @@ def _play(options: argparse.Namespace) -> int:
 
 
 def settings_of(options: argparse.Namespace) -> dict[str, str]:
-    """Return the parameters that the command line sets."""
+    """Return the parameter values set on the command line."""
     return dict(setting.partition("=")[::2] for setting in options.set)
 
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Return the query of the first address. Raises ValueError for a scene that there is not."""
+    """Return the query string of the page's first address.
+
+    Raises:
+        ValueError: If the scene does not exist, or the chapter has no scenes.
+    """
     if scene:
         find(scene)
     elif chapter is not None:
         names = [entry.name for entry in entries() if entry.chapter == chapter]
         if not names:
-            raise ValueError(f"chapter {chapter} has no scene")
+            raise ValueError(f"chapter {chapter} has no scenes")
         scene = names[0]
     return urlencode(({"scene": scene} if scene else {}) | settings)
 

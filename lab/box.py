@@ -1,4 +1,4 @@
-"""Draw a box in space: the faces that point toward the viewer, in one color per axis."""
+"""Draw a box in 3D with one color per axis, leaving out the faces that point away."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ch02_vectors.vector import Vector3
 from lab.camera import TOWARD, flat
 from lab.pen import Pen
 
-COLORS = ("blue", "orange", "green")  # of the faces along X, Y and Z
+COLORS = ("blue", "orange", "green")  # of the faces perpendicular to X, Y and Z
 VIEWER = Vector3(*TOWARD, 1.0)
 
 
@@ -18,7 +18,11 @@ def draw_box(
     turn: Callable[[Vector3], Vector3],
     center: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw a box with these sides in m, with ``turn`` from its own axes to those of the world."""
+    """Draw a box with side lengths in m.
+
+    ``turn`` rotates a vector from the box's axes to the world's axes. ``center`` is where the
+    center of the box is drawn.
+    """
     x0, y0 = center
     for face, axis in _faces(sides):
         corners = [turn(corner) for corner in face]
@@ -30,12 +34,12 @@ def draw_box(
 
 
 def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:
-    """Return the corners of the six faces, counter-clockwise from outside, and their axes."""
+    """Return the corners of the six faces, counter-clockwise seen from outside, and their axes."""
     around = ((-1, -1), (1, -1), (1, 1), (-1, 1))
     faces = []
     for axis in range(3):
         for sign in (-1, 1):
-            signs = [(sign, *pair) for pair in around[::sign]]  # of the axis and the two after it
+            signs = [(sign, *pair) for pair in around[::sign]]  # along the axis and the next two
             corners = [Vector3(*(0.5 * sides[i] * s[i - axis] for i in range(3))) for s in signs]
             faces.append((corners, axis))
     return faces

@@ -1,14 +1,14 @@
-"""Flat pictures of things in space: x to the right, y up, z toward the viewer and to the left."""
+"""Project points in space onto the picture: x to the right, y up, z toward the lower left."""
 
 from __future__ import annotations
 
 from ch02_vectors.vector import Vector3
 
-TOWARD = (0.4, 0.3)  # how far a unit along z moves to the left and down
+TOWARD = (0.4, 0.3)  # how far one unit along z moves a point to the left and down
 
 
 def flat(v: Vector3) -> tuple[float, float]:
-    """Return where a point of space is drawn."""
+    """Return where a point in space is drawn."""
     return v.x - TOWARD[0] * v.z, v.y - TOWARD[1] * v.z
 
 

@@ -1,4 +1,4 @@
-"""Find the scenes: each module of lab/scenes/ has a tuple SCENES of the scenes of one chapter."""
+"""Find the scenes. Each module in lab/scenes/ lists its scene classes in a tuple SCENES."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """Where a scene is. To know this, nothing of an engine has to be imported."""
+    """The location of a scene, known without importing an engine."""
 
     name: str
     title: str
@@ -43,24 +43,28 @@ def entries() -> list[Entry]:
 
 
 def find(name: str) -> Entry:
-    """Return where a scene is. Raises ValueError with the names that there are."""
+    """Return the entry of a scene.
+
+    Raises:
+        ValueError: If there is no such scene. The message lists all scenes.
+    """
     for entry in entries():
         if entry.name == name:
             return entry
     names = ", ".join(entry.name for entry in entries())
     wrong = f"there is no scene {name!r}" if name else "name a scene"
-    raise ValueError(f"{wrong}; there are {names}")
+    raise ValueError(f"{wrong}; choose from {names}")
 
 
 def load(name: str) -> type[Scene]:
-    """Import a scene, and with it the chapters of the engine that it uses."""
+    """Import a scene and the engine chapters that it uses."""
     entry = find(name)
     scene: type[Scene] = getattr(importlib.import_module(entry.module), entry.kind)
     return scene
 
 
 def _listed(tree: ast.Module) -> list[str]:
-    """Return the names in a module's SCENES."""
+    """Return the class names listed in a module's SCENES."""
     for node in tree.body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "SCENES":
             return [ast.unparse(name) for name in node.value.elts]  # type: ignore[attr-defined]
@@ -68,7 +72,7 @@ def _listed(tree: ast.Module) -> list[str]:
 
 
 def _title(node: ast.ClassDef) -> str:
-    """Return the title that a class sets."""
+    """Return a scene class's title, or the class name if it sets no title."""
     for line in node.body:
         if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "title":
             return str(ast.literal_eval(line.value))

@@ -1,7 +1,7 @@
-"""The process that runs the student's code: a host that reads and writes a line of JSON a message.
+"""The process that runs the student's code and exchanges JSON messages, one per line.
 
-``python -m lab.child ENGINE STACK``. A message that takes longer than TIME_LIMIT ends the process,
-which leaves the stack of what it was doing in the file STACK.
+If a message takes longer than TIME_LIMIT, the process writes a stack trace to the file given by
+``--stack`` and exits.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ from lab.host import Host
 from studies.engine import add_engine_options, use_engine
 from studies.reason import reason
 
-TIME_LIMIT = 2.5  # s, for a message that takes some milliseconds
+TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 
 
 def main() -> None:
-    """Answer messages until the input ends."""
+    """Answer messages from standard input until it is closed."""
     parser = argparse.ArgumentParser(prog="python -m lab.child", description=__doc__)
     add_engine_options(parser)
     parser.add_argument("--stack", type=Path, required=True)
     options = parser.parse_args()
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)  # what the student prints is no answer
+    os.dup2(2, 1)  # the student's own prints must not mix with the answers
     use_engine(parser, options.engine, options.given)
     host = Host(reason)
     with options.stack.open("w", encoding="utf-8") as stack:
@@ -36,11 +36,11 @@ def main() -> None:
             faulthandler.dump_traceback_later(TIME_LIMIT, exit=True, file=stack)
             for answer in host.receive(json.loads(line)):
                 answers.write(json.dumps(answer, separators=(",", ":"), allow_nan=False) + "\n")
-            answers.write("\n")  # the message is answered
+            answers.write("\n")  # an empty line ends the answers to one message
             answers.flush()
             faulthandler.cancel_dump_traceback_later()
 
 
 if __name__ == "__main__":
-    with contextlib.suppress(BrokenPipeError, KeyboardInterrupt):  # the server has ended
+    with contextlib.suppress(BrokenPipeError, KeyboardInterrupt):  # the server has stopped
         main()

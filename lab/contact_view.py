@@ -1,4 +1,4 @@
-"""Show what a contact resolver sees: contacts, the impulses that it gives, and its iterations."""
+"""Show the work of a contact resolver: its contacts, impulses and iterations."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from lab.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """A resolver that lets another one do the work, and remembers the last step."""
+    """A resolver that delegates to another resolver and records what it did in the last step."""
 
     def __init__(self, resolver: ContactResolver) -> None:
         self.resolver = resolver
@@ -19,7 +19,7 @@ class ContactView(ContactResolver):
         self.pairs: list[tuple[Vector3, Vector3]] = []
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
-        """Resolve the contacts, and measure how each particle's momentum has changed."""
+        """Resolve the contacts and record each particle's change of momentum."""
         listed = [*contacts]
         touched = {id(one): one for c in listed for one in (c.particle, c.other) if one is not None}
         before = {key: one.velocity.copy() for key, one in touched.items()}
@@ -38,11 +38,11 @@ class ContactView(ContactResolver):
         ]
 
     def forget(self) -> None:
-        """Forget the last step, before one that may have no contacts."""
+        """Clear the record of the last step, because the next step may have no contacts."""
         self.impulses, self.pairs, self.iterations_used = [], [], 0
 
     def draw(self, pen: Pen, scale: float) -> None:
-        """Draw the impulses as arrows, in m per N s, and a dot for each contact."""
+        """Draw each impulse as an arrow, ``scale`` m long per N s, and each contact as a dot."""
         for position, impulse in self.impulses:
             pen.arrow(position, impulse * scale, "pink", "contact")
         pen.dots([(0.5 * (a.x + b.x), 0.5 * (a.y + b.y)) for a, b in self.pairs], "pink", 5.0)

@@ -1,4 +1,4 @@
-"""The processes that run a student's code, as the server sees them: asked, followed, and ended."""
+"""Start, query and stop the processes that run a student's code, on behalf of the server."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from autograder.checks.explain import explain_hang
 from autograder.manifest import ROOT
 from lab.child import TIME_LIMIT
 
-LONGEST_LINE = 4_000_000  # bytes, of an answer
-GRACE = 0.4  # s beyond the limit of the child itself
-START = 15.0  # s, in which a new process has imported what it needs
+LONGEST_LINE = 4_000_000  # bytes in one answer
+GRACE = 0.4  # s, in addition to the child's own time limit
+START = 15.0  # s, extra time for a new process to import its modules
 LONGEST_RECORDING = 120.0  # s
 
 
 class EngineProcess:
-    """The process of one page and one engine. It is started by the first message."""
+    """The process that runs one engine for one page. The first message starts it."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         self.engine = engine
@@ -32,7 +32,8 @@ class EngineProcess:
     async def ask(self, message: str) -> AsyncIterator[str]:
         """Send a message and yield its answers, each a line of JSON.
 
-        Where the process breaks off or takes too long, it is ended, and the answer says why.
+        If the process exits or exceeds the time limit, it is killed. The last answer then
+        explains why.
         """
         limit = TIME_LIMIT + GRACE
         if self.process is None:
@@ -54,7 +55,7 @@ class EngineProcess:
             yield json.dumps({"kind": "stopped", "why": self._why()})
 
     async def end(self) -> None:
-        """End the process, if there is one."""
+        """Kill the process if it is running."""
         process, self.process = self.process, None
         if process is not None:
             with contextlib.suppress(ProcessLookupError):
@@ -75,15 +76,19 @@ class EngineProcess:
         )
 
     def _why(self) -> str:
-        """Return what the process was doing when it broke off."""
+        """Return an explanation of why the process stopped."""
         stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
         if stack:
             return str(explain_hang(stack, TIME_LIMIT, [ROOT / self.engine]))
-        return "The engine's process ended by itself: is there an os._exit in your code?"
+        return "The engine's process ended by itself. Does your code call os._exit?"
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:
-    """Return an animation of a scene as a GIF. Raises ValueError with what went wrong."""
+    """Record an animation of a scene and return it as a GIF.
+
+    Raises:
+        ValueError: If the recording fails. The message is the last line of its output.
+    """
     settings = [f"--set={name}={value}" for name, value in values.items()]
     with tempfile.TemporaryDirectory(prefix="lab-") as folder:
         process = await asyncio.create_subprocess_exec(

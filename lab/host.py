@@ -1,7 +1,7 @@
-"""The engine host: it owns a scene on an engine, takes messages and answers with messages.
+"""The engine host: it runs one scene on an engine and communicates by messages.
 
-It knows nothing of pages, sockets or processes. A message is a dict with a ``kind``; numbers, texts
-and lists are all that is in it, so that it crosses as JSON.
+It does not depend on pages, sockets or processes. A message is a dict with a ``kind``. It contains
+only numbers, texts, lists and dicts, so that it can be sent as JSON.
 """
 
 from __future__ import annotations
@@ -16,22 +16,25 @@ from lab.pen import Pen
 from lab.scene import FRAME, Scene, described, parameters_of
 
 Message = dict[str, Any]
-MOST_FRAMES = 30  # in one message: half a second
-FAR = 1e12  # m, J and so on: a number beyond it comes from a scene that has exploded
+MOST_FRAMES = 30  # per message: half a second
+FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 
 
 class Host:
-    """Takes messages about one scene. ``explain`` says in words why the student's code failed."""
+    """A host that answers messages about one scene.
+
+    ``explain`` takes an exception raised by the student's code and returns an explanation.
+    """
 
     def __init__(self, explain: Callable[[BaseException], str]) -> None:
         self.explain = explain
         self.kind: type[Scene] | None = None
         self.scene: Scene | None = None
         self.values: dict[str, object] = {}
-        self.cost = 0.0  # microseconds of a frame, a running mean
+        self.cost = 0.0  # microseconds per frame, a running mean
 
     def receive(self, message: Message) -> list[Message]:
-        """Return the answers to a message. A bad message is refused by an answer, too."""
+        """Return the answers to a message. An invalid message also gets an answer."""
         try:
             return self._answer(message)
         except (Exception, SystemExit) as error:
@@ -47,7 +50,7 @@ class Host:
             case {"kind": "set", "name": str(name), "value": value}:
                 return self._set(name, value)
         if self.scene is None:
-            return []  # it has stopped, and the page has been told
+            return []  # the page already knows that the scene has stopped
         match message:
             case {"kind": "run", "frames": int(frames)}:
                 return self._run(min(frames, MOST_FRAMES))
@@ -65,11 +68,11 @@ class Host:
             case {"kind": "predict", "option": int(option)}:
                 return [self._judge(option)]
             case _:
-                raise ValueError(f"a message of no known kind: {message!r:.200}")
+                raise ValueError(f"unknown kind of message: {message!r:.200}")
         return [self._frame()]
 
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
-        """Build a scene. A value that it does not take is refused, and the default used."""
+        """Build a scene. Reject each invalid value and use the default in its place."""
         self.scene = None
         kind = load(name)
         if peer and peer not in kind.peers:
@@ -82,15 +85,15 @@ class Host:
         return [answer, *refused, *self._restart()]
 
     def _restart(self) -> list[Message]:
-        assert self.kind is not None, "a scene is loaded first"
+        assert self.kind is not None, "a scene must be loaded first"
         self.scene = None
         self.scene = self.kind(**self.values)
         self.cost = 0.0
         return [self._frame()]
 
     def _set(self, name: str, value: object) -> list[Message]:
-        """Change a parameter: while the scene runs, or by building it again."""
-        assert self.kind is not None, "a scene is loaded first"
+        """Change a parameter. Rebuild the scene unless it is running and the parameter is live."""
+        assert self.kind is not None, "a scene must be loaded first"
         if refused := self._keep(name, value):
             return refused
         if self.scene is None or not parameters_of(self.kind)[name].live:
@@ -99,7 +102,7 @@ class Host:
         return [self._frame()]
 
     def _keep(self, name: str, value: object) -> list[Message]:
-        """Keep the value of a parameter, or return why it is refused."""
+        """Store the value of a parameter, or return a message that explains why it is invalid."""
         assert self.kind is not None
         parameter = parameters_of(self.kind).get(name)
         if parameter is None:
@@ -120,7 +123,7 @@ class Host:
         return [self._frame()]
 
     def _frame(self) -> Message:
-        """Return what is seen now: items, values charted, cost, words."""
+        """Return the current state: drawn items, charted values, cost and description."""
         scene = self.scene
         assert scene is not None
         pen = Pen()
@@ -129,8 +132,8 @@ class Host:
         charted = scene.chart()
         if not all(map(_is_near, _numbers(pen.items))) or not all(map(_is_near, charted.values())):
             raise ArithmeticError(
-                "The scene exploded: a position or an energy has left every scale. "
-                "Restart it with a smaller stiffness or a shorter step."
+                "The scene exploded: a position or an energy has become far too large. "
+                "Restart it with a lower stiffness or a shorter time step."
             )
         return {
             "kind": "frame",
@@ -140,7 +143,7 @@ class Host:
             "error": error if error is None or math.isfinite(error) else None,
             "cost": round(scene.cost or self.cost, 2),
             "facts": scene.facts(),
-            "changed": {  # parameters that a key or a drag has changed
+            "changed": {  # parameters that a key press or a drag has changed
                 name: value
                 for name, value in scene.values.items()
                 if value != self.values.get(name, getattr(self.kind, name).default)
@@ -152,13 +155,13 @@ class Host:
         assert self.scene is not None
         question = self.scene.predict
         if question is None:
-            raise ValueError("this scene asks nothing")
+            raise ValueError("this scene has no question")
         right = question.answer(self.scene)
         return {"kind": "judged", "right": option == right, "answer": right, "why": question.why}
 
 
 def _numbers(items: list[list[Any]]) -> list[float]:
-    """Return all coordinates of what is drawn."""
+    """Return all coordinates and sizes of the drawn items."""
     found: list[float] = []
     for item in items:
         for value in item:
@@ -170,4 +173,4 @@ def _numbers(items: list[list[Any]]) -> list[float]:
 
 
 def _is_near(value: float) -> bool:
-    return abs(value) < FAR  # false for a NaN as well
+    return abs(value) < FAR  # also false for NaN

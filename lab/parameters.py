@@ -1,4 +1,4 @@
-"""The parameters of a scene: numbers and choices that a reader may change."""
+"""The parameters of a scene: numbers and choices that the reader can change."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ from typing import Any
 
 
 class Parameter:
-    """A value of a scene that a reader may change, as a class attribute of the scene.
+    """A value of a scene that the reader can change, defined as a class attribute of the scene.
 
-    In the scene it reads as the value: ``self.stiffness`` is a number. A parameter that is ``live``
-    may be changed while the scene runs; any other change builds the scene again.
+    On a scene instance the attribute is the current value: ``self.stiffness`` is a number. A
+    ``live`` parameter can change while the scene runs. Changing any other parameter rebuilds the
+    scene.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -28,11 +29,11 @@ class Parameter:
         return self if scene is None else scene.values[self.name]
 
     def checked(self, value: object) -> Any:
-        """Return a value that is allowed, or raise ValueError."""
+        """Return the value, converted if necessary, or raise ValueError if it is not allowed."""
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
-        """Return what a page needs to show the parameter."""
+        """Return the data that a page needs to show the parameter."""
         return {
             "name": self.name,
             "label": self.label,
@@ -43,7 +44,10 @@ class Parameter:
 
 
 class Slider(Parameter):
-    """A number from ``low`` to ``high``, in steps, or in equal ratios where ``log`` is true."""
+    """A number from ``low`` to ``high``.
+
+    The slider moves in steps of ``step``. If ``log`` is true, it is logarithmic.
+    """
 
     def __init__(
         self,
@@ -64,7 +68,7 @@ class Slider(Parameter):
         self.log = log
 
     def checked(self, value: object) -> float:
-        """Return the number as a float. Raises ValueError outside the range."""
+        """Return the number as a float. Raises ValueError if it is outside the range."""
         if isinstance(value, str):
             try:
                 value = float(value)
@@ -77,13 +81,13 @@ class Slider(Parameter):
         return float(value)
 
     def described(self) -> dict[str, Any]:
-        """Return what a page needs to show a slider."""
+        """Return the data that a page needs to show a slider."""
         own = {"kind": "slider", "low": self.low, "high": self.high}
         return super().described() | own | {"step": self.step, "log": self.log}
 
 
 class Choice(Parameter):
-    """One of several values: numbers or texts."""
+    """One of several options, which are numbers or texts."""
 
     def __init__(
         self,
@@ -98,9 +102,13 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Return the option that the value names. Raises ValueError where there is none.
+        """Return the option that the value names.
 
-        A name may have hyphens in place of spaces, and any case, as a command line needs them.
+        The value may use hyphens for spaces, and case does not matter. This makes it easy to type
+        on a command line.
+
+        Raises:
+            ValueError: If no option has that name.
         """
         for option in self.options:
             if value == option or _plain(value) == _plain(option):
@@ -109,11 +117,11 @@ class Choice(Parameter):
         raise ValueError(f"{self.name} must be one of {options}, got {value!r}")
 
     def described(self) -> dict[str, Any]:
-        """Return what a page needs to show a choice."""
+        """Return the data that a page needs to show a choice."""
         return super().described() | {"kind": "choice", "options": self.options}
 
 
 def _plain(name: object) -> str:
-    """Return a name or a number as a command line may spell it."""
+    """Return an option as it may be typed on a command line."""
     text = f"{name:g}" if isinstance(name, float) else str(name)
     return text.lower().replace(" ", "-")

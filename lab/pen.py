@@ -1,7 +1,7 @@
-"""A pen that records what a scene draws as plain data. A page or matplotlib draws it later.
+"""A pen that records what a scene draws as plain data, for a page or matplotlib to draw later.
 
-Coordinates are in the scene's own units, +x to the right and +y up. A point is a Vector3 or a pair
-(x, y). Colors have names, so that each renderer can choose shades for a light or a dark page.
+Coordinates are in the scene's own units, with +x to the right and +y up. A point is a Vector3 or a
+pair (x, y). Colors are names, so that each renderer can choose shades for a light or a dark page.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ COLORS = (
     *("blue", "orange", "green", "red", "sky", "pink"),
     *("violet", "brown", "gray", "black", "water", "wood"),
 )
-ARROWS = ("velocity", "force", "contact")  # kinds that a reader can switch on and off
+ARROWS = ("velocity", "force", "contact")  # kinds that the reader can show or hide
 
 
 class HasXY(Protocol):
-    """Anything with an x and a y, such as a Vector3."""
+    """Any object with x and y attributes, such as a Vector3."""
 
     x: float
     y: float
@@ -28,7 +28,7 @@ Item = list[Any]
 
 
 class Pen:
-    """Records items, each a list that begins with its kind."""
+    """A pen that records each drawn item as a list, which begins with its kind and color."""
 
     def __init__(self) -> None:
         self.items: list[Item] = []
@@ -42,11 +42,11 @@ class Pen:
         grab: str = "",
         fill: bool = True,
     ) -> None:
-        """Draw a circle. With ``grab`` a reader can drag it: ``Scene.drag`` gets that name."""
+        """Draw a circle. If ``grab`` is set, the reader can drag it: see ``Scene.drag``."""
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots of a size in pixels, whatever the scale is."""
+        """Draw dots of a fixed size in pixels, independent of the view's scale."""
         self._add("dots", color, _flat(centers), size)
 
     def line(
@@ -63,27 +63,27 @@ class Pen:
     def segments(
         self, pairs: Iterable[tuple[Point, Point]], color: str = "black", width: float = 1.0
     ) -> None:
-        """Draw many separate lines, each from a point to another."""
+        """Draw many separate lines, each between two points."""
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
-        """Fill an area. What is behind it shines through, as through water, unless it is solid."""
+        """Fill an area. It is translucent, like water, unless ``solid`` is true."""
         self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
-        """Draw a spring from one point to another."""
+        """Draw a spring between two points."""
         self._add("spring", color, *_xy(a), *_xy(b))
 
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
-        """Draw an arrow. A reader can switch the kinds in ARROWS on and off."""
+        """Draw an arrow. The reader can show or hide the kinds listed in ARROWS."""
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
     def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:
-        """Write words, centered at a point, in a size in pixels."""
+        """Write a text centered at a point. The size is in pixels."""
         self._add("text", color, *_xy(at), words, size)
 
     def ground(self, height: float = 0.0) -> None:
-        """Draw level ground from one edge of the view to the other."""
+        """Draw level ground across the whole view."""
         self._add("ground", "gray", _short(height))
 
     def _add(self, kind: str, color: str, *values: Any) -> None:
@@ -102,5 +102,5 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Return a number with the digits that a picture needs, so that a frame stays small."""
+    """Round a number to the precision that a picture needs, to keep frames small."""
     return float(f"{value:.5g}")

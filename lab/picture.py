@@ -1,4 +1,4 @@
-"""Draw what a scene's pen has recorded with matplotlib: one picture, or picture after picture."""
+"""Draw the items recorded by a scene's pen with matplotlib."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from lab.pen import Item, Pen
 from lab.scene import Scene
 
-# The page's colors on light paper (page/style.css).
+# The colors of the light page (page/style.css).
 PAINT = {
     "blue": "#0072b2",
     "orange": "#d08a00",
@@ -33,7 +33,7 @@ TURNS = 24  # corners of a spring
 
 
 class Picture:
-    """A figure of a scene, which is drawn anew whenever the scene has moved."""
+    """A matplotlib figure of a scene, which can be redrawn as the scene moves."""
 
     def __init__(self, scene: Scene, figure: Figure, *, arrows: bool = True) -> None:
         self.scene = scene
@@ -44,7 +44,7 @@ class Picture:
         self.drawn: list[Any] = []
 
     def draw(self) -> None:
-        """Draw the scene as it is now."""
+        """Draw the current state of the scene."""
         for artist in self.drawn:
             artist.remove()
         pen = Pen()

@@ -1,6 +1,6 @@
-"""Play a scene in a window, or let its scripted player play it into files.
+"""Play a scene in a window, or record a scripted run of it to files.
 
-The files are an animation, a contact sheet of its pictures, and a table of what the scene charts.
+The files are an animation, a contact sheet of pictures from it, and a table of the charted values.
 """
 
 from __future__ import annotations
@@ -22,16 +22,17 @@ from rich.progress import track
 from lab.picture import Picture
 from lab.scene import FRAME, Scene, name_of
 
-STEPS_A_PICTURE = 3  # 20 pictures a second: the format counts in hundredths
+STEPS_A_PICTURE = 3  # gives 20 pictures per second; GIF delays are whole hundredths of a second
 TILES = 12
-TIME_LIMIT = 30.0  # s for one picture, which takes some hundredths
+TIME_LIMIT = 30.0  # s per picture; a picture normally takes some hundredths of a second
 SIZE = (8.0, 5.0)  # inches
 
 
 def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Path]:
-    """Let the scripted player play; return the animation, the contact sheet and the table.
+    """Record the scripted run and return the paths of the animation, the sheet and the table.
 
-    The sheet and the table are written when the animation is complete, and it only then is a file.
+    Older files of the same names are deleted first. If the scene fails, none of the three files
+    is left.
     """
     name = name_of(type(scene))
     folder.mkdir(parents=True, exist_ok=True)
@@ -41,7 +42,7 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
     picture = Picture(scene, pyplot.figure(figsize=SIZE, layout="constrained"))
     picture.draw()
     picture.figure.canvas.draw()
-    picture.figure.set_layout_engine("none")  # laid out once: it takes most of the time
+    picture.figure.set_layout_engine("none")  # one layout is enough, and layout is slow
     wanted = scene.seconds if seconds is None else seconds
     pictures = max(TILES, round(wanted / FRAME / STEPS_A_PICTURE))
     on_sheet = {(i + 1) * pictures // TILES - 1 for i in range(TILES)}
@@ -70,9 +71,9 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
 
 
 def show(scene: Scene) -> None:
-    """Play in a window until it is closed. Raises what the engine raised."""
+    """Play a scene in a window until it is closed. Raises any exception of the engine."""
     for setting in matplotlib.rcParams:
-        if setting.startswith("keymap."):  # the keys belong to the scene
+        if setting.startswith("keymap."):  # leave the keys to the scene
             matplotlib.rcParams[setting] = ["q"] if setting == "keymap.quit" else []
     figure = pyplot.figure(figsize=SIZE, layout="constrained")
     picture = Picture(scene, figure)
@@ -106,27 +107,27 @@ def show(scene: Scene) -> None:
     figure.canvas.mpl_connect("button_press_event", clicked)
     playing = FuncAnimation(figure, next_picture, interval=1000.0 * FRAME, cache_frame_data=False)
     pyplot.show()
-    del playing  # it had to live as long as the window
+    del playing  # the animation must live as long as the window
     if errors:
         raise errors[0]
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a line of the table: the time, what is charted, and the error where it is known."""
+    """Return a row of the table: the time, the charted values, and the error if it is known."""
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {f"error, {scene.error_unit}": error}
 
 
 def _image_of(figure: Figure) -> Any:
-    """Return the figure as it is now, as an image."""
+    """Return the current picture of a figure as an image array."""
     canvas: Any = figure.canvas
     canvas.draw()
     return numpy.array(canvas.buffer_rgba())
 
 
 def _sheet_of(tiles: list[Any]) -> Figure:
-    """Return a figure of these images, row by row."""
+    """Return a figure that shows these images in a grid."""
     columns = 3
     rows = -(-len(tiles) // columns)
     sheet, places = pyplot.subplots(rows, columns, figsize=(12, 2.6 * rows), layout="constrained")

@@ -1,4 +1,4 @@
-"""What a scene of the lab is: parameters, an engine that is stepped, and how it is drawn."""
+"""The base class of all scenes in the lab: parameters, simulation steps and drawing."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from typing import Any, ClassVar
 from lab.parameters import Parameter
 from lab.pen import Pen
 
-FRAME = 1.0 / 60.0  # s, between two pictures
+FRAME = 1.0 / 60.0  # s per frame
 
 
 @dataclass(frozen=True)
 class Question:
-    """A question that a reader answers before the scene runs.
+    """A question that the reader answers before the scene runs.
 
-    ``answer`` is the number of the right option for a scene with its parameters, and ``why`` says
-    in a sentence or two what the reader has seen after ``seconds``.
+    ``answer`` returns the index of the correct option for a scene with its current parameters.
+    ``why`` explains in a sentence or two what the reader has seen after ``seconds``.
     """
 
     words: str
@@ -29,28 +29,28 @@ class Question:
 
 
 class Scene:
-    """A scene, in its own units (m unless the axes say otherwise).
+    """A scene in its own units, which are m unless the axes say otherwise.
 
-    A subclass sets the class attributes, has parameters, and overrides ``build``, ``step``,
-    ``draw`` and what else it needs. ``peers`` names other ways to run the same scene, such as
-    "exact" or "pymunk": subclasses that only differ in how they move.
+    A subclass sets the class attributes, defines parameters, and overrides ``build``, ``step``,
+    ``draw`` and any other methods that it needs. ``peers`` maps names, such as "exact" or
+    "pymunk", to subclasses that run the same scene by another method.
     """
 
     chapter: ClassVar[int]
     title: ClassVar[str]
-    question: ClassVar[str]  # one sentence: what this scene shows
-    view: ClassVar[tuple[float, float, float, float]]  # the smallest and largest x, then y
-    seconds: ClassVar[float] = 6.0  # how long the scripted player plays
+    question: ClassVar[str]  # one sentence that says what to find out
+    view: ClassVar[tuple[float, float, float, float]]  # min x, max x, min y, max y
+    seconds: ClassVar[float] = 6.0  # length of the scripted run
     keys: ClassVar[dict[str, str]] = {}  # what a key does, such as {"left": "walk to the left"}
     predict: ClassVar[Question | None] = None
     peers: ClassVar[dict[str, type[Scene]]] = {}
-    exact_from: ClassVar[str] = ""  # where the exact state comes from, if the scene has one
+    exact_from: ClassVar[str] = ""  # the source of the exact state, if the scene has one
     error_unit: ClassVar[str] = "m"
-    compare: ClassVar[tuple[str, ...]] = ("integrator", "rate")  # parameters to compare values of
-    cost: float | None = None  # microseconds of a frame, if the scene measures it itself
+    compare: ClassVar[tuple[str, ...]] = ("integrator", "rate")  # parameters offered to compare
+    cost: float | None = None  # microseconds per frame, if the scene measures it itself
 
     def __init__(self, **values: object) -> None:
-        """Build the scene. Raises ValueError for a parameter that is unknown or out of range."""
+        """Build the scene. Raises ValueError for an unknown parameter or an invalid value."""
         known = parameters_of(type(self))
         if unknown := values.keys() - known.keys():
             raise ValueError(f"{name_of(type(self))} has no parameter {', '.join(sorted(unknown))}")
@@ -62,31 +62,31 @@ class Scene:
         self.build()
 
     def build(self) -> None:
-        """Make what moves, at time 0."""
+        """Create the scene's objects in their state at time 0."""
         raise NotImplementedError
 
     def step(self, duration: float) -> None:
-        """Let a frame of a duration in s pass."""
+        """Advance the scene by one frame that lasts ``duration`` s."""
         raise NotImplementedError
 
     def draw(self, pen: Pen) -> None:
-        """Draw the scene as it is now."""
+        """Draw the current state of the scene."""
         raise NotImplementedError
 
     def chart(self) -> dict[str, float]:
-        """Return what is charted over time: values by name and unit, such as "energy, J"."""
+        """Return the values to chart over time, keyed by name and unit, such as "energy, J"."""
         return {}
 
     def state(self) -> list[float]:
-        """Return the coordinates that are compared with the exact ones."""
+        """Return the coordinates to compare with the exact ones."""
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
-        """Return the exact coordinates at a time, where they are known."""
+        """Return the exact coordinates at a time, or None if they are not known."""
         return None
 
     def say(self) -> str:
-        """Return the state in words, for people who do not see the picture."""
+        """Describe the current state in words, for readers who cannot see the picture."""
         return ""
 
     def facts(self) -> str:
@@ -94,24 +94,24 @@ class Scene:
         return ""
 
     def press(self, key: str) -> None:
-        """Do what a key asks for."""
+        """Respond to a key press."""
 
     def click(self, x: float, y: float) -> None:
-        """Do what a click on a point asks for."""
+        """Respond to a click on a point."""
 
     def drag(self, name: str, x: float, y: float) -> None:
-        """Move a circle that can be dragged to a point."""
+        """Move the draggable circle with this name to a point."""
 
     def play(self, time: float) -> None:
-        """Do what a player would do at this time. Pictures and tests call it once a frame."""
+        """Act as a player would at this time. Recordings and tests call this before each frame."""
 
     def advance(self, duration: float = FRAME) -> None:
-        """Let a frame pass, and keep the time."""
+        """Advance the scene by one frame and update the time."""
         self.step(duration)
         self.time += duration
 
     def error(self) -> float | None:
-        """Return the largest distance of a coordinate from the exact one; None without these."""
+        """Return the largest deviation of a coordinate from its exact value, or None if unknown."""
         exact = self.exact(self.time)
         if exact is None:
             return None
@@ -130,13 +130,13 @@ def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
 
 
 def name_of(scene: type[Scene]) -> str:
-    """Return the name of a scene in addresses and commands: OneSpring is one-spring."""
+    """Return the name of a scene in addresses and commands: OneSpring becomes one-spring."""
     letters = [f"-{c.lower()}" if c.isupper() else c for c in scene.__name__]
     return "".join(letters).removeprefix("-")
 
 
 def described(scene: type[Scene]) -> dict[str, Any]:
-    """Return what a page needs to show a scene before it runs."""
+    """Return the data that a page needs to show a scene before it runs."""
     question = scene.predict
     return {
         "name": name_of(scene),

@@ -1,8 +1,8 @@
-"""The lab's server: the page, a socket for each engine, and nothing for anybody else.
+"""The lab's web server. It serves the page and connects each open page to an engine.
 
-It listens on 127.0.0.1 alone. Every address begins with a random token, so that no other page or
-user of the machine can guess it; a request for another host, or a socket from another origin, is
-refused.
+It listens on 127.0.0.1 only. Every address begins with a random token, so that other pages and
+other users of the machine cannot guess it. The server rejects requests for another host and
+sockets opened by a page from another origin.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from lab.engine_process import EngineProcess, recording
 
 PAGE = Path(__file__).parent / "page"
 REFERENCE = "solutions"
-# Nothing is loaded from elsewhere, and no other page may frame this one.
+# The page may load files from this server only, and no other page may embed it.
 POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:"
 HEADERS = {
     "Content-Security-Policy": f"{POLICY}; frame-ancestors 'none'; base-uri 'none'",
@@ -39,7 +39,7 @@ HEADERS = {
 
 
 class Lab:
-    """What all handlers share: the engines that a page may choose from, and the open sockets."""
+    """The state that all handlers share: the available engines and the open sockets."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         self.token = secrets.token_urlsafe(16)
@@ -55,7 +55,7 @@ class Lab:
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def application(self) -> Application:
-        """Return what tornado serves."""
+        """Return the tornado application."""
         below, shared = f"/{self.token}", {"lab": self}
         return Application(
             [
@@ -72,12 +72,12 @@ class Lab:
         )
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Refuse a request that came by another name: a foreign page may point one at us."""
+        """Reject a request for another host name, which a hostile site may have pointed at us."""
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
     async def watch(self) -> None:
-        """Tell every page when a file of the student's engine is saved."""
+        """Notify every page when a file of the student's engine is saved."""
         async for changes in awatch(find_engine(self.engines["yours"])[0]):
             files = sorted({Path(path).name for _, path in changes if path.endswith(".py")})
             for socket in list(self.sockets) if files else ():
@@ -100,7 +100,7 @@ class Files(StaticFileHandler):
 
 
 class Scenes(RequestHandler):
-    """The list of scenes and engines, which needs no engine to be imported."""
+    """The list of scenes and engines. It is available without importing an engine."""
 
     def initialize(self, lab: Lab) -> None:
         self.lab = lab
@@ -140,7 +140,7 @@ class Recording(RequestHandler):
 
 
 class EngineSocket(WebSocketHandler):
-    """A socket with an engine of its own at the other end."""
+    """A WebSocket with its own engine process."""
 
     def initialize(self, lab: Lab) -> None:
         self.lab = lab
@@ -151,7 +151,7 @@ class EngineSocket(WebSocketHandler):
         self.lab.check_host(self.request)
 
     def check_origin(self, origin: str) -> bool:
-        """Allow our own page alone."""
+        """Accept only sockets that our own page opens."""
         return urlsplit(origin).netloc == self.request.host
 
     def open(self) -> None:
@@ -174,7 +174,7 @@ class EngineSocket(WebSocketHandler):
                 pass
 
     async def saved(self, files: list[str]) -> None:
-        """End the old engine, and tell the page, which will load its scene again."""
+        """Stop the old engine and notify the page, which then reloads its scene."""
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:
                 await self.engine.end()
@@ -187,7 +187,7 @@ class EngineSocket(WebSocketHandler):
 
 
 async def serve(lab: Lab, port: int, ready: Any) -> None:
-    """Serve until Ctrl-C. ``ready`` is called with the address."""
+    """Serve until Ctrl-C. Calls ``ready`` with the address once the server is listening."""
     sockets = bind_sockets(port, "127.0.0.1")
     lab.port = sockets[0].getsockname()[1]
     server = HTTPServer(lab.application())

@@ -1,4 +1,4 @@
-"""Scenes whose reader chooses the integrator and how many steps it makes in a second."""
+"""Scenes in which the reader chooses the integrator and the number of steps per second."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 
 
 class Stepped(Scene):
-    """A scene of particles and a registry of forces. ``build`` sets both."""
+    """A scene of particles and a force registry, both of which ``build`` must create."""
 
     integrator = Choice("semi-implicit Euler", "integrator", [*STEPS], live=True)
     rate = Choice(60.0, "steps per second", RATES, "Hz", live=True)
 
     particles: Sequence[Particle]
     registry: ForceRegistry
-    owed = 0.0  # s that have passed and were not simulated yet
+    owed = 0.0  # s that have passed but have not been simulated yet
 
     def step(self, duration: float) -> None:
-        """Make as many steps as the frame has time for; the rest is left for the next frame."""
+        """Make as many steps as fit into the frame. The remaining time carries over."""
         length = 1.0 / self.rate
         self.owed += duration
         while self.owed > 0.5 * length:

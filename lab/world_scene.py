@@ -1,4 +1,4 @@
-"""Scenes of a particle world, whose steps and iterations a reader may change while it runs."""
+"""Scenes of a particle world whose step rate and iteration limit can change while they run."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from studies.links import ends_of
 
 
 class WorldScene(Scene):
-    """A scene that steps a world. ``build`` calls ``run``."""
+    """A scene that steps a particle world. ``build`` must call ``run``."""
 
     rate = Choice(60, "steps per second", [30, 60, 120, 240], "Hz", live=True)
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Step a world from now on, and watch its contacts."""
+        """Use ``step`` to advance the world from now on, and record the world's contacts."""
         self.make_step = step
-        self.owed = 0.0  # s that have passed and were not simulated yet
+        self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)
         world.resolver = self.contacts
 
     def step(self, duration: float) -> None:
-        """Make as many steps as the frame has time for; the rest is left for the next frame."""
+        """Make as many steps as fit into the frame. The remaining time carries over."""
         length = 1.0 / self.rate
         self.owed += duration
         while self.owed > 0.5 * length:
@@ -42,12 +42,12 @@ class WorldScene(Scene):
         self.make_step(duration)
 
     def used(self) -> dict[str, float]:
-        """Return the iterations of the last step, for a chart."""
+        """Return the number of iterations in the last step, as a value to chart."""
         return {"iterations used": float(self.contacts.iterations_used)}
 
 
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
-    """Draw the cables of a world: black where they are taut, gray where they are slack."""
+    """Draw the cables of a world: taut cables in black, slack cables in gray."""
     anchors: list[tuple[float, float]] = []
     taut: list[tuple[tuple[float, float], tuple[float, float]]] = []
     slack: list[tuple[tuple[float, float], tuple[float, float]]] = []

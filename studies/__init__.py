@@ -1,1 +1,1 @@
-"""Plots and measurements of the engine."""
+"""Plots and measurements of an engine."""

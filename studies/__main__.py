@@ -8,12 +8,12 @@ import sys
 
 from autograder.commands import prepare
 
-# A hand-out has the first.
+# A hand-out contains only the first of these.
 COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy", "soak")
 
 
 def main() -> int:
-    """Run the command that the first argument names; return its exit status."""
+    """Run the command given as the first argument and return its exit status."""
     there = [name for name in COMMANDS if importlib.util.find_spec(f"studies.{name}")]
     name = sys.argv[1] if len(sys.argv) > 1 else ""
     if name not in there:

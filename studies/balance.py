@@ -1,4 +1,4 @@
-"""Lines below a box of stones: the masses on both sides, and how far each line is off balance."""
+"""Balance lines of a box of stones: the masses on both sides, and the errors of a line."""
 
 from __future__ import annotations
 
@@ -14,9 +14,7 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class BalanceLine:
-    """A line below a box of stones at an angle in degrees, with the engine's values and the true
-    ones.
-    """
+    """A balance line at an angle in degrees, with the engine's values and the exact values."""
 
     angle: int
     offset: float
@@ -25,12 +23,12 @@ class BalanceLine:
     message: str
     true_left: float
     true_right: float
-    miss: float  # m, how far it passes the center of mass
-    torque: float  # N m, of gravity about it
+    miss: float  # m, distance from the center of mass
+    torque: float  # N m, torque of gravity about the line
 
 
 def center(stones: Sequence[Stone]) -> tuple[float, float]:
-    """Return the center of mass of stones."""
+    """Return the center of mass of the stones."""
     total = math.fsum(mass for _, mass, _, _ in stones)
     x = math.fsum(mass * x for _, mass, x, _ in stones) / total
     y = math.fsum(mass * y for _, mass, _, y in stones) / total
@@ -38,7 +36,7 @@ def center(stones: Sequence[Stone]) -> tuple[float, float]:
 
 
 def balance_line(stones: Sequence[Stone], angle: int) -> BalanceLine:
-    """Return the engine's values for a line, from balance_offset and masses_beside."""
+    """Return a balance line with the results of balance_offset and masses_beside."""
     a = math.radians(angle)
     found: list[object] = []
     message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))

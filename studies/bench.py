@@ -1,4 +1,4 @@
-"""Measure speed as ratios: take all measurements of benchmarks/ in one run, and print them."""
+"""Measure speed as ratios of times, and print each ratio with its target."""
 
 from __future__ import annotations
 
@@ -18,18 +18,19 @@ from studies.timing import Line, Measurement, measure
 
 
 def main(arguments: list[str]) -> int:
-    """Take and print all measurements and write them to a file. Return 0, even for misses."""
+    """Take all measurements, and print and write them. Return 0 even if targets are missed."""
     parser = argparse.ArgumentParser(prog="python -m studies bench", description=__doc__)
     parser.add_argument("--out", type=Path, default=FILE, help="file for the figures")
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = Console(highlight=False)
     start = time.monotonic()
-    with console.status("preparing the scenes and finding the steps that they need"):
+    with console.status("preparing the scenes and finding the number of steps for each"):
         measurements = every(console)
-    console.print(f"{len(measurements)} measurements, taken in turn: about seven minutes")
+    console.print(f"Taking {len(measurements)} measurements in turn takes about seven minutes.")
     lines = measure(measurements)
-    console.print("Each figure is the time of the first / the time of the second.\n")
+    console.print("Each figure is a ratio of two times, first / second, unless stated otherwise.")
+    console.print("It is the median of several rounds, followed by their quartiles.\n")
     for line in lines:
         console.print(line.what)
         console.print(f"    {told(line)}", style="bold")
@@ -39,15 +40,15 @@ def main(arguments: list[str]) -> int:
     minutes = (time.monotonic() - start) / 60.0
     console.print(f"\n{met} targets met, {missed} missed, in {minutes:.1f} minutes")
     console.print(
-        f"written to {shown(options.out)}; make table updates the READMEs", soft_wrap=True
+        f"Written to {shown(options.out)}. Run make table to update the READMEs.", soft_wrap=True
     )
     console.print(f"Python {platform.python_version()}, {_versions()}; {platform.platform()}")
     return 0
 
 
 def every(console: Console) -> list[Measurement]:
-    """Return all measurements, in order. Print which libraries are not installed."""
-    # These import chapters.
+    """Return all measurements in order. Print which libraries are not installed."""
+    # These modules import chapters.
     from studies.benchmarks import (
         accuracy,
         check,
@@ -70,13 +71,13 @@ def every(console: Console) -> list[Measurement]:
 
 
 def told(line: Line) -> str:
-    """Return a line's median, its quartiles and whether it meets its target, as one phrase."""
+    """Return a line's median, quartiles and verdict as one phrase."""
     spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
     return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread
 
 
 def number(figure: float) -> str:
-    """Return a figure in three digits or more."""
+    """Return a figure with at least three digits."""
     return f"{figure:.2f}" if figure < 100.0 else f"{figure:,.0f}"
 
 

@@ -1,7 +1,7 @@
-"""Chart speed against accuracy: run every scene by every model, and by pymunk.
+"""Chart speed against accuracy: run every scene by all of our models, and by pymunk.
 
-Writes a chart and its numbers for each scene, and a table of all scenes, into build/charts/. If a
-run is interrupted, start it again and it resumes.
+The command writes a chart and its numbers for each scene, and a table of all scenes, to
+build/charts/. If a run is interrupted, start it again and it resumes.
 """
 
 from __future__ import annotations
@@ -25,23 +25,25 @@ from studies.reason import shown
 if TYPE_CHECKING:
     from studies.accuracy.results import Row
 
-# Rounds, and s for the slowest run of a model, and of one of pymunk's: it has to go far to be as
-# near to the truth as others, and that is to be measured.
+# The number of rounds, and the time in s for the slowest run of our models and of pymunk's. Pymunk
+# gets more time, because it needs many steps to become as accurate as our models.
 QUICK = (3, 0.05, 0.05)
 FULL = (9, 0.6, 6.0)
 
 
 def main(arguments: list[str]) -> int:
-    """Measure and draw. Return 0, or report a parser's error if there is no such scene."""
+    """Measure and draw. Return 0. A scene that does not exist is an error of the command line."""
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(
-        "--quick", action="store_true", help="about a minute: coarser, fewer rounds"
+        "--quick", action="store_true", help="take a minute: fewer points, fewer rounds"
     )
-    parser.add_argument("--scene", default="", help="only scenes with this in their name")
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "charts")
+    parser.add_argument("--scene", default="", help="only scenes with this text in their name")
+    parser.add_argument(
+        "--out", type=Path, default=ROOT / "build" / "charts", help="the folder for the charts"
+    )
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
-    # These import chapters.
+    # These modules import chapters.
     from studies.accuracy import chart, measure, results
     from studies.accuracy.catalog import scenes_with
 
@@ -65,9 +67,7 @@ def main(arguments: list[str]) -> int:
             )
             progress.remove_task(task)
         elif measured.rounds:
-            console.print(
-                f"going on after an earlier run, with {measured.rounds} of {rounds} rounds"
-            )
+            console.print(f"resuming an earlier run with {measured.rounds} of {rounds} rounds")
         left = max(rounds - measured.rounds, 0)
         task = progress.add_task("timing", total=left * len(measured.points))
         for _ in range(left):
@@ -86,7 +86,7 @@ def main(arguments: list[str]) -> int:
         console.print("~: pymunk's time is extrapolated from its measured order of convergence.")
     _write(rows, words, options.out / "table.csv")
     console.print(
-        f"all scenes in one chart: {shown(options.out / 'overview.png')}\n"
+        f"overview of all scenes: {shown(options.out / 'overview.png')}\n"
         f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}",
         soft_wrap=True,
     )
@@ -94,7 +94,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _print(rows: list[Row], words: list[list[str]], console: Console) -> None:
-    table = Table("scene", "to", box=SIMPLE_HEAD, pad_edge=False)
+    table = Table("scene", "error", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("ours", "pymunk", "pymunk / ours"):
         table.add_column(heading, justify="right")
     for row, told in zip(rows, words, strict=True):

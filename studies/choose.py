@@ -1,6 +1,6 @@
-"""Choose the cheapest model of a scene that meets a tolerance, by measuring every model.
+"""Find the cheapest model of a scene that meets a tolerance, by measuring all models.
 
-The next cheaper model is named too, with its error. Model no more than a scene needs.
+The command also shows the next cheaper model and its error.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 def main(arguments: list[str]) -> int:
     """Measure and report. Return 1 if no model of ours meets the tolerance."""
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
-    parser.add_argument("scene", help="a part of a scene's name, such as pendulum")
+    parser.add_argument("scene", help="part of a scene's name, such as pendulum")
     parser.add_argument(
-        "--tolerance", type=float, default=1e-3, help="the error that is allowed, of the scale"
+        "--tolerance", type=float, default=1e-3, help="allowed error, in units of the scene's scale"
     )
     options = parser.parse_args(arguments)
     if not 0.0 < options.tolerance < math.inf:
         parser.error(f"--tolerance must be positive and finite, got {options.tolerance!r}")
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
-    # These import chapters.
+    # These modules import chapters.
     from studies.accuracy import measure, results
     from studies.accuracy.catalog import scenes_with
     from studies.accuracy.scene import RATE
@@ -51,8 +51,8 @@ def main(arguments: list[str]) -> int:
     for scene in scenes:
         own = [point for point in measured.points if point.scene == scene.name]
         console.print(
-            f"{scene.name}: {scene.frames / RATE:.3g} s, to {options.tolerance:g} of its scale of "
-            f"{scene.scale:.3g} m",
+            f"{scene.name}: {scene.frames / RATE:.3g} s, error at most {options.tolerance:g} of "
+            f"its scale of {scene.scale:.3g} m",
             style="bold",
             soft_wrap=True,
         )
@@ -61,22 +61,23 @@ def main(arguments: list[str]) -> int:
         theirs, _ = results.cheapest(others, options.tolerance)
         missed |= found is None
         for title, point, none in (
-            ("cheapest", found, "no model of ours meets it within the time that was tried"),
-            ("next cheaper", cheaper, "nothing is cheaper"),
-            ("pymunk", theirs, "does not meet it within the time that was tried"),
+            ("cheapest", found, "none of our models meets it within the time limit"),
+            ("next cheaper", cheaper, "no model is cheaper"),
+            ("pymunk", theirs, "does not meet it within the time limit"),
         ):
             told = _told(scene, point) if point else none
             if point and point is cheaper:
-                told += ": fails" if point.error > options.tolerance else ": by luck"
+                fails = point.error > options.tolerance
+                told += ": not accurate enough" if fails else ": accurate only by chance"
             console.print(f"  {title + ':':14}{told}", soft_wrap=True)
     return 1 if missed else 0
 
 
 def _told(scene: Scene, point: Point) -> str:
-    """Describe a point of the chart: the model, its cost and its error."""
+    """Describe a point of the chart: its model, cost and error."""
     model = next(model for model in scene.models if model.name == point.model)
     steps = "once" if point.steps == 1 else f"{point.steps} steps"
-    choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} a frame"
+    choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} per frame"
     return (
         f"{point.model}, {choice}: {1e3 * point.time:.3g} ms, {point.work} "
         f"{scene.counted}, error {point.error:.2g}"

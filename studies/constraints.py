@@ -1,8 +1,8 @@
 """Scenes with contacts: a ball, a chain and a pendulum, as plain numbers over time.
 
-Each runs in steps of equal length with an integrator of chapter 6, and resolves contacts after each
-step, unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m, times in
-s.
+Each scene runs in steps of equal length with an integrator of chapter 6 and resolves contacts after
+each step, unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m, times
+in s.
 """
 
 from __future__ import annotations
@@ -39,14 +39,14 @@ Resolve = Callable[[list[Contact], float], object]
 
 
 class Link(Protocol):
-    """How to make a link between two particles: Rod or TwoSidedRod."""
+    """A function that makes a link between two particles, such as Rod or TwoSidedRod."""
 
     def __call__(self, a: Particle, b: Particle, length: float, /) -> ContactGenerator: ...
 
 
 @dataclass(frozen=True)
 class Track:
-    """Values at the start and after each step, and what ended the run early, if anything."""
+    """Values at the start and after each step, and any error that ended the run early."""
 
     times: list[float]
     values: list[float]
@@ -59,7 +59,7 @@ class Track:
 
 
 def track(move: Move, measure: Callable[[], float], frames: int, duration: float = FRAME) -> Track:
-    """Measure a value at the start and after each step, until the engine reports a failure."""
+    """Measure a value at the start and after each step, until the engine raises an error."""
     times, values = [0.0], [measure()]
 
     def run() -> None:
@@ -73,7 +73,7 @@ def track(move: Move, measure: Callable[[], float], frames: int, duration: float
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces, because gravity is the particles' own acceleration."""
+    """Add no forces. Gravity is each particle's own acceleration."""
     del duration
 
 
@@ -85,7 +85,7 @@ def resolving(
     apply_forces: ApplyForces = no_forces,
     substeps: int = 1,
 ) -> Move:
-    """Return a function that makes one frame of substeps and resolves contacts after each."""
+    """Return a function that makes one frame in substeps and resolves contacts after each."""
     every = [*generators]
 
     def move(duration: float) -> None:
@@ -111,8 +111,9 @@ def by_resolver(
 
 
 def without_rule(contacts: list[Contact], duration: float) -> None:
-    """Resolve contacts as impacts at an instant, so that the speed built up in the step bounces
-    too.
+    """Resolve contacts as impacts, without the resting rule.
+
+    The speed that built up during the step then bounces, too.
     """
     del duration
     for contact in contacts:
@@ -121,7 +122,7 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Return a rule that goes too far: contacts that close more slowly than this do not bounce."""
+    """Return a rule that goes too far: slow contacts, below this speed, never bounce."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:
@@ -140,7 +141,7 @@ def ball(
     resolve: Resolve | None = None,
     generated: bool = False,
 ) -> Track:
-    """Return the height of a ball that is dropped above the ground.
+    """Return the height over time of a ball that is dropped above the ground.
 
     Gravity is the particle's constant acceleration or comes from a generator. Without a
     ``resolve``, a ContactResolver resolves the contacts.
@@ -159,10 +160,10 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Return the height of the same ball by time_division_step, at most until its last impact.
+    """Return the height of the same ball with time_division_step, at most until its last impact.
 
-    When the ball comes to rest, the run ends with TooManyImpacts, at the time that the error
-    contains.
+    When the ball comes to rest, time_division_step raises TooManyImpacts. The run then ends at the
+    time given by the exception.
     """
     particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
     ground = GroundPlane([particle], restitution=restitution)
@@ -198,10 +199,10 @@ def chain(
     angle: float = 0.0,
     substeps: int = 1,
 ) -> tuple[Track, Track]:
-    """Release a chain of links. Return by how much it is too long, and the error of its worst link.
+    """Release a chain of links. Return its excess length, and the error of its worst link.
 
-    The first is the sum of the links' lengths minus the right sum. The second counts links that are
-    too long or too short.
+    The excess length is the sum of the links' lengths minus the correct sum. The error counts links
+    that are too long or too short.
     """
     particles = chain_particles(count, angle)
     links = [link(a, b, LINK) for a, b in pairwise(particles)]
@@ -210,7 +211,7 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Return the same values for a chain by DirectChain."""
+    """Return the same values for a DirectChain."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 
@@ -218,9 +219,10 @@ def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[
 def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
     """Return the energy in J of a pendulum of 1 kg and 1 m that is released horizontally.
 
-    It is measured from the lowest point, so it is 10 J at the start. The rod is an AnchoredRod that
-    is resolved after each step. Without a step, it is a DirectChain. Its velocities are those in
-    the middle of a step, so the mean of two of them is used for the position between.
+    The energy is relative to the lowest point, so it is 10 J at the start. The rod is an
+    AnchoredRod that is resolved after each step. If ``step`` is None, a DirectChain is used. Its
+    velocities are valid in the middle of a step, so the energy at a position is computed with the
+    mean of the velocities before and after it.
     """
     particle = Particle(Vector3(1.0), acceleration=Vector3(0.0, -GRAVITY))
     frames = round(seconds * rate)

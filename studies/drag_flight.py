@@ -1,9 +1,9 @@
 """A particle under constant acceleration and drag, with its exact path: a drag flight.
 
-Plots, reference checks and benchmarks share these flights. A flight is plain numbers in SI units
-with its exact solution. A model runs a flight in frames of equal length, and returns the state at
-the start and after every frame as plain numbers too. All flights lie in the X-Y plane, so that a
-two-dimensional engine can run them.
+Plots, reference checks and benchmarks share these flights. A flight consists of plain numbers in SI
+units and has an exact solution. A model runs a flight in frames of equal length, and returns the
+state at the start and after every frame, also as plain numbers. All flights lie in the X-Y plane,
+so that a two-dimensional engine can run them.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ class State:
 class DragFlight:
     """A particle under a constant acceleration, with damping as a drag that is linear in v.
 
-    Damping d per second, taken at every instant and not once a frame, is the drag dv/dt = -k v with
-    k = -ln d. At d = 1 there is none.
+    Damping d per second that acts continuously, and not once per frame, is the drag dv/dt = -k v
+    with k = -ln d. There is no drag at d = 1.
     """
 
     name: str
@@ -60,7 +60,7 @@ class DragFlight:
 
 
 def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Run a flight with Particle.integrate of the engine that is imported."""
+    """Run a flight with Particle.integrate of the imported engine."""
     particle = make_particle(flight)
     states = [_state_of(particle)]
     for _ in range(frames):
@@ -70,7 +70,7 @@ def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Run a flight with pymunk, which has two dimensions; its z is 0."""
+    """Run a flight with pymunk, which is two-dimensional. The z coordinate is 0."""
     space, (body,) = make_space(flight)
     states = [State((*body.position, 0.0), (*body.velocity, 0.0))]
     for _ in range(frames):
@@ -80,7 +80,7 @@ def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def make_particle(flight: DragFlight) -> Particle:
-    """Return the particle of a flight at its start."""
+    """Return the particle of a flight in its initial state."""
     return Particle(
         Vector3(*flight.start.position),
         Vector3(*flight.start.velocity),
@@ -91,7 +91,7 @@ def make_particle(flight: DragFlight) -> Particle:
 
 def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
     """Return a space of pymunk with this number of bodies at the start of a flight."""
-    import pymunk  # here, since a plot of one's own engine can do without
+    import pymunk  # here, because plots of a student's engine do not need it
 
     space = pymunk.Space()
     space.gravity, space.damping = flight.acceleration[:2], flight.damping
@@ -110,7 +110,7 @@ def _state_of(particle: Particle) -> State:
 def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, float]:
     """Return position and velocity on one axis after t seconds of dv/dt = a - k v."""
     kt = k * t
-    if abs(kt) < 1e-3:  # t - gone would lose its digits; the next term of the series is 1e-15
+    if abs(kt) < 1e-3:  # t - gone would lose digits; the next term of the series is 1e-15
         gone = t * (1.0 - kt / 2.0 + kt**2 / 6.0 - kt**3 / 24.0 + kt**4 / 120.0)
         fallen = t * t * (0.5 - kt / 6.0 + kt**2 / 24.0 - kt**3 / 120.0 + kt**4 / 720.0)
     else:
@@ -120,7 +120,7 @@ def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, floa
 
 
 def flight_of(shot: ShotType, duration: float) -> DragFlight:
-    """Return the flight of a shot of chapter 4; its x is along the range."""
+    """Return the flight of a shot of chapter 4, with x along the range."""
     start = State((0.0, 1.5, 0.0), (shot.velocity[2], shot.velocity[1], 0.0))
     return DragFlight(shot.name, start, shot.acceleration, shot.damping, duration)
 

@@ -1,4 +1,4 @@
-"""What the plots share: colors, labels and arrows."""
+"""Colors, labels and arrows that the plots share."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from matplotlib.figure import Figure
 
 from studies.readings import Numbers, is_drawable
 
-# Okabe and Ito's colors: color-blind readers can tell them apart, and so can readers in print.
+# Okabe and Ito's colors, which color-blind readers can tell apart.
 BLUE, ORANGE, GREEN, GRAY, BLACK = "#0072B2", "#E69F00", "#009E73", "#777777", "#000000"
 RED, SKY, YELLOW, PINK = "#D55E00", "#56B4E9", "#F0E442", "#CC79A7"
-VIOLET, BROWN = "#9600F0", "#663300"  # not theirs, and told apart from theirs in the same way
-# The steps of chapter 6 by their names, the same in all pictures.
+VIOLET, BROWN = "#9600F0", "#663300"  # two more that can be told apart from these
+# The colors of chapter 6's integrators, by name, in all pictures.
 COLORS = {
     "explicit Euler": RED,
     "semi-implicit Euler": BLUE,
@@ -36,7 +36,7 @@ LABEL: dict[str, Any] = {
     "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8},
 }
 
-# What grows is red and what does not is blue, with a leap between them: slow growth shows as well.
+# Red means growth and blue means decay. A gap between them makes even slow growth visible.
 GROWTH = ListedColormap(
     [*colormaps["RdBu_r"](range(0, 116)), *colormaps["RdBu_r"](range(140, 256))]
 )
@@ -52,9 +52,7 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write below a picture what ended its scenes early. If there are many notes, write the first
-    ones.
-    """
+    """Write below a picture why its scenes ended early, with at most three notes in full."""
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
         lines.append(f"and {len(notes) - 3} more like these")
@@ -77,15 +75,14 @@ def arrow(
 def arrow_3d(
     axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
 ) -> None:
-    """Draw an arrow from the origin or a tail, with +Y up on the paper, or nothing if a number is
-    NaN.
+    """Draw an arrow with +Y up on the paper, or nothing if a number is NaN.
 
     The label is beyond the tip and may be empty.
     """
     if not is_drawable(tip, tail):
         return
     x, y, z = (end - start for end, start in zip(tip, tail, strict=True))
-    # matplotlib's third axis points up, the engine's second.
+    # In matplotlib the third axis points up, and in the engine the second.
     place = (tail[2], tail[0], tail[1])
     axes.quiver(*place, z, x, y, color=color, lw=2.0, linestyle=style, arrow_length_ratio=0.12)
     if label:
@@ -113,18 +110,18 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Color the factor by which a step multiplies oscillations, one row per y. Return it for
-    growth_bar.
+    """Color each cell by the factor by which a step multiplies oscillations, one row per y.
 
-    Values beyond the ends of the scale get the color of the end.
+    Values beyond the ends of the color scale get the color of the end. The result is for
+    growth_bar.
     """
     shades = [[_shade(value) for value in row] for row in grown]
     return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
 
 
 def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
-    """Draw the scale of growth_map beside the panels."""
-    label = "what a step multiplies the swings by: red explodes"
+    """Draw the color scale of growth_map beside the panels."""
+    label = "growth of the oscillation per step (red: explodes)"
     bar = figure.colorbar(colored, ax=panels, label=label, shrink=0.7, extend="both")
     bar.set_ticks([0.25, 0.5, 1.0, 2.0, 4.0], labels=["1/4", "1/2", "1", "2", "4"])
     bar.minorticks_off()

@@ -1,8 +1,8 @@
-"""Measure what parts of a model cost that its scene does not need, and draw them as bars.
+"""Measure the cost of parts of a model that its scene does not need, and draw it as bars.
 
-Two hundred particles fall, and nothing else happens. Each bar is the time of a frame with a part
-that makes no difference here, divided by the time of the same frame without it. The two are
-measured in turn.
+Two hundred particles fall, and nothing else happens. Each bar is the time per frame with an
+unnecessary part, divided by the time of the same frame without it. The two times are measured in
+turn.
 """
 
 from __future__ import annotations
@@ -23,14 +23,19 @@ from studies.reason import shown
 from studies.timing import Line, Measurement, measure, timer, versus
 
 COUNT, ROUNDS, FRAME = 200, 41, 1.0 / 60.0
-FRAMES = 20  # in one measurement
+FRAMES = 20  # per measurement
 Move = Callable[[], object]
 
 
 def main(arguments: list[str]) -> int:
-    """Measure, print and draw; return 0."""
+    """Measure, print and draw the costs. Return 0."""
     parser = argparse.ArgumentParser(prog="python -m studies economy", description=__doc__)
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "economy.png")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=ROOT / "build" / "economy.png",
+        help="the file for the picture; the numbers are written next to it",
+    )
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = Console(highlight=False)
@@ -40,6 +45,7 @@ def main(arguments: list[str]) -> int:
             for what, with_it, without in parts()
         ]
     )
+    console.print("Time per frame with a part / without it (quartiles):")
     for line in lines:
         console.print(f"{line.median:6.2f} ({line.low:.2f}-{line.high:.2f})  {line.what}")
     options.out.parent.mkdir(parents=True, exist_ok=True)
@@ -54,7 +60,7 @@ def main(arguments: list[str]) -> int:
 
 
 def draw(lines: list[Line], png: Path) -> None:
-    """Draw the bars, with the most expensive part on top."""
+    """Draw the bars, with the most expensive part at the top."""
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
     ordered = sorted(lines, key=lambda line: line.median)
@@ -68,15 +74,15 @@ def draw(lines: list[Line], png: Path) -> None:
         axes.text(1.1 * value, i, f"{value:.2f}", va="center")
     axes.axvline(1.0, color=GRAY, ls="--")
     axes.set(xscale="log", xlim=(0.9, 2.0 * max(ratios)))
-    axes.set(xlabel="time of a frame with it / without it (whiskers: quartiles; dashed: no cost)")
-    axes.set_title("What a falling particle does not need, and what it costs all the same")
+    axes.set(xlabel="time per frame with it / without it (whiskers: quartiles; dashed: no cost)")
+    axes.set_title("The cost of parts that a falling particle does not need")
     figure.savefig(png, dpi=110)
     pyplot.close(figure)
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """Return what each part is, a frame with it and a frame without it."""
-    # These import chapters.
+    """Return the name of each part, a frame with it, and a frame without it."""
+    # These modules import chapters.
     from ch02_vectors.vector import Vector3
     from ch05_forces.forces import ForceRegistry, Gravity
     from ch05_forces.particle import Particle
@@ -133,25 +139,25 @@ def parts() -> list[tuple[str, Move, Move]]:
         ("gravity as a force generator", direct, bare()),
         ("a registry for it", by_registry(falling(acceleration=False), gravity), direct),
         ("a world around the particles", in_world(), bare()),
-        ("a look for the ground, far below", in_world(GroundPlane), in_world()),
+        ("a search for the ground, which is far below", in_world(GroundPlane), in_world()),
         (
-            "a look for pairs, none of them near",
+            "a search for pairs, none of which are near",
             in_world(lambda particles: ParticlePairs(particles, 0.5)),
             in_world(),
         ),
         (
-            "four evaluations a step, where one is exact enough",
+            "four evaluations per step where one is exact enough",
             stepping_bare(runge_kutta_4, falling()),
             bare(),
         ),
         (
-            "two evaluations (Verlet), where one is as exact (leapfrog)",
+            "two evaluations (Verlet) where one is as exact (leapfrog)",
             stepping_bare(velocity_verlet, falling()),
             stepping_bare(leapfrog, falling()),
         ),
         ("a third dimension, in plain numbers", plain(3), plain(2)),
         (
-            "keeping awake what lies still, nine of ten",
+            "keeping balls awake of which nine in ten are at rest",
             stepping(on_the_ground(ParticleWorld)),
             stepping(on_the_ground(SleepingWorld)),
         ),

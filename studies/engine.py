@@ -15,29 +15,29 @@ from autograder.checks.students_code import StudentsCode, graded_files
 from autograder.commands import find_engine
 from autograder.manifest import load_chapters, select_chapters
 
-_given = ExitStack()  # folders with the reference's given chapters, until the end
+_given = ExitStack()  # temporary folders with given chapters, deleted at exit
 atexit.register(_given.close)
 _limited: set[tuple[Path, ...]] = set()
 
 
 def add_engine_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that name an engine to a command of students."""
+    """Add the options that choose an engine to a student's command."""
     parser.add_argument("--engine", default="chapters", help="the folder with your work")
     parser.add_argument("--given", default="", help="chapters to take from the reference")
 
 
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
-    """Import chapters from this folder from now on, and the given ones from the reference.
+    """Import chapters from this folder from now on, and given chapters from the reference.
 
-    The code in the folder may import and do only what it may where it is graded. A folder or a
-    chapter that does not exist is reported as a parser's error.
+    The code in the folder has the same restrictions as in grading. A folder or a chapter that
+    does not exist is reported as an error of the command line.
     """
     try:
         chapters = select_chapters(given) if given else []
         folders = _given.enter_context(with_given(chapters, find_engine(engine)))
     except ValueError as error:
         parser.error(str(error))
-    sys.path += map(str, folders)  # behind Python's own modules, as where work is graded
+    sys.path += map(str, folders)  # after Python's own modules, as in grading
     if tuple(folders) not in _limited:
         _limited.add(tuple(folders))
         chapters = load_chapters()

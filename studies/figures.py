@@ -1,7 +1,7 @@
 """Draw the pictures of the lessons again, with the reference: `make figures`.
 
-They are plots of `make plot` and scenes of the lab, in fewer colors. The scenes are smaller and
-have fewer pictures per second, so that a page loads at once.
+The pictures are plots of `make plot` and scenes of the lab, reduced to fewer colors. Scenes are
+also smaller and have fewer pictures per second, so that a page loads quickly.
 """
 
 from __future__ import annotations
@@ -44,8 +44,8 @@ PLOTS = (
     "ch09_rotations/drift_of_first_order",
     "ch09_rotations/gimbal_lock",
 )
-# For how many seconds each scene is played, and when its still picture is taken. Pages show the
-# still picture and link to the animation, so that nothing moves unless the reader wants it to.
+# The length of each animation in s, and the time of its still picture. Pages show the still picture
+# and link to the animation, so that nothing moves unless the reader wants it to.
 ANIMATIONS = {
     "ch04_particle_engine/fireworks": (6.0, 2.5),
     "ch05_forces/sniper": (11.0, 3.0),
@@ -56,18 +56,18 @@ ANIMATIONS = {
 }
 COLORS_OF_PLOT, COLORS_OF_ANIMATION = 256, 48
 WIDTH = 480  # px, of an animation
-PICTURE_TIME = 100  # ms, of an animation
-TIME_LIMIT = 600.0  # seconds for one plot: the reference has no endless loop, only a slow machine
+PICTURE_TIME = 100  # ms per picture of an animation
+TIME_LIMIT = 600.0  # s for one plot; the reference has no endless loop, but machines may be slow
 
 
 def main(arguments: list[str]) -> int:
-    """Draw all pictures into the chapters. Return 1 if one could not be drawn."""
+    """Draw all pictures into the chapters' folders. Return 1 if one could not be drawn."""
     parser = argparse.ArgumentParser(prog="python -m studies figures", description=__doc__)
-    parser.add_argument("--engine", default="solutions", help="the folder to draw with")
+    parser.add_argument("--engine", default="solutions", help="the engine to draw with")
     parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
     options = parser.parse_args(arguments)
     use_engine(parser, options.engine)
-    pyplot.switch_backend("Agg")  # scenes go into files even where there is a display
+    pyplot.switch_backend("Agg")  # writes scenes to files even if there is a display
     work = ROOT / "build" / "figures"
     done = []
     for name in PLOTS:
@@ -91,30 +91,30 @@ def main(arguments: list[str]) -> int:
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:
-    """Return the pictures of an animation, one per PICTURE_TIME, WIDTH px wide."""
+    """Return the pictures of an animation, one per PICTURE_TIME and WIDTH px wide."""
     pictures: list[Image.Image] = []
     time = 0.0
     with Image.open(animation) as frames:
         size = (WIDTH, round(WIDTH * frames.height / frames.width))
         for frame in ImageSequence.Iterator(frames):
             small = frame.convert("RGB").resize(size, Image.Resampling.LANCZOS)
-            time += frame.info["duration"]  # equal pictures are one, that is shown for longer
+            time += frame.info["duration"]  # equal pictures are merged and shown for longer
             while len(pictures) * PICTURE_TIME < time:
                 pictures.append(small)
-    # One palette for all, from four of them: what does not move then stays as it is.
+    # All pictures share a palette, made from four of them, so that still parts do not flicker.
     strip = Image.new("RGB", (4 * size[0], size[1]))
     for i in range(4):
         strip.paste(pictures[i * (len(pictures) - 1) // 3], (i * size[0], 0))
     few = _palette(strip, COLORS_OF_ANIMATION)
     entries = few.getpalette() or []
     brightest = max(range(0, len(entries), 3), key=lambda i: sum(entries[i : i + 3]))
-    entries[brightest : brightest + 3] = [255, 255, 255]  # as white as the page around it
+    entries[brightest : brightest + 3] = [255, 255, 255]  # as white as the page
     few.putpalette(entries)
     return [picture.quantize(palette=few, dither=Image.Dither.NONE) for picture in pictures]
 
 
 def _still(animation: Path, seconds: float) -> Image.Image:
-    """Return the picture that an animation shows at this time, in its full size."""
+    """Return the picture of an animation at this time, in its full size."""
     left = 1000.0 * seconds
     with Image.open(animation) as frames:
         for frame in ImageSequence.Iterator(frames):
@@ -125,20 +125,20 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
-    """Return a picture in this number of colors, chosen for the widest range of them.
+    """Return a picture in this number of colors, chosen to cover the widest range.
 
-    If they were chosen by how often they occur, the many grays at the edges of letters would take
-    most of the palette, and the few colored lines would get none.
+    If the most frequent colors were chosen, the many grays at the edges of letters would take most
+    of the palette, and the few colored lines would lose their colors.
     """
     return picture.quantize(count, method=Image.Quantize.MAXCOVERAGE, kmeans=1)
 
 
 def _write(pictures: list[Image.Image], place: Path) -> None:
-    """Write a picture, or several as an endless animation, and print where it is and its size."""
+    """Write a picture, or several as an endless animation, and print its path and size."""
     place.parent.mkdir(parents=True, exist_ok=True)
     if len(pictures) == 1:
         pictures[0].save(place, optimize=True)
     else:
         rest, time = pictures[1:], PICTURE_TIME
         pictures[0].save(place, save_all=True, append_images=rest, duration=time, loop=0)
-    print(f"  into {shown(place)}, {place.stat().st_size // 1000} kB")
+    print(f"  {shown(place)}, {place.stat().st_size // 1000} kB")

@@ -1,7 +1,8 @@
-"""Limits of what a step bears, by bisection: springs, drag and a ground; and energies inside.
+"""Measure limits of stability by bisection, and energies inside the limits.
 
-A step is a linear map of place and velocity, so a spring's limit is where the larger eigenvalue
-leaves 1, and that of drag where a step's share of the velocity does. Pymunk is measured alike.
+There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
+and velocity. A spring's limit is where the magnitude of the larger eigenvalue exceeds 1. The limit
+of drag is where the factor of the velocity does. Pymunk is measured in the same way.
 """
 
 from __future__ import annotations
@@ -31,19 +32,20 @@ from studies.stability import (
 )
 
 FRAME = 1.0 / 60.0
-KEPT = (1.0, 0.9, 0.5)  # of the velocity, by the particle's damping, in a step
-DAMPERS = (0.0, 0.5)  # c h / m of the spring, where it is the spring that damps
-LEAST, MOST = 1e-3, 1e6  # of k h^2 / m and of k1 h / m
+KEPT = (1.0, 0.9, 0.5)  # fraction of the velocity that a step keeps, by the particle's damping
+DAMPERS = (0.0, 0.5)  # c h / m of the spring, for methods in which the spring has the damping
+LEAST, MOST = 1e-3, 1e6  # range of k h^2 / m and of k1 h / m
 OUTSIDE, HUGE = 1.02, 1e6
-STIFFNESS = 100.0  # N/m: 38 frames a swing
+STIFFNESS = 100.0  # N/m, for 38 frames per oscillation
 State = tuple[float, float]
 Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """A limit: of what, where, as it was found and as theory has it; infinite where there is none.
+    """A limit in one case, as measured and from theory. It is infinite if there is no limit.
 
-    ``steps`` is how many steps just outside multiply a swing by HUGE, NaN where nothing grows.
+    ``steps`` is the number of steps in which an oscillation just outside the limit grows by the
+    factor HUGE, or NaN if nothing grows.
     """
 
     method: str
@@ -56,7 +58,7 @@ class Bound(NamedTuple):
 def pymunk_step(
     by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
 ) -> State:
-    """Return place and velocity of a body of pymunk on a spring a step later, as a Solver does."""
+    """Return position and velocity of a pymunk body on a spring after a step, as a Solver does."""
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)
     body.position, body.velocity = (x, 0.0), (v, 0.0)
@@ -71,7 +73,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Return place and velocity of a body in a space of pymunk whose damping d is e^(-c / m)."""
+    """Return the same for a body in a pymunk space whose damping d is e^(-c / m)."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -89,7 +91,7 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Return a method, its spring of k h^2 / m = kappa, and the particle's damping d.
+    """Return a method, its spring with k h^2 / m = kappa, and the particle's damping d.
 
     ``damping`` is d^h of the particle for an integrator, and c h / m of the spring for the others.
     """
@@ -100,7 +102,7 @@ def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull,
 
 
 def growth_at(name: str, damping: float, kappa: float) -> float:
-    """Return the growth of a method by its name, pymunk's too, at k h^2 / m = kappa."""
+    """Return the growth per step of a method, given by name, at k h^2 / m = kappa."""
     integrator, pull, d = stepping(name, kappa, damping)
     return growth(integrator, pull, FRAME, d)
 
@@ -108,9 +110,9 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
 def theory_at(name: str, damping: float) -> float:
     """Return the k h^2 / m above which a spring explodes, with the damping of ``stepping``.
 
-    Pymunk's spring is stepped p' = p + v h, v' = (v + a' h) e^(-c h / m): as semi-implicit Euler
-    does with D = e^(-c h / m). A force by hand makes explicit Euler of it, whose determinant
-    1 - c h / m + kappa is 1 where kappa = c h / m, up to c h / m = 2.
+    Pymunk steps its spring by p' = p + v h, v' = (v + a' h) e^(-c h / m). This is semi-implicit
+    Euler with D = e^(-c h / m). With a force by hand, its step is explicit Euler. The determinant
+    1 - c h / m + kappa is then 1 at kappa = c h / m, which is the limit up to c h / m = 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -129,8 +131,9 @@ def spring_limits() -> list[Bound]:
     for name in PYMUNK:
         rows += [spring_limit(name, c, f"c h / m = {c:g}") for c in DAMPERS]
     rows += [spring_limit(name, 0.0, "c h / m = 0") for name in SOLVERS]
-    # A step from (x, v h) has the trace cos(a) + sin(a) / a and the determinant sin(a) / a, with
-    # a = chi h: the lower eigenvalue passes -1 where 1 + cos(a) + 2 sin(a) / a is 0, first at pi.
+    # A step of (x, v h) has the trace cos(a) + sin(a) / a and the determinant sin(a) / a, with
+    # a = chi h. The lower eigenvalue passes -1 at a zero of 1 + cos(a) + 2 sin(a) / a. The first
+    # is pi.
     faked = bound(
         "faked stiff spring", "undamped", lambda k: faked_growth(k**0.5, 0.0, FRAME), math.pi**2
     )
@@ -143,28 +146,29 @@ def spring_limit(name: str, damping: float, at: str) -> Bound:
 
 
 def ground_limit() -> Bound:
-    """Return the k h^2 / m at which a penalty ground throws what lies on it: that of its step."""
+    """Return the k h^2 / m at which a penalty ground throws a body at rest: the step's limit."""
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
-    return Bound("penalty ground", "what lies", found, 4.0, float(thrown(OUTSIDE * found)))
+    return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
 
 
 def thrown(kappa: float) -> int:
-    """Return after how many steps of 2000 a body is out of the ground that it lay on; 0 for none.
+    """Return the step, of 2000, after which a body that rested in the ground is above it, or 0.
 
-    It starts a HUGE part of its depth below where the ground bears it, so that it is thrown when
-    that has become HUGE times as large.
+    The body starts slightly below its position of rest, by a fraction 1 / HUGE of its depth. So it
+    leaves the ground when its displacement has grown by the factor HUGE.
     """
     depth = 10.0 / (kappa / FRAME**2)
     heights = bounces(kappa / FRAME**2, -depth * (1.0 + 1.0 / HUGE), 2000)
     return next((i for i, height in enumerate(heights) if height > 0.0), 0)
 
 
-# Above which z = k1 h / m a speed grows in a step, and above which it turns round. Euler's steps,
-# leapfrog, and a force by hand in pymunk multiply it by 1 - z. Verlet asks for its second force
-# with v + a h and so multiplies by 1 - z / 2 - z (1 - z) / 2 = 1 - z + z^2 / 2, which is 1/2 or
-# more; Runge and Kutta's series 1 - z + z^2 / 2 - z^3 / 6 + z^4 / 24 is positive as well, and is 1
-# again at the root of z^3 - 4 z^2 + 12 z - 24. Backward Euler has 1 / (1 + z), the trapezoidal rule
-# (1 - z / 2) / (1 + z / 2), and all that damps by d^h, as pymunk's spring does, e^-z.
+# The values of z = k1 h / m above which a speed grows in a step, and above which it reverses. The
+# Euler steps, leapfrog and pymunk with a force by hand multiply the speed by 1 - z. Verlet, which
+# evaluates its second force at v + a h, multiplies the speed by 1 - z / 2 - z (1 - z) / 2. This is
+# 1 - z + z^2 / 2 and at least 1/2. Runge-Kutta's series, 1 - z + z^2 / 2 - z^3 / 6 + z^4 / 24, is
+# also positive, and is 1 again at the root of z^3 - 4 z^2 + 12 z - 24. Backward Euler multiplies by
+# 1 / (1 + z), and the trapezoidal rule by (1 - z / 2) / (1 + z / 2). Methods that damp by d^h, such
+# as pymunk's spring, multiply by e^-z.
 DRAG_THEORY = {
     "explicit Euler": (2.0, 1.0),
     "semi-implicit Euler": (2.0, 1.0),
@@ -180,21 +184,21 @@ DRAG_THEORY = {
 
 
 def drag_limits() -> list[Bound]:
-    """Return the limits of k1 h / m of every method: of growth, and of turning round in a step."""
+    """Return each method's limits of k1 h / m, for growth and for reversal in a step."""
     rows = []
     for name, (grows, turns) in DRAG_THEORY.items():
         kept = partial(drag_factor, name)
         rows.append(bound(name, "growth", lambda z, kept=kept: abs(kept(z)), grows))  # type: ignore[misc]
-        # What a step takes of a speed is more than all of it where the speed turns round.
+        # The speed reverses where a step removes more than the whole speed.
         turned = first(lambda z, kept=kept: 1.0 - kept(z))  # type: ignore[misc]
         rows.append(Bound(name, "reversal", turned, turns, math.nan))
     return rows
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Return what a step under drag alone multiplies a speed by, at k1 h / m = z.
+    """Return the factor by which a step under drag alone multiplies a speed, at k1 h / m = z.
 
-    Integrators are asked with the force of chapter 5, the others with their damper and no spring.
+    Integrators use the force of chapter 5. The other methods use their damper without a spring.
     """
     k1 = z / FRAME
     if name in INTEGRATORS:
@@ -204,7 +208,7 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Return where growth begins, what theory has, and how soon a swing just outside is huge."""
+    """Return where growth begins, the limit from theory, and the steps to divergence outside it."""
     found = first(growth)
     bears = 0.0 < found < math.inf
     steps = math.log(HUGE) / math.log(growth(OUTSIDE * found)) if bears else math.nan
@@ -212,9 +216,9 @@ def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
 
 
 def first(growth: Growth) -> float:
-    """Return where growth begins, by bisection below the first of many places that have it.
+    """Return where growth begins, by bisection below the first of many values that show growth.
 
-    That is 0 where LEAST has it already, and infinity where none up to MOST has it.
+    The result is 0 if even LEAST shows growth, and infinity if no value up to MOST does.
     """
     low, high = 0.0, LEAST
     while not growth(high) > 1.0 + 1e-13:
@@ -225,9 +229,9 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
-    """Return for each method what so many swings, in rising order, have made of an energy of 1.
+    """Return the energy of each method after these numbers of oscillations, in rising order.
 
-    Explicit Euler is left out: at this stiffness it explodes.
+    The initial energy is 1. Explicit Euler is left out, because it explodes at this stiffness.
     """
     ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
     del ways["explicit Euler"]
@@ -238,10 +242,10 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
-    """Return the energy after so many swings, that at the start being 1, as the mean of a swing.
+    """Return the energy after these numbers of oscillations, relative to the initial energy.
 
-    ``matrix`` is that of a step of (x, v h). The energy of a symplectic method swings, and its mean
-    stays.
+    Each value is the mean over an oscillation, because the energy of a symplectic method oscillates
+    around a constant mean. ``matrix`` is that of a step of (x, v h).
     """
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME

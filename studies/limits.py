@@ -1,8 +1,8 @@
-"""Find where methods fail: the largest stable stiffness and drag of each method, beside theory.
+"""Find the largest stable stiffness and drag of each method, and compare them with theory.
 
 The limits are found by bisection. At 1.02 times a limit, oscillations must grow. Far inside the
-limits, the change of energy over ten thousand oscillations is measured. Maps show the growth around
-the limits, and curves show how soon a simulation just outside is lost.
+limits, the change in energy over ten thousand oscillations is measured. Maps show the growth around
+the limits. Curves show how soon a simulation diverges just outside the limits.
 """
 
 from __future__ import annotations
@@ -26,32 +26,37 @@ if TYPE_CHECKING:
     from studies.limit_search import Bound
 
 SWINGS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000]
-WORST = 0.05  # of a limit by theory, by which the one that is found may be off
+WORST = 0.05  # largest relative error allowed for a limit
 
 
 def main(arguments: list[str]) -> int:
-    """Print, draw and write. Return 1 if a limit differs from theory by more than 5 %."""
+    """Print, draw and write the results. Return 1 if a limit is off by more than 5 %."""
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "limits.csv")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=ROOT / "build" / "limits.csv",
+        help="the file for the numbers; the pictures are written next to it",
+    )
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
-    # These import chapters.
+    # These modules import chapters.
     from studies import limit_maps, limit_search
 
     pyplot.switch_backend("agg")
     console = Console(highlight=False)
-    with console.status("looking for limits of springs"):
+    with console.status("finding the limits of springs"):
         springs = limit_search.spring_limits()
-    with console.status("looking for limits of drag"):
+    with console.status("finding the limits of drag"):
         drags = limit_search.drag_limits()
-    with console.status(f"letting springs swing {SWINGS[-1]} times"):
+    with console.status(f"simulating {SWINGS[-1]} oscillations"):
         drifts = limit_search.energy_drifts(SWINGS)
-    with console.status("letting springs explode"):
+    with console.status("simulating unstable springs"):
         losses = limit_maps.divergence()
-    tables = ((springs, "at", "k h^2 / m"), (drags, "of", "k1 h / m"))
+    tables = ((springs, "case", "k h^2 / m"), (drags, "case", "k1 h / m"))
     for bounds, where, what in tables:
         console.print(_table(bounds, where, what))
-    table = Table("method", f"energy after {SWINGS[-1]} swings / energy", box=SIMPLE_HEAD)
+    table = Table("method", f"energy after {SWINGS[-1]} oscillations", box=SIMPLE_HEAD)
     for name, ratios in drifts.items():
         table.add_row(name, f"{ratios[-1]:.6g}")
     console.print(table)
@@ -61,7 +66,7 @@ def main(arguments: list[str]) -> int:
         for bounds, where, what in tables:
             heading = ("method", where, f"limit of {what}", "theory", "steps to x 1e6")
             writer.writerows([heading, *bounds])
-        writer.writerow(("method", *(f"energy after {count} swings" for count in SWINGS)))
+        writer.writerow(("method", *(f"energy after {count} oscillations" for count in SWINGS)))
         writer.writerows((name, *ratios) for name, ratios in drifts.items())
         writer.writerows([limit_maps.LOSS_COLUMNS, *losses])
     maps = options.out.with_suffix(".png")
@@ -70,17 +75,19 @@ def main(arguments: list[str]) -> int:
         limit_maps.draw_maps(maps)
     limit_maps.draw_divergence(losses, drifts, SWINGS, curves)
     console.print(
-        "Steps are those until a swing just outside, at "
-        f"{limit_search.OUTSIDE} of the limit, is 1e6 times as large. A limit of 0 means growth at "
-        f"{limit_search.LEAST:g} already. The energies are those at k h^2 / m = "
-        f"{limit_search.STIFFNESS * limit_search.FRAME**2:.3g}, which explicit Euler does not bear."
-        f"\nMaps: {shown(maps)}; time to divergence and energies: {shown(curves)}; "
-        f"all numbers of tables and curves: {shown(options.out)}",
+        "Column 'steps': number of steps until an oscillation at "
+        f"{limit_search.OUTSIDE} times the limit\n"
+        f"is 1e6 times as large. A limit of 0 means growth even at {limit_search.LEAST:g}.\n"
+        "Energies are relative to the initial energy, at k h^2 / m = "
+        f"{limit_search.STIFFNESS * limit_search.FRAME**2:.3g},\n"
+        "where explicit Euler is unstable.\n"
+        f"\nMaps: {shown(maps)}\nTime to divergence, energies: {shown(curves)}\n"
+        f"All numbers: {shown(options.out)}",
         soft_wrap=True,
     )
     off = [each for each in (*springs, *drags) if not _is_near(each)]
     for each in off:
-        console.print(f"off its theory by more than 5 %: {each.method}, {each.at}")
+        console.print(f"differs from theory by more than 5 %: {each.method}, {each.at}")
     return 1 if off else 0
 
 
@@ -89,11 +96,11 @@ def _is_near(bound: Bound) -> bool:
 
 
 def _table(bounds: list[Bound], where: str, what: str) -> Table:
-    headings = ("method", where, "limit", "theory", "off, %", "steps")
-    table = Table(*headings, title=f"limits of {what}", box=SIMPLE_HEAD, pad_edge=False)
+    headings = ("method", where, "limit", "theory", "error, %", "steps")
+    table = Table(*headings, title=f"Limits of {what}", box=SIMPLE_HEAD, pad_edge=False)
     for name, at, found, true, steps in bounds:
         off = f"{100.0 * (found / true - 1.0):.1g}" if 0.0 < true < math.inf else ""
-        reached = "none to 1e6" if found == math.inf else _number(found)
+        reached = "over 1e6" if found == math.inf else _number(found)
         lasts = "" if math.isnan(steps) else f"{steps:.0f}"
         table.add_row(name, at, reached, _number(true), off, lasts)
     return table

@@ -1,4 +1,4 @@
-"""Where links end, and by how much the worst cable is too long."""
+"""The positions of a link's ends, and the excess length of the worst cable."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
 
 
 def over_length(links: Iterable[object]) -> float:
-    """Return by how many percent the worst cable among links is too long, or 0 if none is."""
+    """Return the excess length of the worst cable in percent, or 0 if no cable is too long."""
     worst = 0.0
     for link in links:
         if isinstance(link, Cable | AnchoredCable):

@@ -26,16 +26,16 @@ from studies.links import over_length
 from studies.readings import Numbers, number, numbers, stopped
 
 FRAME = 1.0 / 60.0
-SPIKE = 0.5  # s: a frame in which the machine was busy with something else
-RADIUS = 0.5  # of the balls that fall asleep
+SPIKE = 0.5  # s, a frame in which the machine was busy with something else
+RADIUS = 0.5  # m, of the balls that fall asleep
 BALLS = 8
-LATE_HEIGHT = 40.0  # of the ball that wakes them, at the start
+LATE_HEIGHT = 40.0  # m, initial height of the ball that wakes them
 
 Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """What the bridge, the platform, the blob and the wheel have in common."""
+    """The attributes that the bridge, the platform, the blob and the wheel share."""
 
     @property
     def world(self) -> ParticleWorld: ...
@@ -44,7 +44,7 @@ class MassAggregate(Protocol):
 
 
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
-    """Measure values at the start and after each step, until the engine reports a failure."""
+    """Measure values at the start and after each step, until the engine raises an error."""
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
     def run() -> None:
@@ -59,7 +59,7 @@ def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float
 
 
 def resolve_by_heap(world: ParticleWorld) -> None:
-    """Give a world a faster resolver with the same iterations and the same results."""
+    """Give a world a faster resolver with the same number of iterations and the same results."""
     world.resolver = HeapResolver(world.resolver.iterations)
 
 
@@ -78,15 +78,16 @@ def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
 
 
 def default_bridge() -> Bridge:
-    """Return a bridge whose resolver has its default iterations, twice the contacts."""
+    """Return a bridge whose resolver has its default iterations: twice the number of contacts."""
     bridge = Bridge()
     bridge.world.resolver.iterations = None
     return bridge
 
 
 def variation(run: Track, since: float) -> float:
-    """Return the difference between the largest and the smallest value from a time on, over the
-    last value.
+    """Return the range of the values from a time on, as a fraction of the last value.
+
+    Returns NaN if the engine failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
@@ -97,9 +98,9 @@ def variation(run: Track, since: float) -> float:
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Return the over_length of a bridge whose ball has this mass, at 60 steps per second.
+    """Return the excess length of a bridge's cables under a ball of this mass, at 60 Hz.
 
-    It is infinite once the ball has fallen through. The second value is the number of resolutions.
+    It is infinite once the ball has fallen through. The second result is the number of resolutions.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)
@@ -119,7 +120,7 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Return frame times of 5 to 30 ms, with one of SPIKE at each of the given times, in order."""
+    """Return frame times of 5 to 30 ms, with a frame of SPIKE at each of the given times."""
     rng = random.Random(seed)
     frames, time, left = [], 0.0, [*spikes]
     while time < seconds:
@@ -140,10 +141,9 @@ def places(world: ParticleWorld) -> list[Numbers]:
 def in_frames(
     aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
-    """Run an aggregate in frames of given times: as steps of these times, or in even steps of
-    FRAME.
+    """Run an aggregate in frames of given times, either in steps of these times or by FixedStep.
 
-    The second value has, for each frame, the number of steps so far and all positions.
+    The second result contains, for each frame, the number of steps so far and all positions.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)
@@ -185,7 +185,7 @@ def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Return how many bonds of the same blob still hold."""
+    """Return the number of intact bonds of the same blob."""
     blob = _thrown(speed, cables)
 
     def holding() -> float:
@@ -197,7 +197,7 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
     """Return a world of balls in a row that land one after the other, and a late ball.
 
-    The late ball falls from LATE_HEIGHT between two of the others, and pushes all of them apart.
+    The late ball falls from LATE_HEIGHT between two of the others and pushes all of them apart.
     """
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]
@@ -209,11 +209,11 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Return how many balls are awake, the resolutions of a step, and the kinetic energy."""
+    """Return the number of awake balls, the resolutions per step, and the kinetic energy."""
     world, balls = balls_on_ground(kind)
 
     def move(duration: float) -> None:
-        world.resolver.iterations_used = 0  # where there is no contact, the resolver is not asked
+        world.resolver.iterations_used = 0  # the resolver is not called without contacts
         world.step(duration)
 
     def awake() -> float:
@@ -229,7 +229,7 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 
 
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
-    """Return the largest distance between two lists of positions."""
+    """Return the largest distance between corresponding positions in two lists."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
 
 

@@ -1,4 +1,4 @@
-"""A stack and a pile of spheres: how far they sink, and which overlaps a resolver leaves.
+"""A stack and a pile of spheres: how far they sink, and how much overlap a resolver leaves.
 
 Gravity is 10 m/s^2, downward. Lengths are in m, times in s.
 """
@@ -21,8 +21,9 @@ from studies.readings import numbers
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
     """Return the height of the top sphere of a stack, and the largest overlap.
 
-    At the start each sphere just touches the next one, and there is no bounce. The height is that
-    of the center. The overlap, between neighbors or with the ground, is a fraction of the diameter.
+    At the start each sphere just touches the next one, and nothing bounces. The height is that of
+    the sphere's center. The overlap, between neighbors or with the ground, is a fraction of the
+    diameter.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
@@ -42,10 +43,10 @@ def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track
 
 
 def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[Contact]]:
-    """Return a pile of spheres in a plane that falls on the ground, and its contacts.
+    """Return a pile of spheres in a plane that is falling to the ground, and its contacts.
 
     The lowest row has as many spheres as there are rows. Neighbors overlap by a fraction of the
-    diameter, and all fall at the same speed in m/s.
+    diameter, and all spheres fall at the same speed in m/s.
     """
     size = 2.0 * RADIUS * (1.0 - overlap)
     spheres = [
@@ -61,12 +62,11 @@ def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[
 
 
 def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
-    """Return the closing velocities and depths that remain in a pile after this number of
-    resolutions.
+    """Return the closing velocity and depth that remain after a number of resolutions of a pile.
 
-    They are the largest closing velocity in m/s and the largest depth in m at the final positions.
-    The resolutions are those of a ContactResolver, worst first, or those of sweeps through the
-    list, which skip contacts that need none.
+    The results are the largest closing velocity in m/s and the largest depth in m at the final
+    positions. The contacts are resolved by a ContactResolver, worst first, or by sweeps through the
+    list, which skip contacts that need no resolution.
     """
     spheres, contacts = pile(rows, 0.01, 1.0)
     if iterations and in_order:
@@ -76,7 +76,7 @@ def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, fl
         ContactResolver(iterations).resolve_contacts(contacts, FRAME)
     closing = max((-contact.separating_velocity() for contact in contacts), default=math.nan)
     places = [numbers(sphere.position) for sphere in spheres]
-    # From the places alone: the contacts may be wrong about how deep they are by now (E-8).
+    # Use positions only, because the contacts' own depths may be outdated (E-8).
     depths = [RADIUS - place[1] for place in places]
     depths += [2 * RADIUS - math.dist(a, b) for i, a in enumerate(places) for b in places[:i]]
     return max(closing, 0.0), max(0.0, *depths)
@@ -88,7 +88,7 @@ def _sweep(
     wants: Callable[[Contact], bool],
     resolve: Callable[[Contact], object],
 ) -> None:
-    """Resolve contacts in the order of the list, again and again, at most limit times."""
+    """Resolve contacts in the order of the list, repeatedly, at most ``limit`` times in total."""
     used = 0
     while True:
         before = used

@@ -1,7 +1,7 @@
 """Draw a chapter's plots with an engine, as PNG and CSV files under build/plots/.
 
 Each chapter's module in lab/plots/ has a tuple PLOTS of functions that return a Picture. If a plot
-takes longer than TIME_LIMIT, the run ends and prints the stack at that moment.
+takes longer than TIME_LIMIT, the run ends and prints a stack trace.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from studies.drawing import Picture
 from studies.engine import add_engine_options, use_engine
 from studies.reason import reason, shown
 
-TIME_LIMIT = 30.0  # seconds for one plot, which takes about one
+TIME_LIMIT = 30.0  # s for one plot, which normally takes about 1 s
 
 
 def main(arguments: list[str]) -> int:
@@ -29,7 +29,9 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="python -m studies plot", description=__doc__)
     parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
     add_engine_options(parser)
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "plots")
+    parser.add_argument(
+        "--out", type=Path, default=ROOT / "build" / "plots", help="the folder for the plots"
+    )
     options = parser.parse_args(arguments)
     use_engine(parser, options.engine, options.given)
     try:
@@ -39,23 +41,23 @@ def main(arguments: list[str]) -> int:
     drawn = [draw_chapter(chapter, options.out / chapter.name) for chapter in chapters]
     for chapter in chapters:
         note_engine(options.out / chapter.name, ROOT / options.engine)
-    if pyplot.get_backend().lower() != "agg":  # matplotlib found a display to open windows on
+    if pyplot.get_backend().lower() != "agg":  # matplotlib has found a display
         pyplot.show()
     return 0 if all(drawn) else 1
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Write down whose pictures these are, because check shows students only their own."""
+    """Record which engine drew the pictures, because check shows students only their own."""
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:
-    """Draw every plot of a chapter. Print what was written, and what failed and why."""
+    """Draw every plot of a chapter. Print the files written and the reason for each failure."""
     if not (ROOT / "lab" / "plots" / f"{chapter.name}.py").exists():
         print(f"chapter {chapter.number} has no plots")
         return True
-    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # an endless loop: say where, and end
+    faulthandler.dump_traceback_later(TIME_LIMIT, exit=True)  # shows where an endless loop is
     try:
         plots = importlib.import_module(f"lab.plots.{chapter.name}").PLOTS
     except (Exception, SystemExit) as error:
@@ -69,13 +71,13 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
-    """Write one plot as name.png and name.csv. If it fails, print why and keep no older file."""
+    """Write one plot as name.png and name.csv. If it fails, print why and delete older files."""
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"
     for older in (png, table):
         older.unlink(missing_ok=True)
     faulthandler.dump_traceback_later(limit, exit=True)
-    print(f"{name}: ", end="", flush=True)  # so that a plot that does not end is named
+    print(f"{name}: ", end="", flush=True)  # first, so that a plot that never ends is named
     try:
         picture = plot()
         picture.figure.savefig(png, dpi=110)

@@ -12,7 +12,7 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Return False if a call ends in a body that is not written yet."""
+    """Return whether a call runs without reaching code that is not written yet."""
     try:
         call()
     except NotImplementedError:
@@ -21,7 +21,7 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Act, and return the error with which the engine refuses to continue, or an empty text."""
+    """Call a function. Return the error with which the engine stopped, or an empty text."""
     try:
         act()
     except (ArithmeticError, ValueError) as error:
@@ -30,9 +30,10 @@ def stopped(act: Callable[[], object]) -> str:
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run scenes by their keys, and leave out those that need a body that is not written yet.
+    """Run scenes and return their results by key, except for scenes that need unwritten code.
 
-    Raises NotImplementedError if that is true of all of them.
+    Raises:
+        NotImplementedError: If all scenes need unwritten code.
     """
     found: dict[Key, Found] = {}
     stub: NotImplementedError | None = None
@@ -47,9 +48,9 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 
 
 def numbers(v: Any) -> Numbers:
-    """Return the components of a vector of an engine, and NaN for anything that is not a number.
+    """Return the components of an engine's vector, with NaN for anything that is not a number.
 
-    So a plot of a wrong engine misses a curve, and does not crash.
+    A plot of a wrong engine then lacks a curve, but it does not crash.
     """
     return (
         number(getattr(v, "x", None)),
@@ -81,7 +82,7 @@ def cross(a: Numbers, b: Numbers) -> Numbers:
 
 
 def angle_between(a: Numbers, b: Numbers) -> float:
-    """Return the angle between plain vectors in degrees, NaN if one has no direction."""
+    """Return the angle between plain vectors in degrees, or NaN if one of them is zero."""
     if not math.hypot(*a) * math.hypot(*b) > 0.0:
         return math.nan
     return math.degrees(math.atan2(math.hypot(*cross(a, b)), dot(a, b)))

@@ -1,4 +1,4 @@
-"""Say why the student's code could not be run, for pictures and scenes."""
+"""Explain why the student's code could not be run, for pictures and scenes."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from autograder.manifest import ROOT
 
 
 def reason(error: BaseException) -> str:
-    """Return the exception, the line that raised it, and what it most likely comes from."""
+    """Return the exception, the line that raised it, and its most likely cause."""
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
     if isinstance(error, SyntaxError) and error.filename:
         file, line, words = error.filename, error.lineno, error.msg
     else:
         frames = traceback.extract_tb(error.__traceback__)
-        not_theirs = [*LIBRARY, ROOT / "autograder"]  # which refuses some imports
+        not_theirs = [*LIBRARY, ROOT / "autograder"]  # autograder itself rejects some imports
         written = [frame for frame in frames if not is_inside(frame.filename, not_theirs)]
         last = (written or frames)[-1]
         file, line, words = last.filename, last.lineno, str(error)

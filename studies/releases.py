@@ -1,4 +1,4 @@
-"""The throws of a trebuchet if its sling lets go at each angle that it passes.
+"""The throws of a trebuchet, for every angle at which its sling might release the projectile.
 
 Lengths are in m, energies in J.
 """
@@ -25,7 +25,7 @@ from studies.readings import numbers, stopped
 
 @dataclass(frozen=True)
 class Release:
-    """A possible release: the angle in degrees, the range in m, and the fraction of the energy."""
+    """A possible release: its angle in degrees, its range in m, and its fraction of the energy."""
 
     angle: float
     range: float
@@ -33,11 +33,11 @@ class Release:
 
 
 def releases(design: Design) -> list[Release]:
-    """Throw with a sling that does not let go, and return each release that an angle can select.
+    """Simulate a sling that does not release, and return each release that an angle can select.
 
-    A sling lets go in the first step in which the projectile flies as low as the angle. So each
-    step in which it flies lower than ever before is a possible release, down to the horizon. Ranges
-    and fractions are those of Trebuchet.throw, in plain numbers.
+    A sling releases in the first step in which the projectile's flight direction is below the
+    release angle. So each step with a lower direction than ever before is a possible release, down
+    to the horizon. Ranges and fractions are computed as in Trebuchet.throw, but in plain numbers.
     """
     machine = Trebuchet(design)
     resolve_by_heap(machine.world)
@@ -49,7 +49,7 @@ def releases(design: Design) -> list[Release]:
             machine.world.step(STEP)
             x, y, _ = numbers(machine.projectile.position)
             vx, vy, vz = numbers(machine.projectile.velocity)
-            if y <= 0.0:  # on the sling to the ground: no throw
+            if y <= 0.0:  # it touched the ground in the sling
                 return
             if vx <= 0.0 or y <= PIVOT_HEIGHT:
                 continue

@@ -1,7 +1,7 @@
-"""A rope that hangs between two nails: by rods, by a chain that is solved at once, and exactly.
+"""A rope that hangs between two nails: simulated by rods, simulated by DirectChain, and exact.
 
-It is SPAN wide and LENGTH long, with a particle of 1 kg wherever two links meet. The nails are at
-height 0.
+The nails are at height 0, a distance SPAN apart, and the rope has the length LENGTH. Where two
+links meet, there is a particle of 1 kg.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from ch08_mass_aggregate.world import ParticleWorld
 from studies.readings import numbers
 
 SPAN, LENGTH = 2.0, 3.0  # m
-DAMPING = 0.1  # so that it hangs still soon
+DAMPING = 0.1  # strong, so that the rope soon comes to rest
 GRAVITY = Vector3(0.0, -9.81, 0.0)
 
 Place = tuple[float, float]
@@ -28,9 +28,9 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Hanging:
-    """A hanging rope: its positions, its sag in m, and by how much in m its links are too long.
+    """A hanging rope: its positions, its sag in m, and its excess length in m.
 
-    ``work`` is the number of contacts that were resolved, or of rod pulls that were solved for.
+    ``work`` is the number of contacts that were resolved, or of rod forces that were solved for.
     """
 
     places: list[Place]
@@ -40,24 +40,24 @@ class Hanging:
 
 
 def catenary_sag(span: float = SPAN, length: float = LENGTH) -> float:
-    """Return the sag in m of a rope of infinitely many links: a (cosh(span / 2a) - 1)."""
+    """Return the sag in m of a rope with infinitely many links: a (cosh(span / 2a) - 1)."""
     a = catenary_radius(span, length)
     return a * (math.cosh(0.5 * span / a) - 1.0)
 
 
 def catenary_radius(span: float = SPAN, length: float = LENGTH) -> float:
-    """Return a in m of the catenary a cosh(x / a) with this width and length."""
+    """Return the parameter a in m of the catenary a cosh(x / a) with this span and length."""
     return _solve(lambda a: 2.0 * a * math.sinh(0.5 * span / a) - length, 0.05 * span, 100.0 * span)
 
 
 def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Place]:
-    """Return the positions of a hanging rope of links with equal particles between them.
+    """Return the positions of a hanging rope of equal links with equal particles between them.
 
     At rest the horizontal pull is the same in all links, and the vertical pull changes by one
     weight from link to link. So the slopes of the links are evenly spaced.
     """
     link = length / links
-    weights = [i + 0.5 - 0.5 * links for i in range(links)]  # what a link bears, upwards
+    weights = [i + 0.5 - 0.5 * links for i in range(links)]  # upward pull of each link
 
     def width(pull: float) -> float:
         return math.fsum(link * pull / math.hypot(pull, weight) for weight in weights)
@@ -72,21 +72,19 @@ def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Plac
 
 
 def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
-    """Return the sag in m of a rope of links."""
+    """Return the sag in m of a rope with this number of links."""
     return -min(y for _, y in polygon(links, span, length))
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the positions of a rope that is pulled down in its middle."""
+    """Return the positions of a rope that is pulled down at its middle."""
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
     return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]
 
 
 def rope_particles(places: list[Place]) -> list[Particle]:
-    """Return the particles of a rope at these positions, from nail to nail. The nails are
-    immovable.
-    """
+    """Return the particles of a rope at these positions. The first and last are immovable."""
     particles = [
         Particle(Vector3(x, y), acceleration=GRAVITY, mass=1.0, damping=DAMPING) for x, y in places
     ]
@@ -95,10 +93,10 @@ def rope_particles(places: list[Place]) -> list[Particle]:
 
 
 def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
-    """Let a rope of two-sided rods hang in a ParticleWorld, with substeps in each step.
+    """Simulate a rope of two-sided rods in a ParticleWorld, with substeps in each step.
 
-    It starts in its exact shape. A HeapResolver resolves it, with the results of a ContactResolver
-    in less time.
+    The rope starts in its exact shape. A HeapResolver resolves the contacts. It gives the same
+    results as a ContactResolver in less time.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
@@ -112,7 +110,7 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
 
 
 def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
-    """Let the same rope hang by DirectChain, which keeps the lengths of the start."""
+    """Simulate the same rope with a DirectChain, which keeps its initial lengths."""
     particles = rope_particles(straight_v(links) if from_v else polygon(links))
     chain = DirectChain(particles[1:], particles[0].position)
     frames = round(seconds * rate)
@@ -128,7 +126,7 @@ def _measured(particles: list[Particle], work: int) -> Hanging:
 
 
 def _solve(of: Callable[[float], float], low: float, high: float) -> float:
-    """Return where a function changes its sign between two positive numbers."""
+    """Return where a function changes sign, by bisection between two positive numbers."""
     rises = of(high) > 0.0
     for _ in range(200):
         middle = math.sqrt(low * high)

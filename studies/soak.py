@@ -1,4 +1,4 @@
-"""Run the bridge and the platform of chapter 8 for ten minutes each, and watch their energy.
+"""Run the bridge and the platform of chapter 8 for ten minutes each, and check their energy.
 
 They run at 30, 60 and 120 steps per second. All numbers must stay finite, the energy must never
 rise above its start, and it must change by less than 0.1 % over the last minute.
@@ -17,7 +17,7 @@ from studies.engine import use_engine
 
 RATES = (30, 60, 120)  # Hz
 MINUTES = 10
-MOST = 0.001  # of the energy, by which it may vary over the last minute
+MOST = 0.001  # fraction by which the energy may vary over the last minute
 
 
 def main(arguments: list[str]) -> int:
@@ -40,7 +40,7 @@ def main(arguments: list[str]) -> int:
 
             name = f"{kind.__name__} at {rate} Hz"
             well, told = soak(name, scene.step, energy, rate, MINUTES)
-            verdict = "well" if well else "FAILED"
+            verdict = "passed" if well else "FAILED"
             print(f"{name}, {MINUTES} minutes: {verdict}, {told}", flush=True)
             failed += not well
     print(f"{failed} of {2 * len(RATES)} runs failed")
@@ -54,7 +54,7 @@ def soak(
     rate: int,
     minutes: int,
 ) -> tuple[bool, str]:
-    """Run a scene. Return whether its energy behaves as it must, and a description of it."""
+    """Run a scene. Return whether its energy meets the requirements, and a description of it."""
     start = energy()
     last: list[float] = []
     for _ in track(range(minutes), name, transient=True, disable=not sys.stdout.isatty()):

@@ -1,7 +1,7 @@
-"""Stability of steps: how springs oscillate, the growth per step, and the limits of theory.
+"""Stability of integrators: oscillations of springs, growth per step, and limits from theory.
 
-One spring pulls a particle of 1 kg to 0 along X. Every method is wrapped as an integrator of
-chapter 6, also a solver of one linear spring, so that all are run and watched in the same way.
+One spring pulls a particle of 1 kg toward 0 along X. Every method, even a solver of one linear
+spring, is wrapped as an integrator of chapter 6, so that all methods run in the same way.
 """
 
 from __future__ import annotations
@@ -45,10 +45,9 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring to 0 in plain numbers, so that a picture of a step does not show a mistake in a
-    spring.
+    """A spring toward 0 in plain numbers. Its pictures show no mistake of the engine's springs.
 
-    ``count`` is the number of evaluations.
+    ``count`` is the number of force evaluations.
     """
 
     def __init__(self, stiffness: float) -> None:
@@ -63,9 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """Positions and velocities at the start and after each step, and what ended the run early, if
-    anything.
-    """
+    """Positions and velocities at the start and after each step, and any error that ended it."""
 
     places: list[float]
     velocities: list[float]
@@ -86,16 +83,15 @@ def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrato
 
 
 def methods(stiffness: float) -> dict[str, Integrator]:
-    """Return every method by its name, for a spring of this stiffness without damping."""
+    """Return every method by name, for an undamped spring of this stiffness."""
     return INTEGRATORS | {name: solving(solver, stiffness) for name, solver in SOLVERS.items()}
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return the integrator watched for speeds above a limit in m/s, or unwatched if watched is a
-    stub.
+    """Return the integrator, watched for speeds above a limit in m/s if ``watched`` is written.
 
-    An unwatched integrator ends too when it explodes, because no particle accepts a force that is
-    not finite.
+    An unwatched integrator also ends when it explodes, because particles reject forces that are not
+    finite.
     """
     try:
         step = watched(integrator, limit)
@@ -112,7 +108,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release 1 kg at x = 1 m and let it oscillate until its speed is above the limit."""
+    """Release 1 kg at x = 1 m and let it oscillate until its speed exceeds the limit."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]
@@ -133,7 +129,7 @@ def growth(
 ) -> float:
     """Return the factor by which a step multiplies oscillations in the long run, or NaN.
 
-    Many steps multiply by the magnitude of the larger eigenvalue.
+    This is the magnitude of the larger eigenvalue of the step.
     """
     return spectral_radius(*step_matrix(integrator, generator, duration, damping))
 
@@ -141,7 +137,7 @@ def growth(
 def step_matrix(
     integrator: Integrator, generator: ForceGenerator, duration: float, damping: float = 1.0
 ) -> tuple[float, float, float, float]:
-    """Return the matrix of a step of (x, v h), row by row, or NaN if it returns no numbers.
+    """Return the matrix of a step of (x, v h), row by row, or NaN if the engine fails.
 
     The step is linear, so its results for (1, 0) and (0, 1) determine it.
     """
@@ -156,7 +152,7 @@ def step_matrix(
 
 
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
-    """Return the growth of a method by its name, at k h^2 / m = kappa.
+    """Return the growth per step of a method, given by name, at k h^2 / m = kappa.
 
     ``damping`` is c h / m of the spring for a solver, and d^h of the particle for an integrator.
     """
@@ -167,26 +163,26 @@ def growth_of(name: str, kappa: float, damping: float, duration: float) -> float
 
 
 def period(places: Sequence[float]) -> float:
-    """Return the number of steps of an oscillation from its zero crossings, or NaN without any."""
+    """Return the number of steps per oscillation, from its zero crossings, or NaN without any."""
     found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
     return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
 
 
 def true_place(k: float, c: float, time: float) -> float:
-    """Return the exact position of the particle of 1 kg that was released at 1 m."""
+    """Return the exact position of a particle of 1 kg that was released at 1 m."""
     state = damped_spring_state(1.0, 0.0, k, c, 1.0, time)
     return number(state[0]) if isinstance(state, tuple) else math.nan
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Return the growth of the faked spring for chi h and a fraction of the critical damping."""
+    """Return the growth of the faked spring at chi h and a fraction of the critical damping."""
     chi = angle / duration
     fake = FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi)
     return growth(semi_implicit_euler, fake, duration)
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Return the number of steps until a knot of the cloth has 1000 m/s, and what stopped it."""
+    """Return the steps until a knot of the cloth is faster than 1000 m/s, and the error."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -202,7 +198,7 @@ def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, s
 
 
 def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
-    """Return the heights of 1 kg that falls on a penalty ground without damping, at 60 Hz."""
+    """Return the heights of 1 kg that falls on an undamped penalty ground, at 60 Hz."""
     particle = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
     ground = PenaltyGround(0.0, stiffness)
     step = watching(semi_implicit_euler, 1e4)
@@ -218,7 +214,7 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Return the largest difference of the positions from cos(chi t), at up to 64 times."""
+    """Return the largest deviation of the positions from cos(chi t), at up to 64 times."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
@@ -228,7 +224,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
     """Return the magnitude of the larger eigenvalue of the matrix with the rows a, b and c, d."""
     half, product = (a + d) / 2.0, a * d - b * c
     root = half * half - product
-    if root < 0.0:  # a pair that is conjugate
+    if root < 0.0:  # the eigenvalues are complex conjugates
         return math.sqrt(product)
     return abs(half) + math.sqrt(root)
 
@@ -247,7 +243,7 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 
 
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
-    """Return d^h, the measured limit of k h^2 / m, and that of theory, for several dampings.
+    """Return d^h, and the measured and theoretical limits of k h^2 / m, for several dampings.
 
     Explicit Euler without damping is left out, because its limit is 0.
     """
@@ -262,11 +258,12 @@ def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
 def theory(name: str, kept: float) -> float:
     """Return the k h^2 / m above which a spring explodes if a step keeps the fraction D = d^h of v.
 
-    Each limit follows from the matrix of the step. Verlet and Runge-Kutta damp at the end only.
+    Each limit follows from the matrix of the step. Verlet and Runge-Kutta apply the damping only at
+    the end of the step.
     """
     if name == "explicit Euler":
         return 1.0 / kept - 1.0
-    if name in ("semi-implicit Euler", "leapfrog"):  # similar matrices
+    if name in ("semi-implicit Euler", "leapfrog"):  # their matrices are similar
         return 2.0 * (1.0 + kept) / kept
     if name == "velocity Verlet":  # the determinant is D, the trace (1 + D) (1 - kappa / 2)
         return 4.0
@@ -274,7 +271,7 @@ def theory(name: str, kept: float) -> float:
 
 
 def _runge_kutta(kappa: float, kept: float) -> tuple[float, float, float, float]:
-    """Return the series of cos and sin of sqrt(kappa), up to the fourth power of sqrt(kappa)."""
+    """Return the step's matrix: the series of cos and sin of sqrt(kappa) up to the fourth power."""
     cosine, sine = 1.0 - kappa / 2.0 + kappa**2 / 24.0, 1.0 - kappa / 6.0
     return cosine, sine, -kept * kappa * sine, kept * cosine
 
@@ -286,7 +283,7 @@ def _step(
 
 
 def _state(particle: Particle) -> tuple[float, float]:
-    """Return position and velocity along X, or NaN if the engine left no vector."""
+    """Return position and velocity along X, or NaN if the engine left no vectors."""
     x, v = (getattr(vector, "x", None) for vector in (particle.position, particle.velocity))
     return number(x), number(v)
 

@@ -1,8 +1,8 @@
-"""Timing as ratios: two things are timed in turn, in one run on one machine.
+"""Timing as ratios: two times are measured in turn, in one run on one machine.
 
-A ratio holds on any machine, and seconds do not. The two things are timed directly one after the
-other. The rounds of all lines are mixed, so that a slow minute of the machine does not spoil a
-single line. A line reports the median of its rounds and their quartiles.
+A ratio is similar on all machines, but seconds are not. The two times of a ratio are measured
+directly one after the other. The rounds of all lines are mixed, so that a slow minute of the
+machine does not spoil a single line. A line reports the median and the quartiles of its rounds.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from autograder.make_venv import shown_python
 
-Timer = Callable[[], float]  # in seconds
-Figure = Callable[[], float]  # of a round: a ratio of two times, or what else a line says
-Statements = dict[str, dict[str, str]]  # of a library, by operation; its "setup" comes first
+Timer = Callable[[], float]  # returns seconds
+Figure = Callable[[], float]  # returns the figure of one round, such as a ratio of two times
+Statements = dict[str, dict[str, str]]  # of a library, by operation; "setup" comes first
 ROUNDS = 15
-TIMES = 20_000  # a round, of a single statement
-LEAST = 5e-3  # s for a time of a round: what is faster is timed several times
+TIMES = 20_000  # runs of a single statement per round
+LEAST = 5e-3  # s; a shorter time is measured several times per round
 
 
 @dataclass(frozen=True)
 class Target:
-    """A bound for a figure: at least this much, or at most."""
+    """A bound for a figure: at least or at most this much."""
 
     side: Literal["at least", "at most"]
     bound: float
@@ -47,7 +47,7 @@ class Target:
 
 @dataclass(frozen=True)
 class Measurement:
-    """A line to be measured: ``once`` returns the figure of one round."""
+    """A line to measure. ``once`` returns the figure of one round."""
 
     what: str
     once: Figure
@@ -57,7 +57,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Line:
-    """A line that was measured: the median of its rounds, and their quartiles."""
+    """A measured line: the median and the quartiles of its rounds."""
 
     what: str
     median: float
@@ -67,7 +67,7 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """Whether the median is "met" or "missed" by the target; empty where there is none."""
+        """Return "met" or "missed", or an empty text if there is no target."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
@@ -85,7 +85,7 @@ def statement_timer(code: str, setup: str) -> Timer:
 
 
 def both(first: Timer, second: Timer) -> tuple[float, float]:
-    """Return the times of two things, taken directly one after the other in random order."""
+    """Return two times, measured directly one after the other in random order."""
     if random.random() < 0.5:
         a = warm(first)
         return a, warm(second)
@@ -94,9 +94,9 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Return a time. If it is below LEAST, return the mean of several runs after a first one.
+    """Return a time. If it is below LEAST, return the mean of several further runs.
 
-    The first run finds the caches full of other data, which would dominate a short run.
+    The first run finds other data in the caches, which would dominate a short time.
     """
     taken = timed()
     if taken >= LEAST:
@@ -109,7 +109,7 @@ def warm(timed: Timer) -> float:
 
 
 def versus(first: Timer, second: Timer) -> Figure:
-    """Return the figure first / second."""
+    """Return a figure that is the ratio of two times, first / second."""
 
     def once() -> float:
         a, b = both(first, second)
@@ -119,10 +119,10 @@ def versus(first: Timer, second: Timer) -> Figure:
 
 
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
-    """Take all rounds of all measurements, mixed, and return their lines in the original order.
+    """Take all rounds of all measurements in mixed order. Return the lines in the original order.
 
-    On a terminal, a bar shows what is measured and the time left. It is drawn only between two
-    rounds, so that it does not slow a round down.
+    On a terminal, a bar shows the current measurement and the time left. It is drawn only between
+    rounds, so that it does not slow them down.
     """
     figures: list[list[float]] = [[] for _ in measurements]
     order = mixed([measurement.rounds for measurement in measurements])
@@ -149,17 +149,17 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return an order in which 0 appears rounds[0] times, 1 rounds[1] times and so on.
+    """Return an order in which 0 appears rounds[0] times, 1 appears rounds[1] times, and so on.
 
-    Each of them appears once, at random, in each of as many equal parts of the run as it has
-    rounds.
+    For each number, the run is divided into as many equal parts as the number has rounds. The
+    number appears once in each part, at a random time.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]
 
 
 def quartiles(values: Sequence[float]) -> tuple[float, float]:
-    """Return the lower and the upper quartile, each of which is one of the values."""
+    """Return the lower and the upper quartile. Both are taken from the values."""
     ordered = sorted(values)
     return ordered[len(ordered) // 4], ordered[(3 * len(ordered)) // 4]
 
@@ -170,17 +170,18 @@ def against_peers(
     statements: Statements,
     peers: Iterable[tuple[str, str, Target | None]],
 ) -> list[Measurement]:
-    """Return how much faster ours is than each peer: the geometric mean over the common tasks.
+    """Return measurements of the peers' times relative to ours, each over the common operations.
 
-    ``name`` is the name of ours. A peer is a module, what is measured with it, and the target. A
-    peer that is not installed is reported and left out.
+    Each figure is a geometric mean. ``name`` is the name of our module. A peer is given by its
+    module, a title and a target. A peer that is not installed is reported and left out.
     """
     ours = statements["ours"]
     found = []
     for peer, title, target in peers:
         if importlib.util.find_spec(peer) is None:
             console.print(
-                f"{peer} is not installed: {shown_python()} -m pip install -r studies/peers.txt"
+                f"{peer} is not installed. To install it:\n"
+                f"  {shown_python()} -m pip install -r studies/peers.txt"
             )
             continue
         theirs = statements[peer]

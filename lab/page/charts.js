@@ -1,6 +1,6 @@
-// Charts over time, drawn by uPlot, and the chart of speed against accuracy.
+// Charts over time, drawn with uPlot, and the chart of speed against accuracy.
 
-const MOST = 900; // points of a series
+const MOST = 900; // points per series
 
 export class Charts {
   constructor(place) {
@@ -14,7 +14,7 @@ export class Charts {
     this.place.replaceChildren();
   }
 
-  // Add the values of a contender (its number, and how many there are) at a time.
+  // Add a value at a time. `number` is the contender's index; `colors` has one color per contender.
   add(title, time, number, colors, value) {
     if (!this.charts.has(title)) this.charts.set(title, this.make(title, colors));
     const chart = this.charts.get(title);
@@ -63,7 +63,7 @@ export class Charts {
     for (const {plot} of this.charts.values()) plot.setSize({width: this.place.clientWidth || 320, height: 130});
   }
 
-  // All that is charted, as a table in CSV.
+  // Return all charted values as a CSV table.
   csv(names) {
     const columns = [...this.charts].flatMap(([title, {data}]) =>
       data.slice(1).map((values, i) => ({title: `${title} (${names[i]})`, times: data[0], values})),
@@ -78,7 +78,7 @@ export class Charts {
   }
 }
 
-// At most five powers of ten between two values.
+// Return at most five powers of ten between two values.
 function decades(_, __, low, high) {
   const [first, last] = [Math.ceil(Math.log10(low)), Math.floor(Math.log10(high))];
   const stride = Math.max(1, Math.ceil((last - first) / 4));
@@ -93,7 +93,7 @@ function short(value) {
   return String(Number(value.toPrecision(4)));
 }
 
-// Draw the points of the contenders: time of a frame to the right, largest error upwards.
+// Plot each contender's largest error (upward) against its time per frame (to the right).
 export function drawTradeoff(canvas, points) {
   const ratio = window.devicePixelRatio || 1;
   const [width, height] = [canvas.clientWidth || 300, 180];

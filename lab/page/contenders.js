@@ -1,4 +1,4 @@
-// The engines that play the scene: the student's own first, and others that it is compared with.
+// The contenders: the student's engine first, then the engines and methods to compare it with.
 
 import {EngineLink} from "./engine.js";
 import {showStages} from "./stages.js";
@@ -18,7 +18,7 @@ export function load(contender) {
 }
 
 export function showRivals(spec) {
-  $("add").replaceChildren(new Option("another one ...", ""));
+  $("add").replaceChildren(new Option("choose ...", ""));
   const add = (label, rival) => $("add").add(new Option(label, JSON.stringify(rival)));
   for (const engine of page.list.engines.slice(1)) add("the reference", {engine, peer: "", changes: {}});
   const own = page.list.engines[0];

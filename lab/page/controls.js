@@ -1,5 +1,5 @@
-// Controls for a scene's parameters: a slider with a number beside it, or a choice. Each has a
-// function show, for a value that the scene itself has changed.
+// Controls for a scene's parameters: a slider with a number field, or a drop-down list. The show
+// function of a control displays a value that the scene itself has changed.
 
 export function makeControl(parameter, value, onChange) {
   const label = document.createElement("label");
@@ -42,7 +42,7 @@ export function makeControl(parameter, value, onChange) {
     show(clamped);
     onChange(clamped);
   };
-  // A slider without steps moves by a hundredth of its length.
+  // The arrow keys move a slider without steps by a hundredth of its length.
   range.onkeydown = (event) => {
     const way = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
     if (!way || range.step !== "any") return;

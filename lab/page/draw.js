@@ -1,4 +1,4 @@
-// Draw what a scene's pen has recorded on a canvas. Colors come from the style sheet.
+// Draw the items recorded by a scene's pen on a canvas. The style sheet defines the colors.
 
 const style = getComputedStyle(document.documentElement);
 const color = (name) => style.getPropertyValue(`--${name}`) || name;
@@ -11,7 +11,7 @@ export class Stage {
     new ResizeObserver(() => this.fit()).observe(canvas);
   }
 
-  // Fit the view into the canvas, with as many pixels as the screen has.
+  // Fit the view into the canvas at the screen's resolution.
   fit() {
     const {width, height} = this.canvas.getBoundingClientRect();
     if (!width) return;
@@ -30,7 +30,7 @@ export class Stage {
   x(x) { return this.dx + this.scale * x; }
   y(y) { return this.dy - this.scale * y; }
 
-  // The point of the scene under a pointer.
+  // Return the point of the scene under the pointer.
   point(event) {
     const box = this.canvas.getBoundingClientRect();
     return [(event.clientX - box.left - this.dx) / this.scale, (this.dy - event.clientY + box.top) / this.scale];
@@ -41,7 +41,7 @@ export class Stage {
     this.context.clearRect(0, 0, this.width, this.height);
   }
 
-  // Draw items; with a tint all in one color, so that several engines can be told apart.
+  // Draw items. A tint replaces all their colors, to tell several engines apart.
   draw(items, hidden, tint) {
     for (const [kind, name, ...values] of items) {
       const paint = tint || color(name);

@@ -1,4 +1,4 @@
-// A link to one engine: messages go out one at a time, and answers come back.
+// A link to one engine. It sends messages one at a time and receives the answers.
 
 export class EngineLink {
   constructor(engine, onAnswer) {
@@ -17,11 +17,11 @@ export class EngineLink {
     this.socket.onmessage = (event) => this.answered(JSON.parse(event.data));
     this.socket.onclose = () => {
       this.busy = false;
-      if (!this.closed) this.onAnswer({kind: "stopped", why: "The lab's server has ended. Start it again, and load this page anew."});
+      if (!this.closed) this.onAnswer({kind: "stopped", why: "The lab's server has stopped. Start it again with make lab."});
     };
   }
 
-  // Frames are asked for one message at a time: a slow engine is not flooded.
+  // Queue a message. Messages are sent one at a time, so that a slow engine is not flooded.
   send(message) {
     this.waiting.push(message);
     this.next();
@@ -34,7 +34,7 @@ export class EngineLink {
   }
 
   answered(answer) {
-    // Every message is answered by a frame, a verdict or the reason why there is none.
+    // The engine is ready for the next message after any of these answers.
     if (["frame", "stopped", "refused", "judged"].includes(answer.kind)) {
       this.busy = false;
     }

@@ -1,4 +1,4 @@
-// The lab's page: a scene, its parameters, and one or more engines that play it.
+// The lab's page: a scene, its parameters, and one or more engines that run it.
 
 import {drawTradeoff} from "./charts.js";
 import {addContender, showContenders, showRivals} from "./contenders.js";
@@ -39,7 +39,7 @@ function answered(contender, answer) {
   } else if (answer.kind === "refused") {
     trouble(answer.why);
   } else if (answer.kind === "saved") {
-    say(`${answer.files.join(", ")} saved: the scene starts again with it.`);
+    say(`${answer.files.join(", ")} saved. The scene restarts with the new code.`);
     restart();
   } else if (answer.kind === "judged") {
     page.judged?.(answer);
@@ -48,11 +48,11 @@ function answered(contender, answer) {
 
 const controls = new Map();
 
-// --- What is shown of a scene ----------------------------------------------------------------
+// --- Showing a scene -------------------------------------------------------------------------
 
 function showScene(spec) {
   page.spec = spec;
-  page.values = spec.values; // as the scene has understood them
+  page.values = spec.values; // as the scene has interpreted them
   document.title = `${spec.title} - the lab`;
   $("title").textContent = spec.title;
   $("question").textContent = spec.question;
@@ -125,7 +125,7 @@ function showNumbers() {
   }
 }
 
-// --- What a reader does ----------------------------------------------------------------------
+// --- Responding to the reader ----------------------------------------------------------------
 
 function change(name, value) {
   page.values[name] = value;
@@ -174,7 +174,7 @@ document.addEventListener("keydown", (event) => {
 });
 
 function showKeys() {
-  const keys = {"space": "play or pause", ".": "one frame", "r": "restart", "?": "this list", ...page.spec?.keys};
+  const keys = {"space": "play or pause", ".": "advance by one frame", "r": "restart", "?": "show this list", ...page.spec?.keys};
   $("keys").querySelector("dl").replaceChildren(
     ...Object.entries(keys).flatMap(([key, words]) => {
       const [term, meaning] = [document.createElement("dt"), document.createElement("dd")];
@@ -201,14 +201,14 @@ $("add").onchange = () => {
 };
 $("csv").onclick = () => save(`${page.name}.csv`, "text/csv", page.charts.csv(page.contenders.map((c) => c.label)));
 $("gif").onclick = async () => {
-  say("The animation is being drawn. This takes some seconds.");
+  say("Drawing the animation. This takes a few seconds.");
   const answer = await fetch(`record.gif?${new URLSearchParams({scene: page.name, ...page.values})}`);
   if (answer.ok) save(`${page.name}.gif`, "image/gif", await answer.blob());
-  say(answer.ok ? "The animation is saved." : await answer.text());
+  say(answer.ok ? "The animation has been saved." : await answer.text());
 };
 $("link").onclick = async () => {
   await navigator.clipboard.writeText(location.href);
-  say("The address is copied.");
+  say("The link has been copied.");
 };
 new ResizeObserver(() => page.charts.fit()).observe($("right"));
 

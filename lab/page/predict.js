@@ -1,4 +1,4 @@
-// A question that a reader answers before the scene runs, and what came of it.
+// Ask a question that the reader answers before the scene runs, and then show the verdict.
 
 export function ask(place, question, {watch, skip}) {
   place.hidden = !question;
@@ -16,9 +16,9 @@ export function ask(place, question, {watch, skip}) {
     field.append(label, document.createElement("br"));
   });
   const commit = document.createElement("button");
-  commit.textContent = "This is my answer: run it";
+  commit.textContent = "This is my answer: run the scene";
   const later = document.createElement("button");
-  Object.assign(later, {type: "button", textContent: "Just play"});
+  Object.assign(later, {type: "button", textContent: "Skip the question"});
   form.append(field, commit, " ", later);
   form.onsubmit = (event) => {
     event.preventDefault();

@@ -1,4 +1,4 @@
-// The pictures of the scene, and the mouse or finger on them.
+// The pictures of the scene, and pointer events on them.
 
 import {Stage} from "./draw.js";
 import {$, page, tint} from "./state.js";
@@ -39,10 +39,10 @@ export function drawAll() {
   });
 }
 
-// Whether a reader can drag this: a circle that has a name.
+// Whether the reader can drag this item: only circles with a name can be dragged.
 export const isGrabbed = (item) => item[0] === "circle" && item[6];
 
-// The name of the circle at a point, or "".
+// Return the name of the draggable circle at a point, or "".
 function grabbed(stage, x, y) {
   const circles = (page.contenders[0].frame?.items ?? []).filter(isGrabbed);
   return circles.find(([, , cx, cy, radius]) => Math.hypot(cx - x, cy - y) < Math.max(radius, 14 / stage.scale))?.[6] ?? "";

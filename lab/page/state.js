@@ -1,9 +1,9 @@
-// What the page shows now, and small helpers that all of its modules use.
+// The current state of the page, and small helpers that all of its modules use.
 
 import {Charts} from "./charts.js";
 
 export const $ = (id) => document.getElementById(id);
-export const FRAMES = 60; // in a second
+export const FRAMES = 60; // per second
 const TINTS = ["--blue", "--red", "--green", "--violet", "--orange"];
 
 export const page = {
@@ -13,7 +13,7 @@ export const page = {
   contenders: [],
   playing: false,
   target: 0, // frames that should have passed
-  until: Infinity, // frames after which a question is answered
+  until: Infinity, // number of frames after which a prediction is judged
   hidden: new Set(["force", "contact"]),
   charts: new Charts($("charts")),
 };
@@ -32,7 +32,7 @@ export function tint(contender) {
   return getComputedStyle(document.documentElement).getPropertyValue(TINTS[contender.number % TINTS.length]);
 }
 
-// The address holds what is needed to come back to this: scene, parameters, contenders.
+// Store everything in the address that is needed to restore the page.
 export function remember() {
   const query = new URLSearchParams({scene: page.name, ...page.values});
   for (const {engine, peer, changes} of page.contenders.slice(1)) query.append("with", JSON.stringify({engine, peer, changes}));

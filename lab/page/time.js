@@ -1,10 +1,10 @@
-// Time: frames that should have passed, and engines that are asked for them.
+// Advance time: count the frames that are due, and request them from the engines.
 
 import {load} from "./contenders.js";
 import {drawAll} from "./stages.js";
 import {$, FRAMES, page, say, trouble} from "./state.js";
 
-const MOST_AT_ONCE = 8; // frames that a link is asked for in one message
+const MOST_AT_ONCE = 8; // frames requested from an engine in one message
 let pictures = 0;
 
 export function play(wanted) {
@@ -12,7 +12,7 @@ export function play(wanted) {
   page.last = performance.now();
   $("play").textContent = wanted ? "Pause" : "Play";
   if (wanted) return;
-  page.target = Math.max(0, ...page.contenders.map((c) => c.asked)); // those behind catch up
+  page.target = Math.max(0, ...page.contenders.map((c) => c.asked)); // slower contenders catch up
   if (page.contenders[0]?.frame) say(page.contenders[0].frame.say);
 }
 
@@ -38,12 +38,12 @@ export function restart() {
   }
 }
 
-// Before each picture of the screen: let time pass, draw, and now and then show the numbers.
+// Run before each screen refresh: advance time, draw, and sometimes update the numbers.
 export function tick(now, showNumbers) {
   if (page.playing) {
     advance(((now - page.last) / 1000) * FRAMES * Number($("speed").value));
     page.last = now;
-    // Where an engine cannot follow, time passes more slowly.
+    // If an engine cannot keep up, time passes more slowly.
     const slowest = Math.min(...page.contenders.filter((c) => !c.dead).map((c) => c.asked));
     page.target = Math.min(page.target, slowest + 4 * MOST_AT_ONCE, page.until);
     if (slowest >= page.until) {
@@ -52,7 +52,7 @@ export function tick(now, showNumbers) {
       page.contenders[0].link.send({kind: "predict", option: page.guess});
     }
   }
-  advance(0); // a step that was wanted while an engine was busy
+  advance(0); // request steps that came due while an engine was busy
   drawAll();
   if (++pictures % 6 === 0) showNumbers();
   requestAnimationFrame((later) => tick(later, showNumbers));

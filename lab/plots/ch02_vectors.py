@@ -1,7 +1,7 @@
 """Pictures of chapter 2, drawn with the vectors of the chosen engine: make plot CH=2.
 
-Each title says what was measured in the picture with plain numbers, so that a mistake in the engine
-shows up.
+Each title states a quantity that was measured in the picture with plain numbers. A mistake in the
+engine therefore shows up in the title.
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ def addition() -> Picture:
 
 
 def projection() -> Picture:
-    """Draw a vector, its projection onto a direction, and the rest of the vector."""
+    """Draw a vector, its projection onto a direction, and the remaining part of the vector."""
     a, b = (math.cos(0.3), math.sin(0.3), 0.0), (2.0, 4.0, 0.0)
     direction, v = Vector3(*a), Vector3(*b)
     along = direction * direction.dot(v)
     part, rest = numbers(along), numbers(v - along)
     figure, axes = pyplot.subplots(figsize=(6, 5), layout="constrained")
-    axes.axline((0, 0), a[:2], color=GRAY, ls=":", label="the line of a")
+    axes.axline((0, 0), a[:2], color=GRAY, ls=":", label="line along a")
     arrow(axes, b, "b", ORANGE)
     arrow(axes, part, "c a, with c = a . b", BLUE)
     end = (part[0] + rest[0], part[1] + rest[1], part[2] + rest[2])
@@ -61,7 +61,7 @@ def projection() -> Picture:
 
 
 def cross_product() -> Picture:
-    """Draw the vector product with the parallelogram of its factors, and its length by angle."""
+    """Draw the vector product of two vectors, and its length against the angle between them."""
     a, b = (0.3, 0.1, 1.2), (1.0, 0.0, 0.2)
     product = numbers(Vector3(*a).cross(Vector3(*b)))
     figure = pyplot.figure(figsize=(10, 5), layout="constrained")
@@ -98,7 +98,7 @@ def cross_product() -> Picture:
 
 
 def basis() -> Picture:
-    """Draw an orthonormal basis and the two vectors that it was made from."""
+    """Draw an orthonormal basis and the two vectors from which it was made."""
     a, b = (1.6, 0.6, 0.4), (0.2, 1.3, 0.6)
     made = make_orthonormal_basis(Vector3(*a), Vector3(*b))
     first, second, third = (numbers(v) for v in made)
@@ -125,7 +125,7 @@ PLOTS = (addition, projection, cross_product, basis)
 
 
 def _product_length(angle: float) -> float:
-    """Return the engine's |a x b| for |a| = 2 and |b| = 3 at this angle, in a slanted plane."""
+    """Return the engine's |a x b| for |a| = 2 and |b| = 3 at this angle, in a tilted plane."""
     along, across = 3.0 * math.cos(angle), 3.0 * math.sin(angle)
     a, b = Vector3(1.2, 1.6, 0.0), Vector3(0.6 * along, 0.8 * along, across)
     return math.hypot(*numbers(a.cross(b)))

@@ -1,6 +1,7 @@
 """Pictures of chapter 3, drawn with the particle of the chosen engine: make plot CH=3.
 
-Each title says what was measured in the picture, so that a mistake in the engine shows up.
+Each title states a quantity that was measured in the picture. A mistake in the engine therefore
+shows up in the title.
 """
 
 from __future__ import annotations
@@ -18,8 +19,8 @@ from studies.drag_flight import AT_REST, FREE_FALL, GRAVITY, PROJECTILE, DragFli
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, Picture, slope
 from studies.readings import numbers
 
-KEPT = 0.5  # the damping per second of the comparison
-TUNED_AT = 60.0  # frames per second, at which damping per frame is set to the same loss
+KEPT = 0.5  # damping per second
+TUNED_AT = 60.0  # frames per second at which damping per frame loses as much as per second
 RATES = (15, 20, 30, 45, 60, 90, 120, 180, 240)
 JITTER = 0.3
 RUNS = 20
@@ -31,7 +32,7 @@ FORMS = (
 
 
 def damping_comparison() -> Picture:
-    """Draw the loss of velocity in a fall of one second against the frame rate (exercise 3.5)."""
+    """Draw the velocity lost in one second of fall against the frame rate (exercise 3.5)."""
     fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
     exact = 1.0 + fall.exact(fall.duration).velocity[1] / undamped
@@ -52,7 +53,7 @@ def damping_comparison() -> Picture:
         f"{100.0 * rows[0][1]:.0f} % at 15 Hz, {100.0 * rows[-1][1]:.0f} % at 240 Hz"
     )
     for sign in (1.0, -1.0):
-        # To first order in h, the two forms are off by k h / 2 of the remaining velocity.
+        # To first order in h, each form has an error of k h / 2 of the remaining velocity.
         theory = [sign * 50.0 * (1.0 - exact) * -math.log(KEPT) / rate for rate in RATES]
         label = "" if sign < 0.0 else "theory, ±(1 - loss) h ln d / 2"
         right.plot(RATES, theory, color=GRAY, lw=5, alpha=0.5, label=label)
@@ -70,7 +71,7 @@ def damping_comparison() -> Picture:
 
 
 def integration_error() -> Picture:
-    """Draw the error of the step in free fall against its duration (exercise 3.4)."""
+    """Draw the error of the position in free fall against the time step (exercise 3.4)."""
     counts = (10, 20, 50, 100, 200, 500, 1000, 3000)
     time, g = FREE_FALL.duration, -GRAVITY[1]
     rows = []
@@ -97,7 +98,7 @@ def integration_error() -> Picture:
 
 
 def trajectories() -> Picture:
-    """Draw a throw with and without damping, in long steps, and the exact paths."""
+    """Draw a throw in long time steps with and without damping, next to the exact paths."""
     frame = 0.1
     frames = round(PROJECTILE.duration / frame)
     undamped = DragFlight("projectile", PROJECTILE.start, GRAVITY, 1.0, PROJECTILE.duration)
@@ -131,9 +132,9 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 
 
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
-    """Return the fraction of the velocity that each form of damping takes in one second of fall.
+    """Return the fraction of the velocity that each form of damping removes in one second of fall.
 
-    The frame durations are random around 1 / rate, and the fractions are averaged over the runs.
+    The frame durations are random around 1 / rate, and the fractions are means over several runs.
     """
     gravity = Vector3(*GRAVITY)
     per_frame = KEPT ** (1.0 / TUNED_AT)

@@ -1,4 +1,4 @@
-"""Pictures of chapter 4: the five shots, every type of firework, and the step's error."""
+"""Pictures of chapter 4: the five shots, all types of fireworks, and the error of the step."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from studies.drag_flight import flight_of, make_particle
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, YELLOW, Picture, slope
 from studies.readings import Numbers, is_written, numbers
 
-SHOT_COLORS = {  # a shot of the student's own is pink
+SHOT_COLORS = {  # pink for a shot type that the student has added
     **dict.fromkeys(SHOT_TYPES, PINK),
     "pistol": BLACK,
     "artillery": GREEN,
@@ -29,14 +29,14 @@ SHOT_COLORS = {  # a shot of the student's own is pink
     "grenade": BLUE,
     "fragment": BLUE,
 }
-# One for each of the eleven types, and for the sparks of the wheel.
+# One color for each of the eleven types, and one for the sparks of the wheel.
 SPARK_COLORS = (YELLOW, ORANGE, SKY, PINK, YELLOW, RED, SKY, GREEN, "white", PINK, GREEN, ORANGE)
 FRAME = 1.0 / 60.0
-LONGEST = 600  # frames, in which every shot lands and every firework burns out
+LONGEST = 600  # frames, enough for every shot to land and every firework to burn out
 
 
 def shots() -> Picture:
-    """The paths of the five shots, and the share of its energy that each keeps."""
+    """Draw the paths of the five shots and the fraction of its energy that each shot keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )
@@ -62,36 +62,36 @@ def shots() -> Picture:
         kept[name] = 100.0 * whole[-1][6] if whole else math.nan
     k = -math.log(SHOT_TYPES["laser"].damping)
     times = [i * 0.1 for i in range(21)]
-    # What drag leaves of a kinetic energy, d^2t, for the shot without gravity.
+    # Drag leaves the fraction d^2t of the kinetic energy, for the shot without gravity.
     exact = [100.0 * math.exp(-2.0 * k * t) for t in times]
     energies.plot(times, exact, color=GRAY, lw=5, alpha=0.4, label="theory without gravity, d^2t")
     paths.axhline(0.0, color=GREEN, lw=1)
     paths.set(xlabel="z, m", ylabel="y, m", xlim=(0, 205))
     paths.grid(alpha=0.3)
     paths.legend(fontsize=8)
-    energies.set(xlabel="time, s", ylabel="motion and height:\nenergy kept, %", ylim=(0, 105))
+    energies.set(xlabel="time, s", ylabel="kinetic + potential\nenergy kept, %", ylim=(0, 105))
     energies.grid(alpha=0.3)
     energies.legend(fontsize=8)
     found = f"the pistol {kept['pistol']:.0f} %, the fireball {kept['fireball']:.0f} %"
     if "grenade" in kept:
         found += f"; the grenade has {kept['grenade']:.0f} % before it bursts"
     paths.set_title(
-        f"At its last frame the laser has {kept['laser']:.0f} % of its energy, the artillery shell "
+        f"In its last frame the laser has {kept['laser']:.0f} % of its energy, the artillery shell "
         f"{kept['artillery']:.0f} %,\n{found}"
     )
-    columns = ("fired", "shot", "time, s", "x, m", "y, m", "z, m", "energy, share of the start's")
+    columns = ("fired", "shot", "time, s", "x, m", "y, m", "z, m", "energy / initial energy")
     return Picture(figure, columns, rows)
 
 
 def fireworks() -> Picture:
-    """Every type of firework and the Catherine wheel, from one launch to the dark."""
+    """Draw every type of firework and the Catherine wheel, until all sparks have gone out."""
     rules = [*FIREWORK_TYPES, *(own_types() if is_written(own_types) else [])]
     figure, panels = pyplot.subplots(3, 4, figsize=(12, 7.4), layout="constrained")
     rows = []
     most = 0
     for rule, axes in zip(rules, panels.flat, strict=False):
         show = FireworksShow(rules, capacity=400, seed=4)
-        rises = rule.min_velocity[1] >= 10.0  # what does not is shown where another one left it
+        rises = rule.min_velocity[1] >= 10.0  # the other types start in the air
         place = Particle(Vector3(0, 0 if rises else 12, 0))
         lit = 1 if rule.payloads else 12
         show.light([(rule.type, lit, place)])
@@ -99,7 +99,7 @@ def fireworks() -> Picture:
         most = max(most, *counts)
         name = f"type {rule.type}" if lit == 1 else f"{lit} of type {rule.type}"
         axes.set_title(
-            f"{name}: at most {max(counts)} burn, {len(counts) * FRAME:.1f} s", fontsize=9
+            f"{name}: at most {max(counts)} burning, {len(counts) * FRAME:.1f} s", fontsize=9
         )
         rows += [(rule.type, (i + 1) * FRAME, count) for i, count in enumerate(counts)]
     show = FireworksShow([WHEEL_SPARK], capacity=400, seed=4)
@@ -110,12 +110,12 @@ def fireworks() -> Picture:
         rows += [("wheel", (i + 1) * FRAME, count) for i, count in enumerate(counts)]
     for axes in panels.flat[len(rules) : 11]:
         axes.set_visible(False)
-    figure.suptitle(f"{len(rules)} types and a wheel: of one launch at most {most} burn at a time")
+    figure.suptitle(f"{len(rules)} types and a wheel: at most {most} burn at a time after a launch")
     return Picture(figure, ("type", "time, s", "burning"), rows)
 
 
 def step_error() -> Picture:
-    """The error of the step against the closed form, over the length of a frame."""
+    """Draw the error of the step against the length of a frame, by the closed form."""
     counts = (15, 30, 60, 120, 240, 480, 960, 1920)
     seconds = 2.0
     figure, axes = pyplot.subplots(figsize=(6.4, 5), layout="constrained")
@@ -154,7 +154,7 @@ PLOTS = (shots, fireworks, step_error)
 
 
 def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
-    """Fire a shot and yield, after each frame, the type, place and velocity of what flies."""
+    """Fire a shot and yield, after each frame, the type, position and velocity of its pieces."""
     at = BallisticRange()
     at.fire(name)
     for _ in range(LONGEST):
@@ -169,14 +169,14 @@ def _seen(shot: Shot) -> tuple[str, Numbers, Numbers]:
 
 
 def _energy(name: str, velocity: Numbers, height: float) -> float:
-    """Return the energy per kilogram in J/kg: of the motion, and of the height."""
+    """Return the kinetic and potential energy per kilogram, in J/kg."""
     return 0.5 * math.hypot(*velocity) ** 2 - SHOT_TYPES[name].acceleration[1] * height
 
 
 def _streaks(
     axes: Axes, show: FireworksShow, before: Callable[[], None], frames: int = LONGEST
 ) -> list[int]:
-    """Draw where fireworks were seen, frame by frame; return how many burnt after each."""
+    """Draw the fireworks of all frames into one picture, and return how many burned in each."""
     seen: dict[int, tuple[list[float], list[float]]] = {}
     counts = []
     for _ in range(frames):
@@ -192,7 +192,7 @@ def _streaks(
             ys.append(y)
     for type, (xs, ys) in seen.items():
         color = SPARK_COLORS[(type - 1) % len(SPARK_COLORS)]
-        bursts = bool(show.rules[type].payloads)  # in gray, so that what it leaves stands out
+        bursts = bool(show.rules[type].payloads)  # in gray, so that its sparks stand out
         axes.plot(xs, ys, ".", ms=1.2, color=GRAY if bursts else color)
     axes.set(facecolor="black", xlim=(-16, 16), ylim=(0, 24), aspect="equal")
     axes.tick_params(labelsize=7)

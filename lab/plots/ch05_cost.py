@@ -1,4 +1,4 @@
-"""A picture of chapter 5: what each generator costs."""
+"""A picture of chapter 5: the cost of each force generator."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ DOWN = (0.0, -G, 0.0)
 
 
 def cost_of_a_generator() -> Picture:
-    """How long a frame takes with each generator, next to gravity as a constant acceleration."""
+    """Draw the time per frame with each generator, relative to gravity as an acceleration."""
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
     brake = Airbrake(0.5)
     brake.on = True
@@ -52,7 +52,8 @@ def cost_of_a_generator() -> Picture:
     for name, generator in generators:
         particle = Particle(place, motion)
         if is_written(lambda g=generator, p=particle: g.update_force(p, FRAME)):  # type: ignore[misc]
-            shown.append((f"{name}, by the registry", _registered(particle, generator)))
+            words = f"{name}, via the registry"
+            shown.append((words, _registered(particle, generator)))
     lines = measure(
         [
             Measurement(name, versus(timer(lambda f=f: _frames(f)), base), 21)  # type: ignore[misc]
@@ -70,13 +71,13 @@ def cost_of_a_generator() -> Picture:
     axes.barh(names, ratios, xerr=spread, color=colors, ecolor=GRAY)
     axes.invert_yaxis()
     axes.axvline(1.0, color=BLACK, lw=1)
-    axes.set(xlabel="time of a frame, chapter 3's step with gravity as acceleration = 1")
+    axes.set(xlabel="time per frame / time of chapter 3's step with gravity as acceleration")
     axes.grid(alpha=0.3, axis="x")
     costs = dict(zip(names, ratios, strict=True))
-    if gravity := costs.get("Gravity, by the registry"):
+    if gravity := costs.get("Gravity, via the registry"):
         axes.set_title(
-            f"Gravity by a generator takes {gravity:.1f} times as long, for the same path:\n"
-            "it is worth that where g is not the same at all places and times"
+            f"Gravity as a generator takes {gravity:.1f} times as long for the same path.\n"
+            "Use it only if g varies with position or time"
         )
     return Picture(figure, ("what", "ratio", "lower quartile", "upper quartile"), rows)
 
@@ -87,7 +88,7 @@ def _frames(frame: Callable[[float], None]) -> None:
 
 
 def _registered(particle: Particle, generator: ForceGenerator) -> Callable[[float], None]:
-    """Return what lets a frame pass for a particle on which a generator acts."""
+    """Return a function that advances a particle by one frame under a generator's force."""
     registry = ForceRegistry()
     registry.add(particle, generator)
 

@@ -1,7 +1,7 @@
-"""Pictures of chapter 5: terminal speeds, a fall with drag, an orbit that drifts.
+"""Pictures of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
 
-Titles give what is measured on the picture: a wrong engine cannot hide. What each generator costs
-is in ch05_cost.
+Each title states a quantity that was measured in the picture. A mistake in the engine therefore
+shows up in the title. The picture of what each generator costs is in ch05_cost.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ MASS = 2.0
 G = 9.81
 DOWN = (0.0, -G, 0.0)
 
-# The orbit: half as far at its nearest as on average, where a turn takes 2 pi s.
+# The orbit: its smallest distance is half of its semi-major axis, and its period is 2 pi s.
 ECCENTRICITY = 0.5
 TURNS = 20
 PERIOD = 2.0 * math.pi
 
 
 def terminal_speeds() -> Picture:
-    """Falls with linear and with quadratic drag, and the speeds that they come to."""
+    """Draw falls with linear and with quadratic drag, and their terminal speeds."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
     rows: list[Sequence[object]] = []
     worst = 0.0
@@ -48,7 +48,10 @@ def terminal_speeds() -> Picture:
     left.set(xlabel="time, s", ylabel="speed of a fall of 2 kg, m/s")
     left.grid(alpha=0.3)
     left.legend(fontsize=8)
-    left.set_title(f"After a minute each is at its terminal speed (dotted),\nto {worst:.1g} of it")
+    left.set_title(
+        "After a minute every fall is at its terminal speed (dotted),\n"
+        f"with a relative error of at most {worst:.1g}"
+    )
     masses = [0.01 * 10.0 ** (i / 4.0) for i in range(17)]
     slopes = []
     for (k1, k2), color, mark in (
@@ -59,7 +62,7 @@ def terminal_speeds() -> Picture:
         exact = [terminal_speed(mass * G, k1, k2) for mass in masses]
         label = f"k1 = {k1:g}, k2 = {k2:g}"
         right.loglog([m * G for m in masses], exact, color=color, lw=1)
-        # 600 frames, each a tenth of m / (k1 + k2 v) at the terminal speed v.
+        # 600 frames, each a tenth of the time m / (k1 + k2 v) at the terminal speed v.
         found = [
             _fall(mass, k1, k2, 0.1 * mass / (k1 + k2 * end), 600)[-1][1]
             for mass, end in zip(masses, exact, strict=True)
@@ -70,19 +73,19 @@ def terminal_speeds() -> Picture:
             ("end", k1, k2, mass, 0.0, *pair)
             for mass, pair in zip(masses, zip(found, exact, strict=True), strict=True)
         ]
-    right.set(xlabel="weight, N", ylabel="speed in the end, m/s (lines: the formula)")
+    right.set(xlabel="weight, N", ylabel="final speed, m/s (lines: formula)")
     right.grid(alpha=0.3, which="both")
     right.legend(fontsize=8)
     right.set_title(
-        "The terminal speed goes as the weight to the power\n"
-        f"{slopes[0]:.2f} with k1 alone, {slopes[1]:.2f} with k2 alone"
+        "The terminal speed grows as the weight to the power\n"
+        f"{slopes[0]:.2f} with k1 alone and {slopes[1]:.2f} with k2 alone"
     )
     columns = ("part", "k1", "k2", "mass, kg", "time, s", "speed, m/s", "terminal speed, m/s")
     return Picture(figure, columns, rows)
 
 
 def fall_with_drag() -> Picture:
-    """A fall with quadratic drag in long frames beside the closed form, and its error."""
+    """Draw a fall with quadratic drag in long frames next to the closed form, and its errors."""
     k2, seconds, frame = 0.05, 4.0, 0.2
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
     count = round(seconds / frame)
@@ -110,7 +113,7 @@ def fall_with_drag() -> Picture:
         errors, (BLUE, ORANGE), ("speed, m/s", "distance, m"), strict=True
     ):
         right.loglog(lengths, found, "o-", color=color, ms=5, label=f"error of the {label}")
-    right.loglog(lengths, lengths, color=GRAY, lw=5, alpha=0.4, label="first order: as h")
+    right.loglog(lengths, lengths, color=GRAY, lw=5, alpha=0.4, label="first order: h")
     right.set(xlabel="length of a frame h, s", ylabel=f"error after {seconds:g} s")
     right.grid(alpha=0.3, which="both")
     right.legend(fontsize=8)
@@ -125,7 +128,7 @@ def fall_with_drag() -> Picture:
 
 
 def orbit() -> Picture:
-    """Energy and angular momentum of an orbit over 20 turns, by the book's step."""
+    """Draw the energy and angular momentum of an orbit over 20 turns with the book's step."""
     figure, (path, energies, momenta) = pyplot.subplots(
         1, 3, figsize=(14, 4.6), layout="constrained"
     )
@@ -137,37 +140,37 @@ def orbit() -> Picture:
         turns = [i / 40.0 for i in range(len(seen))]
         energy = [0.5 * math.hypot(*v) ** 2 - 1.0 / math.hypot(*p) for p, v in seen]
         momentum = [cross(p, v)[2] for p, v in seen]
-        label = f"{frames} frames a turn"
+        label = f"{frames} frames per turn"
         path.plot([p[0] for p, _ in seen], [p[1] for p, _ in seen], color=color, lw=0.4)
         drifts = (_energy_drift(h), _momentum_drift(h))
         for axes, values, drift in ((energies, energy, drifts[0]), (momenta, momentum, drifts[1])):
             axes.plot(turns, values, color=color, lw=1.2, label=label)
             theory = [values[0] + drift * turn for turn in turns]
             axes.plot(turns, theory, color=color, lw=5, alpha=0.3)
-        # The first turn, from farthest point to farthest: later the orbit has become another one.
+        # Compare the first turn only, between farthest points: later the orbit has changed.
         words.append(([values[40] - values[0] for values in (energy, momentum)], drifts))
         rows += [(frames, *row) for row in zip(turns, energy, momentum, strict=True)]
     path.plot([0], [0], "o", color=BLACK, ms=6)
     path.set(xlabel="x, m", ylabel="y, m", aspect="equal")
-    path.set_title(f"{TURNS} turns about the center that attracts")
+    path.set_title(f"{TURNS} turns around the attracting center")
     (found, drifts), (half, _) = words
     energies.set(xlabel="turns", ylabel="energy, J/kg")
     energies.set_title(
         f"The first turn adds {found[0]:.3g} J/kg (theory {drifts[0]:.3g}),\n"
-        f"{half[0]:.3g} in frames of half the length",
+        f"{half[0]:.3g} with frames of half the length",
         fontsize=10,
     )
     momenta.set(xlabel="turns", ylabel="angular momentum, m$^2$/s")
     momenta.set_title(
         f"The first turn adds {found[1]:.3g} m$^2$/s (theory {drifts[1]:.3g}),\n"
-        f"{half[1]:.3g} in frames of half the length",
+        f"{half[1]:.3g} with frames of half the length",
         fontsize=10,
     )
     for axes in (path, energies, momenta):
         axes.grid(alpha=0.3)
     energies.plot([], [], color=GRAY, lw=5, alpha=0.5, label="theory for the first turn")
     energies.legend(fontsize=8)
-    columns = ("frames a turn", "turns", "energy, J/kg", "angular momentum, m^2/s")
+    columns = ("frames per turn", "turns", "energy, J/kg", "angular momentum, m^2/s")
     return Picture(figure, columns, rows)
 
 
@@ -177,7 +180,7 @@ PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 def _fall(
     mass: float, k1: float, k2: float, frame: float, frames: int
 ) -> list[tuple[float, float]]:
-    """Let a particle fall from rest, with drag; return its distance and speed after each frame."""
+    """Let a particle fall from rest with drag, and return its distance and speed per frame."""
     particle = Particle(acceleration=Vector3(*DOWN), mass=mass)
     drag = Drag(k1, k2)
     seen = [(0.0, 0.0)]
@@ -189,7 +192,7 @@ def _fall(
 
 
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
-    """Move a particle about mu = 1 from its farthest point; return every n-th state."""
+    """Move a particle around mu = 1 from its farthest point. Return every n-th state."""
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
     particle = Particle(Vector3(-farthest, 0.0, 0.0), Vector3(0.0, -slowest, 0.0))
@@ -204,19 +207,19 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 
 
 def _momentum_drift(h: float) -> float:
-    """Return what the book's step adds to the angular momentum in a turn of the exact orbit.
+    """Return the angular momentum that the book's step adds in one turn of the exact orbit.
 
-    A step changes r x v by h^2 v x a, since r x a is 0; v x a = L / r^3 with L = (1 - e^2)^(1/2),
-    and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
+    A step changes r x v by h^2 v x a, since r x a is 0. Here v x a = L / r^3 with
+    L = (1 - e^2)^(1/2), and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
     """
     return h * PERIOD / (1.0 - ECCENTRICITY**2)
 
 
 def _energy_drift(h: float) -> float:
-    """Return what the book's step adds to the energy in a turn of the exact orbit.
+    """Return the energy that the book's step adds in one turn of the exact orbit.
 
-    A step adds h^2 / 2 times a^2 + v . H v with the Hessian H of -1 / r, which is 1 / r^4 +
-    (v^2 - 3 v_r^2) / r^3; it is added up over the turn by the angle.
+    A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. This is
+    1 / r^4 + (v^2 - 3 v_r^2) / r^3, and the function sums it over the angles of a turn.
     """
     p = 1.0 - ECCENTRICITY**2
     count = 2000

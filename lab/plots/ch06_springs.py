@@ -1,7 +1,8 @@
-"""Pictures of chapter 6: forces of springs, how steps swing them, and with what error.
+"""Pictures of chapter 6: forces of springs, and the energy and error of oscillations.
 
-Titles give what is measured on the picture: a wrong engine cannot hide. What is not written yet is
-left out where there is something else to see. Stability limits are in ch06_stability.
+Each title states a quantity that was measured in the picture. A mistake in the engine therefore
+shows up in the title. Parts that are not written yet are left out if there is anything else to
+draw. Pictures of stability limits are in ch06_stability.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ FRAME = 1.0 / 60.0
 
 
 def force_against_length() -> Picture:
-    """The forces of springs and ropes against their length, and lifts against the height."""
+    """Draw the forces of springs and ropes against their length, and of lifts against height."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, rest = 10.0, 2.0
     other = Particle()
@@ -62,7 +63,7 @@ def force_against_length() -> Picture:
         axes.plot(places, forces, style, color=color, lw=width, label=label)
         rows += [(type(generator).__name__, *pair) for pair in zip(places, forces, strict=True)]
     if not rows:
-        _force(Spring(other, k, rest), 1.0, 0)  # says what is not written
+        _force(Spring(other, k, rest), 1.0, 0)  # reports what is not written
     lengths = [0.05, rest, 4.0]
     printed = [-k * abs(length - rest) for length in lengths]
     left.plot(lengths, printed, "--", color=GRAY, lw=1, label="printed, with abs (E-3)")
@@ -73,26 +74,27 @@ def force_against_length() -> Picture:
             axes.legend(fontsize=8, loc="upper right")
         else:
             axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
-    left.set(xlabel=f"length, m; {rest:g} m at rest, {k:g} N/m", ylabel="force, N; positive pushes")
-    right.set(xlabel="height above the water, or the ground, m", ylabel="force upwards, N")
+    left.set(xlabel=f"length, m (rest length {rest:g} m, {k:g} N/m)")
+    left.set(ylabel="force, N (positive: push)")
+    right.set(xlabel="height above the water or the ground, m", ylabel="upward force, N")
     at = {row[:2]: row[2] for row in rows}
     if ("Spring", 1.0) in at:
         left.set_title(
-            f"At 1 m a spring gives {at['Spring', 1.0]:+.4g} N, the printed form {-k:+.4g} N",
+            f"At 1 m a spring gives {at['Spring', 1.0]:+.4g} N, the printed formula {-k:+.4g} N",
             fontsize=10,
         )
     words = []
     if ("Buoyancy", 0.0) in at:
-        words.append(f"Half under water: {at['Buoyancy', 0.0]:.4g} N of {at['Buoyancy', -2.0]:.4g}")
+        words.append(f"Half submerged: {at['Buoyancy', 0.0]:.4g} of {at['Buoyancy', -2.0]:.4g} N")
     if ("LighterThanAir", 2.0) in at:
         low, high = at["LighterThanAir", 0.0], at["LighterThanAir", 2.0]
-        words.append(f"The balloon's lift 2 m up: {high:.4g} N of {low:.4g}")
+        words.append(f"The balloon's lift at 2 m: {high:.4g} of {low:.4g} N")
     right.set_title("\n".join(words), fontsize=10)
     return Picture(figure, ("generator", "length or height, m", "force, N"), rows)
 
 
 def three_regimes() -> Picture:
-    """The closed form of a damped spring in its three regimes, and steps beside it."""
+    """Draw the closed form of a damped spring in its three regimes, and time steps beside it."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, frames = 100.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -116,12 +118,12 @@ def three_regimes() -> Picture:
             right.plot(times, off, color=color, label=label)
             words.append(f"{max(map(abs, off)):.3f}")
         rows += [(c, *row) for row in zip(times, exact, stepped, strict=True)]
-    left.set(xlabel="time, s", ylabel="x, m (lines: the formula; dots: steps)")
-    left.set_title("Where a spring of 100 N/m takes 1 kg, from x = 1 m at rest", fontsize=10)
-    right.set(xlabel="time, s", ylabel="x of the steps less that of the formula, m")
+    left.set(xlabel="time, s", ylabel="x, m (lines: formula, dots: steps)")
+    left.set_title("1 kg on a spring of 100 N/m, released from rest at x = 1 m", fontsize=10)
+    right.set(xlabel="time, s", ylabel="x of the steps minus x of the formula, m")
     if words:
         right.set_title(
-            f"Semi-implicit Euler at 60 Hz is off by up to {', '.join(words)} m", fontsize=10
+            f"Semi-implicit Euler at 60 Hz has errors of up to {', '.join(words)} m", fontsize=10
         )
         left.legend(fontsize=8)
     for axes in (left, right):
@@ -131,7 +133,7 @@ def three_regimes() -> Picture:
 
 
 def energy_over_time() -> Picture:
-    """The energy of an undamped spring over ten seconds, by every method."""
+    """Draw the energy of an undamped spring over ten seconds, for every method."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.2), layout="constrained")
     k, frames = 100.0, 600
     rows: list[Sequence[object]] = []
@@ -147,35 +149,36 @@ def energy_over_time() -> Picture:
         left.semilogy(times, energies, color=COLORS[name], label=name)
         rows += [(name, *row) for row in zip(times, energies, strict=True)]
         if run.message:
-            notes.append(f"{name} stopped by {run.message}")
+            notes.append(f"{name} stopped with {run.message}")
         off = [max(abs(energy - 1.0), 1e-17) for energy in energies[1:]]
         if off and max(off) < 0.5:
             label = f"{name}: at most {max(off):.1g}"
-            # Leapfrog is off by nearly as much, the other way: a wide line shows behind its own.
+            # The error of leapfrog is almost the same with the opposite sign. A wide line shows
+            # behind that of leapfrog.
             wide, order = (4.0, 1.9) if name == "velocity Verlet" else (1.0, 2.0)
             right.semilogy(times[1:], off, color=COLORS[name], lw=wide, label=label, zorder=order)
         elif energies[-1] > 0.0:
             rate = energies[-1] ** (1.0 / (len(energies) - 1))
             words.append(
-                f"{name}: energy x {rate:.4f} a step, at that rate x {rate**600:.3g} in 10 s"
+                f"{name}: energy x {rate:.4f} per step, which is x {rate**600:.3g} in 10 s"
             )
     if not rows:
-        swing(INTEGRATORS["explicit Euler"], Pull(k), FRAME, 1, 1e4)  # says what is not written
+        swing(INTEGRATORS["explicit Euler"], Pull(k), FRAME, 1, 1e4)  # reports what is not written
     left.set_title("\n".join(words), fontsize=9)
-    left.set(xlabel="time, s", ylabel="energy, that at the start = 1 (100 N/m, 1 kg, 60 Hz)")
-    right.set(xlabel="time, s", ylabel="how far the energy is off, as a share of it")
-    right.set_title("The steps that nearly keep their energy", fontsize=9)
+    left.set(xlabel="time, s", ylabel="energy / initial energy (100 N/m, 1 kg, 60 Hz)")
+    right.set(xlabel="time, s", ylabel="relative error of the energy")
+    right.set_title("Methods that nearly conserve the energy", fontsize=9)
     for axes in (left, right):
         axes.grid(alpha=0.3)
         if axes.lines:
             axes.legend(fontsize=8, loc="best")
     if notes:
         figure.supxlabel("\n".join(notes), fontsize=8)
-    return Picture(figure, ("method", "time, s", "energy / energy at the start"), rows)
+    return Picture(figure, ("method", "time, s", "energy / initial energy"), rows)
 
 
 def error_against_work() -> Picture:
-    """The error of every method over a second, against its evaluations of the force."""
+    """Draw the largest error of every method in one second against its force evaluations."""
     figure, panels = pyplot.subplots(1, 4, figsize=(16, 5.6), layout="constrained", sharey=True)
     rows: list[Sequence[object]] = []
     words = []
@@ -193,12 +196,11 @@ def error_against_work() -> Picture:
             for steps in (2**power // cost for power in range(3, 14)):
                 pull = Pull(k)
                 run = swing(method, pull, 1.0 / steps, steps, 10.0 * chi)
-                work = pull.count or len(run.places) - 1  # a solver's solution counts as one
+                work = pull.count or len(run.places) - 1  # one solution of a solver counts as one
                 error = math.inf if run.message else largest_error(run.places, chi, steps)
                 rows.append((k, name, steps, work, error))
-                if (
-                    not error < 1e6
-                ):  # where no watch is written yet, it may be farther away than that
+                # Until watched is written, an exploded run may have such an error.
+                if not error < 1e6:
                     axes.plot(steps * cost, 10.0 * 3.0**height, "x", color=color, ms=4)
                 else:
                     fine.append((work, error))
@@ -211,18 +213,18 @@ def error_against_work() -> Picture:
             exact = [true_place(k, 0.0, i / 64.0) for i in range(65)]
             error = max(largest_error(exact, chi, 64), 1e-17)
             rows.append((k, "closed form", 1, 1, error))
-            axes.plot(1, error, "*", color=BLACK, ms=9, label="closed form (no error: at 1e-17)")
+            axes.plot(1, error, "*", color=BLACK, ms=9, label="closed form (no error, at 1e-17)")
         swings = chi / 2.0 / math.pi
-        axes.set(xscale="log", yscale="log", title=f"{k:,.0f} N/m: {swings:.3g} swings")
+        axes.set(xscale="log", yscale="log", title=f"{k:,.0f} N/m: {swings:.3g} oscillations")
         axes.set(xlabel="evaluations of the force, or solutions")
         axes.grid(alpha=0.3)
     if all(name == "closed form" for _, name, *_ in rows):
-        swing(INTEGRATORS["explicit Euler"], Pull(1.0), FRAME, 1, 1e4)  # says what is not written
-    panels[0].set_ylabel("largest error within 1 s, m; crosses: exploded")
+        swing(INTEGRATORS["explicit Euler"], Pull(1.0), FRAME, 1, 1e4)  # reports a stub
+    panels[0].set_ylabel("largest error within 1 s, m (crosses: exploded)")
     if panels[0].lines:
         figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=9)
     if words:
-        title = f"The orders, measured at 100 N/m: {', '.join(words)}"
+        title = f"Orders measured at 100 N/m: {', '.join(words)}"
         figure.suptitle("\n".join(textwrap.wrap(title, 120)), fontsize=11)
     return Picture(figure, ("k, N/m", "method", "steps", "evaluations", "largest error, m"), rows)
 
@@ -240,7 +242,7 @@ PLOTS = (
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Return the force on a particle at a place on the X or the Y axis, along it."""
+    """Return the force on a particle along the X or the Y axis, at a position on that axis."""
     particle = Particle(Vector3(*(place if i == axis else 0.0 for i in range(3))))
     generator.update_force(particle, FRAME)
     return numbers(particle.force_accumulator)[axis]

@@ -1,6 +1,7 @@
-"""Pictures of chapter 6: where steps, the faked spring, a cloth and penalty forces explode.
+"""Pictures of chapter 6: where integrators, the faked spring, cloths and penalty forces explode.
 
-Titles give what is measured on the picture: a wrong engine cannot hide.
+Each title states a quantity that was measured in the picture. A mistake in the engine therefore
+shows up in the title.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ CLOTH_SECONDS = 2
 
 
 def stability_map() -> Picture:
-    """What each step multiplies swings by, over stiffness and damping, and the limits of theory."""
+    """Draw the growth per step over stiffness and damping, and the limits from theory."""
     figure, panels = pyplot.subplots(2, 4, figsize=(16, 8), layout="constrained")
     *maps, key = panels.flat
     kappas = [0.01 * 10.0 ** (i / 12.0) for i in range(49)]
@@ -68,23 +69,23 @@ def stability_map() -> Picture:
             rows.append((f"{name}, limit", kept, limit, 1.0, true))
             axes.plot(limit, kept, "o", color="white", mec=BLACK)
     if not rows:
-        growth_of("explicit Euler", 1.0, 1.0, FRAME)  # says what is not written
+        growth_of("explicit Euler", 1.0, 1.0, FRAME)  # reports what is not written
     if colored is not None:
         growth_bar(figure, panels, colored)
     key.set_axis_off()
     if deviations:
-        key.plot([], [], color=BLACK, label="limit by theory")
-        key.plot([], [], "o", color="white", mec=BLACK, label="limit measured")
+        key.plot([], [], color=BLACK, label="limit from theory")
+        key.plot([], [], "o", color="white", mec=BLACK, label="measured limit")
         key.legend(loc="center")
         figure.suptitle(
-            f"The limits measured are off those of theory by at most {max(deviations):.1g} of them"
+            f"The measured limits differ from theory by a fraction of at most {max(deviations):.1g}"
         )
-    columns = ("method", "d^h or c h / m", "k h^2 / m", "growth of a step", "limit by theory")
+    columns = ("method", "d^h or c h / m", "k h^2 / m", "growth per step", "limit from theory")
     return Picture(figure, columns, rows)
 
 
 def fake_spring() -> Picture:
-    """The faked stiff spring beside the true one, by two steps, and where it grows."""
+    """Draw the faked stiff spring next to the true spring, and where its oscillations grow."""
     figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
     k, frames = 400.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -93,7 +94,7 @@ def fake_spring() -> Picture:
         exact = [true_place(k, c, time) for time in times]
         axes.plot(times, exact, color=BLACK, lw=1, label="true spring")
         own, back = math.exp(-c / 2.0 * FRAME), period(exact) * FRAME
-        words = [f"c = {c:g} N s/m. True: x {own:.4f} a frame, period {back:.3f} s"]
+        words = [f"c = {c:g} N s/m. True: x {own:.4f} per frame, period {back:.3f} s"]
         fake = FakeStiffSpring(Vector3(), k, c)
         for name in ("semi-implicit Euler", "explicit Euler"):
             step = INTEGRATORS[name]
@@ -104,7 +105,7 @@ def fake_spring() -> Picture:
             axes.plot(times[: len(seen)], seen, ".-", ms=3, lw=0.8, color=COLORS[name], label=label)
             rows += [("swing", name, c, *row) for row in zip(times, exact, seen, strict=False)]
             words.append(
-                f"{name}: x {growth(step, fake, FRAME):.4f} a frame, "
+                f"{name}: x {growth(step, fake, FRAME):.4f} per frame, "
                 f"period {period(seen) * FRAME:.3f} s"
             )
         axes.set_title("\n".join(words), fontsize=9)
@@ -119,13 +120,13 @@ def fake_spring() -> Picture:
         seen = zip(angles, grown, strict=True)
         rows += [("growth", "semi-implicit Euler", share, *pair, "") for pair in seen]
         most, angle = max(zip(grown, angles, strict=True))
-        words.append(f"{label}: at most x {most:.3f}, where $\\chi$ h = {angle:.2f}")
+        words.append(f"{label}: at most x {most:.3f}, at $\\chi$ h = {angle:.2f}")
     right.axhline(1.0, color=BLACK, lw=0.8)
     for i in (1, 3):
         right.axvline(i * math.pi, color=GRAY, lw=1, ls=":")
     right.set(
         xlabel=r"$\chi$ h (dotted: $\pi$ and 3 $\pi$)",
-        ylabel="swings by semi-implicit Euler, x a frame",
+        ylabel="growth per frame with semi-implicit Euler",
     )
     right.set_title("\n".join(words), fontsize=9)
     right.grid(alpha=0.3)
@@ -133,7 +134,7 @@ def fake_spring() -> Picture:
     columns = (
         "part",
         "step",
-        "c or share of critical",
+        "c or fraction of critical",
         "time, s, or chi h",
         "true m, or growth",
         "faked m",
@@ -142,7 +143,7 @@ def fake_spring() -> Picture:
 
 
 def cloth_frame_rates() -> Picture:
-    """How long a cloth of springs lasts at each frame rate, by the book's step and by another."""
+    """Draw how long a cloth of springs lasts at each frame rate with two integrators."""
     figure, axes = pyplot.subplots(figsize=(9, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     book = (30, 60, 120, 240, 480, 960)
@@ -156,14 +157,14 @@ def cloth_frame_rates() -> Picture:
             lasts = [steps / rate for (steps, _), rate in zip(found, rates, strict=True)]
             whole = [rate for rate, (_, message) in zip(rates, found, strict=True) if not message]
             label = f"{name}, c = {damping:g} N s/m"
-            words = f"{label}: " + (f"from {whole[0]} Hz" if whole else "at none of these")
+            words = f"{label}: " + (f"stable from {whole[0]} Hz" if whole else "always explodes")
             axes.semilogx(rates, lasts, style, color=COLORS[name], ms=4, mfc="white", label=words)
             rows += [(name, damping, *pair) for pair in zip(rates, lasts, strict=True)]
             if stop := found[1][1]:
                 note = note or f"{label}, {rates[1]} Hz: {stop}"
     if not rows:
-        cloth_lasts("explicit Euler", 0.2, 60, 1)  # says what is not written
-    axes.set(xlabel="frame rate, Hz", ylabel="how long the cloth lasts, s", ylim=(0.0, 2.8))
+        cloth_lasts("explicit Euler", 0.2, 60, 1)  # reports what is not written
+    axes.set(xlabel="frame rate, Hz", ylabel="time until the cloth explodes, s", ylim=(0.0, 2.8))
     axes.axhline(CLOTH_SECONDS, color=GRAY, lw=1, ls=":")
     axes.set_xticks(book, minor=False)
     axes.set_xticks([], minor=True)
@@ -177,7 +178,7 @@ def cloth_frame_rates() -> Picture:
 
 
 def penalty_bounces() -> Picture:
-    """Bodies that fall on a ground of springs: the sponge, and bounces higher than the fall."""
+    """Draw falls on a soft and a stiff ground of springs. A stiff one may throw bodies too high."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     rows: list[Sequence[object]] = []
     falls = [0.5 + i / 40.0 for i in range(21)]
@@ -190,8 +191,8 @@ def penalty_bounces() -> Picture:
         left.plot(times, heights, ".-", ms=3, lw=1, color=color, label=label)
         rows += [("height", kappa, *pair) for pair in zip(times, heights, strict=True)]
     left.axhline(0.0, color=BLACK, lw=0.8)
-    left.set(xlabel="time, s", ylabel="height, m; below 0 it is in the ground")
-    left.set_title(f"1 kg falls {fall:g} m on a ground without damping, 60 Hz", fontsize=10)
+    left.set(xlabel="time, s", ylabel="height, m (below 0: in the ground)")
+    left.set_title(f"1 kg falls {fall:g} m onto a ground without damping, 60 Hz", fontsize=10)
     left.margins(y=0.2)
     left.legend(fontsize=8, loc="upper left")
     kappas = [0.03 * 10.0 ** (i / 24.0) for i in range(51)]
@@ -202,12 +203,12 @@ def penalty_bounces() -> Picture:
         rows.append(("rise / fall", kappa, "", highest[-1]))
     right.loglog(kappas, highest, color=RED)
     right.axhline(1.0, color=BLACK, lw=0.8)
-    right.set(xlabel="k h$^2$ / m", ylabel="highest rise / fall, of 21 falls of 0.5 to 1 m")
+    right.set(xlabel="k h$^2$ / m", ylabel="largest rise / fall, in 21 falls from 0.5 to 1 m")
     thrown = [kappa for kappa, high in zip(kappas, highest, strict=True) if high > 1.05]
     if thrown:
         right.set_title(
-            f"From {thrown[0]:.2g} on some rise 5 % higher than they fell from,\n"
-            f"one x {max(highest):.1f} as high",
+            f"From {thrown[0]:.2g} on, some bodies rise over 5 % higher than they fell from,\n"
+            f"and one rises {max(highest):.1f} times as high",
             fontsize=10,
         )
     for axes in (left, right):

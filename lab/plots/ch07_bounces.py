@@ -1,7 +1,7 @@
 """Pictures of chapter 7: bounces, resting contacts, and the restitution of dropped balls.
 
-Each title gives a figure that is measured on the picture, so that mistakes in an engine show.
-Curves of bodies that are not written yet are left out.
+Each title states a quantity that was measured in the picture. A mistake in the engine therefore
+shows up in the title. Curves of exercises that are not written yet are left out.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ COLORS = {"explicit Euler": RED, "semi-implicit Euler": BLUE, "time division": G
 
 
 def bounce_heights() -> Picture:
-    """A ball that falls from 2 m and bounces, with restitution 1 and with restitution 0.5."""
+    """Draw a ball that falls from 2 m and bounces, with restitution 1 and restitution 0.5."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     found = written(
@@ -79,7 +79,7 @@ def bounce_heights() -> Picture:
 
 
 def resting_jitter() -> Picture:
-    """A ball at rest, with and without the resting rule, and with a rule that goes too far."""
+    """Draw a ball at rest with and without the resting rule, and a rule that goes too far."""
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
     rules = {"resting rule": None, "no rule": without_rule}
@@ -113,7 +113,7 @@ def resting_jitter() -> Picture:
             high = [value for key, value in most.items() if key[1] == rule]
             words.append(f"with {rule} {max(high, default=math.nan):.3g} mm")
         axes.set_title(
-            f"A ball at rest 1 $\\mu$m up, restitution {c:g}: largest height\n{', '.join(words)}",
+            f"A ball at rest at 1 $\\mu$m, restitution {c:g}: largest height\n{', '.join(words)}",
             fontsize=10,
         )
         axes.legend(fontsize=7.5, loc="upper left")
@@ -147,7 +147,7 @@ def resting_jitter() -> Picture:
 
 
 def restitution_of_materials() -> Picture:
-    """Exercise 7.1: the restitution of the measured drops, with and without the square root."""
+    """Draw the restitution of measured drops, with and without the square root (exercise 7.1)."""
     path, drops = _drops()
     table = table_of_drops(drops)
     singles = [(material, number(restitution_of_drop(a, b))) for material, a, b in drops]
@@ -162,7 +162,7 @@ def restitution_of_materials() -> Picture:
         dots = [value for name, value in singles if name == material]
         ratios = [b / a for name, a, b in drops if name == material and a]
         printed = statistics.fmean(ratios) if ratios else math.nan
-        # Dropped from 1 m, a ball bounces to the square of its restitution. Did it?
+        # A ball dropped from 1 m should bounce to the square of its restitution.
         off.append(abs(mean * mean - printed))
         printed_off.append(abs(printed * printed - printed))
         spread = [i + 0.05 * (j - 0.5 * (len(dots) - 1)) for j in range(len(dots))]
@@ -210,7 +210,7 @@ def _bouncing(name: str, restitution: float, frames: int) -> Callable[[], Track]
 def _resting(
     name: str, restitution: float, rule: Resolve | None, generated: bool
 ) -> Callable[[], Track]:
-    """Start just above the ground, so that the first step of the book's method has no contact."""
+    """Return a run that starts above the ground, so that explicit Euler first has no contact."""
     return lambda: ball(STEPS[name], 1e-6, restitution, 120, rule, generated)
 
 
@@ -219,7 +219,7 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that fit into a picture, since a wrong engine may lose its ball."""
+    """Return the heights that fit into a picture. A wrong engine may lose the ball."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 
@@ -237,7 +237,7 @@ def _rise(run: Track) -> float:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Return the name of the file and its drops: the student's file, or the sample if empty."""
+    """Return a file's name and its drops. It is the student's file, or the sample if empty."""
     for name in ("drops.csv", "drops_sample.csv"):
         try:
             drops = read_drops(find_drops(name))
@@ -245,7 +245,7 @@ def _drops() -> tuple[str, list[tuple[str, float, float]]]:
             continue
         if drops:
             return name, drops
-    raise ValueError("there are no drops, neither in drops.csv nor in drops_sample.csv")
+    raise ValueError("there are no drops in drops.csv or drops_sample.csv")
 
 
 def _notes(figure: Figure, found: dict[Any, Track]) -> None:

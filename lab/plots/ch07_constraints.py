@@ -1,7 +1,7 @@
-"""Pictures of chapter 7: what the resolver leaves of a pile, and how far stacks sink.
+"""Pictures of chapter 7: what the resolver leaves unresolved in a pile, and how far stacks sink.
 
-Each title gives a figure that is measured on the picture, so that mistakes in an engine show.
-Curves of bodies that are not written yet are left out.
+Each title states a quantity that was measured in the picture. A mistake in the engine therefore
+shows up in the title. Curves of exercises that are not written yet are left out.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from studies.readings import number, written
 
 
 def resolver_convergence() -> Picture:
-    """The largest closing velocity and depth left in a pile, by the number of resolutions."""
+    """Draw the largest closing velocity and depth in a pile against the number of resolutions."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     counts = [*range(31), *range(32, 100, 4), *range(100, 401, 20)]
     found = written(
@@ -36,7 +36,7 @@ def resolver_convergence() -> Picture:
     for name, seen in found.items():
         color, style = (BLUE, "o-") if name == "worst first" else (ORANGE, "s-")
         for i, axes in enumerate(panels):
-            # Zero and rounding errors are drawn at the lower edge of the picture.
+            # Zeros and rounding errors are drawn at the lower edge of the picture.
             left = [max(number(pair[i]), (1e-8, 1e-10)[i]) for pair in seen]
             axes.semilogy(counts, left, style, color=color, ms=3, lw=1, label=name)
         rows += [(name, count, *pair) for count, pair in zip(counts, seen, strict=True)]
@@ -49,7 +49,7 @@ def resolver_convergence() -> Picture:
             f"Largest {what} of {contacts} contacts, after 100 resolutions:\n{', '.join(words)}",
             fontsize=10,
         )
-        axes.axvline(2 * contacts, color=GRAY, lw=1, ls=":", label=f"default, {2 * contacts}")
+        axes.axvline(2 * contacts, color=GRAY, lw=1, ls=":", label=f"default: {2 * contacts}")
         axes.set(xlabel="resolutions", ylabel=f"largest {what}, {unit}")
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
@@ -58,7 +58,7 @@ def resolver_convergence() -> Picture:
 
 
 def stack_height() -> Picture:
-    """Stacks of 3 and of 10 spheres, by the number of iterations per contact."""
+    """Draw the sinking and overlap of stacks of 3 and 10 spheres by iterations per contact."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)
     found = written(

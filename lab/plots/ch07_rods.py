@@ -1,4 +1,4 @@
-"""Pictures of chapter 7: a rope of rods by every method, the errors of rods, and a pendulum."""
+"""Pictures of chapter 7: a rope of rods by several methods, the errors of rods, a pendulum."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """The error in length of a rope of rods that is released at 30 degrees, by every method."""
+    """Draw the error in length of a rope of rods that is released at 30 degrees, by method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     frames = 120
     ten = by_resolver(20, HeapResolver)
@@ -48,12 +48,13 @@ def rope_by_method() -> Picture:
         if name not in found:
             continue
         run, worst = found[name]
-        # A rope of the right length (apart from rounding) is drawn at the lower edge.
+        # A rope whose length is exact except for rounding is drawn at the lower edge.
         off = [max(abs(value), 1e-10) for value in run.values]
         label = f"{name}: at most {max(off):.2g} m"
         axes.semilogy(run.times, off, color=color, lw=3.0 if name == "Rod" else 1.3, label=label)
         rows += [(name, *row) for row in zip(run.times, run.values, worst.values, strict=True)]
-    axes.axhline(LINKS * LINK, color=GRAY, lw=1, ls=":", label=f"its length, {LINKS * LINK:g} m")
+    label = f"length of the rope: {LINKS * LINK:g} m"
+    axes.axhline(LINKS * LINK, color=GRAY, lw=1, ls=":", label=label)
     last = {name: run.values[-1] for name, (run, _) in found.items()}
     words = [f"{name} {last[name]:.2g}" for name in ("Rod", "DirectChain") if name in last]
     axes.set_title(
@@ -70,9 +71,9 @@ def rope_by_method() -> Picture:
 
 
 def rods_hold() -> Picture:
-    """The largest error of a rod in a hanging chain at rest, by iterations and substeps."""
+    """Draw the largest error of a rod in a chain at rest, by iterations and substeps."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.4), layout="constrained", sharey=True)
-    # Cases that take longer than all the others together are left out.
+    # Cases that take longer than all other cases together are left out.
     ways = {
         "default iterations": (None, 1, 30, RED),
         "x 10": (20, 1, 30, ORANGE),
@@ -106,19 +107,19 @@ def rods_hold() -> Picture:
         axes.axhline(LINK, color=GRAY, lw=1, ls=":")
         axes.set_xticks((1, 3, 10, 30), ("1", "3", "10", "30"))
         axes.set_xticks([], minor=True)
-        axes.set(xlabel="rods in the chain, of 0.1 m each (dotted)")
+        axes.set(xlabel="number of rods in the chain, 0.1 m each (dotted)")
         axes.grid(alpha=0.3)
         if axes.get_legend_handles_labels()[0]:
             axes.legend(fontsize=8)
         else:
             axes.text(0.5, 0.5, "not written yet", transform=axes.transAxes, ha="center")
-    panels[0].set_ylabel("largest error of a rod from 1.5 to 2 s, m (60 Hz; edge: 1e-10 or less)")
+    panels[0].set_ylabel("largest error of a rod from 1.5 to 2 s, m (60 Hz; 1e-10 or less at edge)")
     tell(figure, [f"{key}: {message}" for key, (_, message) in found.items() if message])
-    return Picture(figure, ("link", "way", "rods", "largest error of a rod, m"), rows)
+    return Picture(figure, ("link", "method", "rods", "largest error of a rod, m"), rows)
 
 
 def pendulum_energy() -> Picture:
-    """The energy of a pendulum on a rod for ten seconds after its release from horizontal."""
+    """Draw the energy of a pendulum on a rod for ten seconds after a horizontal release."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     shown = [("explicit Euler", 60, RED), ("semi-implicit Euler", 60, SKY)]
     shown += [("semi-implicit Euler", 240, PINK), ("semi-implicit Euler", 960, BLACK)]
@@ -134,11 +135,11 @@ def pendulum_energy() -> Picture:
         rows += [(name, rate, *row) for row in run.points]
         words.append(f"{100.0 * (run.values[-1] / run.values[0] - 1.0):+.3g} %")
     axes.set_title(
-        "A pendulum of 1 m and 1 kg, released from horizontal: change of energy in 10 s, in the "
+        "A pendulum of 1 m and 1 kg, released from horizontal: change in energy in 10 s, in the "
         f"order of the legend:\n{', '.join(words)}",
         fontsize=11,
     )
-    axes.set(xlabel="time, s", ylabel="energy, J, from the lowest point")
+    axes.set(xlabel="time, s", ylabel="energy relative to the lowest point, J")
     axes.set_ylim(bottom=0.0)
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
@@ -152,7 +153,7 @@ def pendulum_energy() -> Picture:
 def _hanging(
     link: Link, count: int, iterations: int | None, substeps: int
 ) -> Callable[[], tuple[float, str]]:
-    """Return a scene: a chain that hangs for 2 s. It returns the largest error of a rod."""
+    """Return a scene in which a chain hangs for 2 s. It returns the largest error of a rod."""
 
     def scene() -> tuple[float, str]:
         resolve = by_resolver(iterations, HeapResolver)

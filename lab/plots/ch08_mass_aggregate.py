@@ -1,8 +1,8 @@
-"""Pictures of chapter 8: rest and uneven frames, measured on the engine.
+"""Pictures of chapter 8: scenes at rest, and scenes in uneven frames.
 
-Titles give what is measured: a wrong engine cannot hide. What is not written yet is left out where
-there is something else to see. Cables and ropes are in ch08_ropes, the scenes of the projects
-in ch08_scenes.
+Each title states a quantity that was measured in the picture. A mistake in the engine therefore
+shows up in the title. Curves of exercises that are not written yet are left out. Cables and ropes
+are in ch08_ropes, and the scenes of the projects are in ch08_scenes.
 """
 
 from __future__ import annotations
@@ -38,16 +38,16 @@ from studies.mass_aggregate import (
 )
 from studies.readings import Numbers, numbers, written
 
-SETTLED = 10.0  # s: from when on scenes are to rest
-STEADY = 0.1  # %: by how much the energy of what rests may vary
-# How each rate is drawn, and for how many seconds: 120 Hz take longest, and are stillest.
+SETTLED = 10.0  # s, after which scenes should be at rest
+STEADY = 0.1  # %, by which the energy of a scene at rest may vary
+# The color and duration in s for each rate. 120 Hz takes the longest and varies the least.
 RATES = {30: (RED, 30.0), 60: (BLUE, 30.0), 120: (GREEN, 15.0)}
 
-Way = tuple[Callable[[], MassAggregate], int, float, str]  # with Hz, seconds, color
+Way = tuple[Callable[[], MassAggregate], int, float, str]  # with Hz, s and color
 
 
 def energy_of_bridge() -> Picture:
-    """The energy of the bridge, at three frame rates, and with the resolver's own iterations."""
+    """Draw the energy of the bridge at three frame rates, and with the default iterations."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (Bridge, rate, seconds, color) for rate, (color, seconds) in RATES.items()
     }
@@ -56,7 +56,7 @@ def energy_of_bridge() -> Picture:
 
 
 def energy_of_platform() -> Picture:
-    """The energy of the tilting platform under a weight, at three frame rates."""
+    """Draw the energy of the tilting platform under a weight at three frame rates."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (loaded_platform, rate, seconds, color)
         for rate, (color, seconds) in RATES.items()
@@ -65,12 +65,12 @@ def energy_of_platform() -> Picture:
 
 
 def variable_frames() -> Picture:
-    """A blob and a bridge in frames of any time, two of them of half a second, and in even ones."""
+    """Draw a blob and a bridge in even and uneven frames, two of which last half a second."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     spikes, seconds = (1.0, 2.5), 4.0
     rows: list[Sequence[object]] = []
     notes: list[str] = []
-    colors = {"even frames": BLACK, "as they come, run 1": RED, "as they come, run 2": ORANGE}
+    colors = {"even frames": BLACK, "uneven frames, run 1": RED, "uneven frames, run 2": ORANGE}
     colors |= {"FixedStep, run 1": SKY, "FixedStep, run 2": BLUE}
     blob_scene = ("the blob", "height of its highest particle, m", Blob, _top_of_blob, max)
     bridge_scene = ("the bridge", "height of the ball, m", Bridge, _height_of_ball, min)
@@ -79,7 +79,7 @@ def variable_frames() -> Picture:
         runs = {"even frames": ([FRAME] * round(seconds / FRAME), False)}
         for seed in (1, 2):
             frames = uneven_frames(seed, seconds, spikes)
-            runs[f"as they come, run {seed}"] = (frames, False)
+            runs[f"uneven frames, run {seed}"] = (frames, False)
             runs[f"FixedStep, run {seed}"] = (frames, True)
         found = written({name: _framed(make, *run, measure) for name, run in runs.items()})
         even = dict(found["even frames"][1]) if "even frames" in found else {}
@@ -94,17 +94,17 @@ def variable_frames() -> Picture:
             if fixed:
                 off += [longest(now, even[steps]) for steps, now in states if steps in even]
         reach = {name: extreme(run.values) for name, (run, _) in found.items()}
-        raw = [height for name, height in reach.items() if name.startswith("as they come")]
+        raw = [height for name, height in reach.items() if name.startswith("uneven frames")]
         most = f"{max(off):.2g} m" if off else "?"
         axes.set_title(
             f"{what.capitalize()}: {'up' if extreme is max else 'down'} to "
             f"{reach.get('even frames', math.nan):.3g} m in even frames, to "
-            f"{extreme(raw, default=math.nan):.3g} m as they come;\n"
-            f"by FixedStep the run in even frames, off by {most}",
+            f"{extreme(raw, default=math.nan):.3g} m in uneven frames;\n"
+            f"FixedStep repeats the run in even frames with an error of {most}",
             fontsize=10,
         )
         for i, spike in enumerate(spikes):
-            label = f"frames of {SPIKE:g} s, about here" if i == 0 else None
+            label = f"a frame of {SPIKE:g} s, near here" if i == 0 else None
             axes.axvspan(spike, spike + SPIKE, color=GRAY, alpha=0.15, lw=0, label=label)
         axes.set(xlabel="time, s", ylabel=ylabel)
         axes.grid(alpha=0.3)
@@ -127,7 +127,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
-    """Draw energies over time, and by how many percent they differ from the last when at rest."""
+    """Draw energies over time, and at rest their deviations in percent from their middle."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(
         {name: _energy_of(make, rate, time) for name, (make, rate, time, _) in ways.items()},
@@ -145,29 +145,29 @@ def _energies(what: str, ways: dict[str, Way]) -> Picture:
         middle = 0.5 * (max(energies, default=0.0) + min(energies, default=0.0))
         off = [100.0 * (e / middle - 1.0) if middle else math.nan for e in energies]
         reach = max([reach, *map(abs, off)])
-        label = f"{name}, to {run.times[-1]:.0f} s: varies by {varies[name]:.2g} %{fails}"
+        label = f"{name}, until {run.times[-1]:.0f} s: varies by {varies[name]:.2g} %{fails}"
         right.plot([time for time, _ in late], off, color=color, lw=1.0, label=label)
         rows += [(name, *row) for row in run.points]
     half = 0.5 * STEADY
-    right.axhspan(-half, half, color=GRAY, alpha=0.12, lw=0, label=f"gray: {STEADY:g} %")
+    right.axhspan(-half, half, color=GRAY, alpha=0.12, lw=0, label=f"allowed: {STEADY:g} %")
     starts = [run.values[0] for run in found.values()]
     ends = [run.values[-1] for run in found.values()]
     left.set_title(
-        f"{what}: from {starts[0]:.4g} J to rest at {min(ends):.4g} to {max(ends):.4g} J",
+        f"{what}: {starts[0]:.4g} J at the start, {min(ends):.4g} to {max(ends):.4g} J at rest",
         fontsize=10,
     )
     left.set_xlim(0.0, 5.0)
     if 0.0 < reach < math.inf:
         right.set_ylim(-1.3 * reach, 2.2 * reach)
-    steady = "all vary" if not bad else f"all but {', '.join(bad)} vary"
-    right.set_title(f"From {SETTLED:g} s on {steady} by less than {STEADY:g} %", fontsize=10)
-    left.set(xlabel="time, s", ylabel="mechanical energy, J, from the ground")
-    right.set(xlabel="time, s", ylabel="energy off the middle of its range, %")
+    steady = "all energies vary" if not bad else f"all energies but {', '.join(bad)} vary"
+    right.set_title(f"From {SETTLED:g} s on, {steady} by less than {STEADY:g} %", fontsize=10)
+    left.set(xlabel="time, s", ylabel="mechanical energy relative to the ground, J")
+    right.set(xlabel="time, s", ylabel="deviation from the middle of the range, %")
     for axes in (left, right):
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
     tell(figure, [f"{name}: {run.message}" for name, run in found.items() if run.message])
-    return Picture(figure, ("way", "time, s", "energy, J"), rows)
+    return Picture(figure, ("run", "time, s", "energy, J"), rows)
 
 
 def _energy_of(make: Callable[[], MassAggregate], rate: int, seconds: float) -> Callable[[], Track]:

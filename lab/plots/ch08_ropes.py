@@ -1,6 +1,7 @@
-"""Pictures of chapter 8: how well ropes and the cables of a bridge hold, by what is spent on them.
+"""Pictures of chapter 8: how well ropes and the cables of a bridge hold, and at what cost.
 
-Titles give what is measured on the picture: a wrong engine cannot hide.
+Each title states a quantity that was measured in the picture. A mistake in the engine therefore
+shows up in the title.
 """
 
 from __future__ import annotations
@@ -27,18 +28,18 @@ from studies.ropes import (
     polygon_sag,
 )
 
-BOUND = 2.0  # %: by how much a cable may be too long
-THROUGH = 1e3  # %, where a picture has what is infinitely too long
+BOUND = 2.0  # %, allowed excess length of a cable
+THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """How much too long the bridge's cables are under balls of 1 kg to 1 t, by what is spent."""
+    """Draw the excess length of the bridge's cables under balls of 1 kg to 1 t, by method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
-    # Left out is what takes longest and is good enough anyway.
+    # Cases that take the longest and are accurate enough anyway are left out.
     ways: dict[str, tuple[int | None, int, tuple[int, ...], str]] = {
         "default iterations": (None, 1, ratios, RED),
-        "200 iterations a phase": (200, 1, ratios, ORANGE),
+        "200 iterations per phase": (200, 1, ratios, ORANGE),
         "default, 4 substeps": (None, 4, ratios, SKY),
         "default, 16 substeps": (None, 16, (1000,), BLUE),
     }
@@ -58,7 +59,7 @@ def mass_ratios() -> Picture:
         bad = [ratio for ratio, value in worst.items() if not value <= BOUND]
         ends = f"fails at {bad[0]}:1" if bad else f"holds at {max(worst, default=0)}:1"
         most = max((work for _, work in seen.values()), default=0)
-        # What is right to the last digit has its place at the lower edge.
+        # Values without an error are drawn at the lower edge.
         shown = {ratio: min(max(value, 1e-3), THROUGH) for ratio, value in worst.items()}
         label = f"{way}: {ends} (up to {most:,} resolutions)"
         axes.loglog(*zip(*shown.items(), strict=True), "o-", color=color, label=label)
@@ -68,30 +69,30 @@ def mass_ratios() -> Picture:
     axes.plot([], [], "x", color=BLACK, ms=9, mew=2, label="fails")
     axes.axhline(THROUGH, color=GRAY, lw=1, ls=":", label="the ball has fallen through")
     axes.axhspan(BOUND, 1e6, color=GRAY, alpha=0.12, lw=0)
-    axes.axhline(BOUND, color=GRAY, lw=1, ls="--", label=f"{BOUND:g} %: more is a fail")
+    axes.axhline(BOUND, color=GRAY, lw=1, ls="--", label=f"limit: {BOUND:g} %")
     axes.set_ylim(8e-4, 2e5)
     axes.set_xticks(ratios, [f"{ratio}:1" for ratio in ratios])
     axes.set_xticks([], minor=True)
     axes.set_title(
-        "The heavier the load on light planks, the worse the cables hold it; too long at 300:1:\n"
+        "The heavier the load on light planks, the longer the cables; excess length at 300:1:\n"
         f"{'; '.join(words)}",
         fontsize=11,
     )
-    axes.set(xlabel="mass of the ball to that of a plank's end")
-    axes.set_ylabel("worst cable too long by, %, from 3 to 4 s (60 Hz)")
+    axes.set(xlabel="mass of the ball : mass of the end of a plank")
+    axes.set_ylabel("excess length of the worst cable from 3 to 4 s, % (60 Hz)")
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8.5, loc="upper left")
     notes = [f"{key}: {run.message}" for key, (run, _) in found.items() if run.message]
     tell(figure, notes)
-    return Picture(
-        figure, ("way", "ball to plank's end", "resolutions", "worst cable too long by, %"), rows
-    )
+    columns = ("method", "ball : plank's end", "resolutions", "excess length of the worst cable, %")
+    return Picture(figure, columns, rows)
 
 
 def hanging_rope() -> Picture:
-    """A rope between two nails: how far it sinks below where it should hang, and the work."""
+    """Draw how far a rope between two nails sinks below its position at rest, and the work."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
-    # From rest, where a rope should stay; DirectChain also from a V, as it stays at rest to 1e-8 m.
+    # A rope that starts at rest should stay there, and DirectChain's stays to 1e-8 m. So that rope
+    # also starts from a V.
     scenes: dict[tuple[int, str], Callable[[], Hanging]] = {
         (links, f"rods, {substeps} substep{'s' * (substeps > 1)}"): partial(
             hang_by_rods, links, 60, substeps, 1.0
@@ -139,30 +140,30 @@ def hanging_rope() -> Picture:
     deep = [_sinks(found, 100, s) for s in (1, 16)]
     stays = "?" if direct is None else f"{direct.sag - polygon_sag(100):.1g}"
     right.set_title(
-        f"With 1 and 16 substeps 10 links sink by {sinks[0]} and {sinks[1]} m,\n"
-        f"100 links by {deep[0]} and {deep[1]} m; by DirectChain by {stays} m",
+        f"With 1 and 16 substeps, 10 links sink by {sinks[0]} and {sinks[1]} m,\n"
+        f"100 links by {deep[0]} and {deep[1]} m, with DirectChain by {stays} m",
         fontsize=10,
     )
     left.set_title(
-        f"100 links of {LENGTH / 100:g} m, 1 s after they hung at rest:\n"
-        f"rods with 16 substeps are too long by {_stretch(found, 100, 16)} m",
+        f"100 links of {LENGTH / 100:g} m, 1 s after a start at rest:\n"
+        f"rods with 16 substeps are {_stretch(found, 100, 16)} m too long",
         fontsize=10,
     )
-    left.set(xlabel="place along the span, m", ylabel="height, m, from the nails")
-    right.set(xlabel="work: contacts resolved, or rods solved for")
-    right.set_ylabel("sag off that of the links at rest, m (1e-10 or less at the edge)")
+    left.set(xlabel="position along the span, m", ylabel="height relative to the nails, m")
+    right.set(xlabel="work: contacts resolved, or rods solved")
+    right.set_ylabel("error of the sag, m (1e-10 or less at the edge)")
     left.set(xlim=(-0.6, 2.6), ylim=(-4.0, 1.5))
     right.set(xlim=(3e2, 4e6), ylim=(1e-11, 1e4))
     for axes in (left, right):
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
     tell(figure, notes)
-    columns = ("links", "way", "work", "sag, m", "sag less that at rest, m", "too long by, m")
+    columns = ("links", "method", "work", "sag, m", "error of the sag, m", "excess length, m")
     return Picture(figure, columns, rows)
 
 
 def _late(run: Track, since: float) -> float:
-    """Return the largest value from a time on, infinite where the engine failed before."""
+    """Return the largest value from a time on, or infinity if the engine failed earlier."""
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
 
@@ -170,7 +171,7 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Return a scene that gives None, and a note, where the engine says that it failed."""
+    """Return a scene that adds a note and returns None if the engine raises an error."""
 
     def run() -> Hanging | None:
         hung: list[Hanging] = []
@@ -184,7 +185,7 @@ def _ended(
 
 def _shape(axes: Axes, hanging: Hanging | None, name: str, color: str) -> None:
     if hanging is not None:
-        label = f"{name}: sag {hanging.sag:.5g} m, too long by {abs(hanging.stretch):.2g} m"
+        label = f"{name}: sag {hanging.sag:.5g} m, {abs(hanging.stretch):.2g} m too long"
         axes.plot(*zip(*hanging.places, strict=True), color=color, lw=1.3, label=label)
 
 

@@ -1,4 +1,4 @@
-"""Pictures of chapter 8: a trebuchet, a wheel, a blob that breaks, and balls that fall asleep."""
+"""Pictures of chapter 8: a trebuchet, a wheel, a blob that breaks, and sleeping balls."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from studies.mass_aggregate import (
 from studies.readings import written
 from studies.releases import Release, jumps, releases
 
-PLAIN = Design(400.0, 1.0, 4.0, 3.0, 45.0)  # what is drawn until my_design is written
+PLAIN = Design(400.0, 1.0, 4.0, 3.0, 45.0)  # drawn until my_design is written
 FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)
 
 
 def trebuchet_range() -> Picture:
-    """How far your trebuchet throws at each release angle, with other counterweights too."""
+    """Draw the range of your trebuchet by release angle, also with other counterweights."""
     figure, (left, right) = pyplot.subplots(
         1, 2, figsize=(13, 5.4), layout="constrained", width_ratios=(3, 2)
     )
@@ -48,17 +48,17 @@ def trebuchet_range() -> Picture:
     ):
         rows += [(weight, r.angle, r.range, r.share) for r in seen]
         upwards = [release for release in seen if release.angle >= 0.0]
-        ends = "never flies forwards and up"
+        ends = "never flies forward and up"
         if upwards:
             best[weight] = max(upwards, key=lambda release: release.range)
             ends = f"at best {best[weight].range:.3g} m at {best[weight].angle:.0f}$\\degree$"
         shown = jumps(upwards)
         angles, ranges = [r.angle for r in shown], [r.range for r in shown]
-        size = 9 if len(shown) < 5 else 4  # a single release is to be seen too
+        size = 9 if len(shown) < 5 else 4  # so that a single release is visible
         label = f"{weight:g} kg: {ends}"
         left.plot(angles, ranges, ".-", color=color, ms=size, lw=1.3, label=label)
     thrown = _released(found.get(own, []), design.release_angle)
-    words = f"{name} ({own:g} kg) is never let go"
+    words = f"{name} ({own:g} kg) never releases the projectile"
     if thrown is not None:
         words = (
             f"{name} throws {thrown.range:.3g} m with {100.0 * thrown.share:.2g} % of the energy"
@@ -72,7 +72,7 @@ def trebuchet_range() -> Picture:
         fontsize=10,
     )
     right.plot(
-        [*best], [100.0 * r.share for r in best.values()], "o-", color=BLUE, label="at its best"
+        [*best], [100.0 * r.share for r in best.values()], "o-", color=BLUE, label="best angle"
     )
     for weight, release in best.items():
         right.annotate(
@@ -83,7 +83,7 @@ def trebuchet_range() -> Picture:
             fontsize=8,
         )
     most = [f"{kg:g} kg {100.0 * r.share:.0f} %" for kg, r in best.items()]
-    right.set_title(f"Share of the energy at the best angle:\n{', '.join(most)}", fontsize=9)
+    right.set_title(f"Fraction of the energy at the best angle:\n{', '.join(most)}", fontsize=9)
     left.set(xlabel="release angle, degrees above the horizon", ylabel="range, m")
     left.set(xlim=(0.0, 90.0), ylim=(0.0, None))
     right.set(xlabel="counterweight, kg", ylabel="energy that reaches the projectile, %")
@@ -91,12 +91,12 @@ def trebuchet_range() -> Picture:
     for axes in (left, right):
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8.5)
-    columns = ("counterweight, kg", "release angle, degrees", "range, m", "share of the energy")
+    columns = ("counterweight, kg", "release angle, degrees", "range, m", "fraction of the energy")
     return Picture(figure, columns, rows)
 
 
 def wheel_deformation() -> Picture:
-    """How much a wheel gives way that is driven, and how far its spin lags behind theory."""
+    """Draw the deformation of a driven wheel, and how far its spin lags behind theory."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     deformations = {
         (driven, force): partial(deformation_of_wheel, force, driven, 60, 1.0)
@@ -120,7 +120,7 @@ def wheel_deformation() -> Picture:
             left.loglog([*worst], shown, "o-", color=color, label=label)
     alpha = 10.0 * COUNT / (COUNT * MASS * RADIUS)
     times = [2.0 * i / 100 for i in range(101)]
-    right.plot(times, [alpha * t for t in times], color=BLACK, lw=1.2, label="F n / (N m r) t")
+    right.plot(times, [alpha * t for t in times], color=BLACK, lw=1.2, label="F n t / (N m r)")
     lags = []
     for rate, color in ((60, RED), (240, ORANGE), (960, GREEN)):
         if (run := both.get(rate)) is None:
@@ -130,7 +130,7 @@ def wheel_deformation() -> Picture:
         )
         lags.append(f"{lag:.2g} % at {rate} Hz")
         right.plot(run.times, run.values, color=color, lw=1.5, label=f"{rate} Hz")
-        # Where a frame's turn costs as much as it was driven: half the square of w h.
+        # At this spin a frame loses as much as the drive adds: half the square of w h.
         limit = (2.0 * alpha * rate) ** (1.0 / 3.0)
         label = f"$\\sqrt[3]{{2 \\alpha / h}}$ = {limit:.3g} rad/s at {rate} Hz"
         right.axhline(limit, color=color, lw=1, ls=":", label=label)
@@ -142,7 +142,7 @@ def wheel_deformation() -> Picture:
     )
     right.set_title(
         f"{COUNT} particles driven by 10 N each: after 2 s the spin lags by\n"
-        f"{', '.join(lags) or '?'}: to turn a rod costs speed",
+        f"{', '.join(lags) or '?'}, because turning a rod costs speed",
         fontsize=10,
     )
     left.set(xlabel="force on each driven particle, N", ylabel="deformation, % of a rod")
@@ -156,7 +156,7 @@ def wheel_deformation() -> Picture:
 
 
 def blob_bonds() -> Picture:
-    """How far a blob spreads that is thrown at the ground, and how many of its bonds hold."""
+    """Draw how far a blob spreads that is thrown at the ground, and how many bonds it keeps."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     ways = {(0.0, False): BLACK, (18.0, False): SKY, (18.0, True): BLUE}
     ways |= {(25.0, False): ORANGE, (25.0, True): RED}
@@ -168,12 +168,12 @@ def blob_bonds() -> Picture:
         for (speed, cables), color in ways.items():
             if (run := found.get((what, speed, cables))) is None:
                 continue
-            throw = f"at {speed:g} m/s" if speed else "let go"
-            with_cables = "with cables" if cables else "without"
+            throw = f"at {speed:g} m/s" if speed else "dropped"
+            with_cables = "with cables" if cables else "without cables"
             if what == "spread":
-                ended = f"{max(run.values):.2f} m at most, {run.values[-1]:.2f} m in the end"
+                ended = f"at most {max(run.values):.2f} m, finally {run.values[-1]:.2f} m"
             else:
-                ended = f"{min(run.values):g} at least, {run.values[-1]:g} in the end"
+                ended = f"at least {min(run.values):g}, finally {run.values[-1]:g}"
             style = "--" if cables else "-"
             label = f"{throw}, {with_cables}: {ended}"
             axes.plot(run.times, run.values, style, color=color, lw=1.4, label=label)
@@ -182,11 +182,11 @@ def blob_bonds() -> Picture:
         torn, held = (found.get((what, 25.0, cables)) for cables in (False, True))
         words = [f"{run.values[-1]:.2g}{unit}" if run else "?" for run in (torn, held)]
         axes.set_title(
-            f"Thrown down at 25 m/s from 2 m: {words[0]} in the end, with cables {words[1]}",
+            f"Thrown down at 25 m/s from 2 m: finally {words[0]}, with cables {words[1]}",
             fontsize=10,
         )
     panels[0].set(xlabel="time, s", ylabel="spread, m")
-    panels[1].set(xlabel="time, s", ylabel="bonds that hold, of 45")
+    panels[1].set(xlabel="time, s", ylabel="intact bonds, of 45")
     panels[0].set_ylim(top=1.25 * panels[0].get_ylim()[1])  # room for the legend
     for axes in panels:
         axes.grid(alpha=0.3)
@@ -196,7 +196,7 @@ def blob_bonds() -> Picture:
 
 
 def sleeping_balls() -> Picture:
-    """What balls cost that fall on the ground one after the other, and are woken by a late one."""
+    """Draw the cost of balls that land one after the other, until a late one wakes them."""
     figure, panels = pyplot.subplots(2, 1, figsize=(11, 6.4), layout="constrained", sharex=True)
     kinds: dict[type[ParticleWorld], tuple[str, str]] = {
         ParticleWorld: ("ParticleWorld", RED),
@@ -218,11 +218,11 @@ def sleeping_balls() -> Picture:
         columns = zip(awake.times, awake.values, used.values, energy.values, strict=True)
         rows += [(name, *row) for row in columns]
     figure.suptitle(
-        f"What sleeps costs nothing: particles moved and contacts resolved: {'; '.join(costs)}",
+        f"Sleeping balls cost nothing. Particles moved and contacts resolved: {'; '.join(costs)}",
         fontsize=11,
     )
-    panels[0].set(ylabel="in each frame of 1/60 s")
-    panels[1].set(xlabel="time, s", ylabel="kinetic energy of what is awake, J")
+    panels[0].set(ylabel="number per frame of 1/60 s")
+    panels[1].set(xlabel="time, s", ylabel="kinetic energy of the awake balls, J")
     for axes in panels:
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8)
@@ -235,7 +235,7 @@ def sleeping_balls() -> Picture:
 
 
 def _released(found: Sequence[Release], angle: float) -> Release | None:
-    """Return the first release at an angle or lower, if any."""
+    """Return the first release at this angle or a smaller angle, or None."""
     return next((release for release in found if release.angle <= angle), None)
 
 

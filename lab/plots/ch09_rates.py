@@ -33,7 +33,7 @@ from studies.rotations import (
     worst_axis,
 )
 
-FLOOR = 1e-15  # zero and rounding errors are drawn here on logarithmic axes
+FLOOR = 1e-15  # where zeros and rounding errors are drawn on logarithmic axes
 RATES = [10 * 2**n for n in range(8)]  # steps per second
 WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
     "steady axis, Eq. 9.5": (by_first_order, steady_velocity, 0.0, "o-", RED),
@@ -45,14 +45,14 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
         *(by_first_order_normalized, coning_velocity, 0.0, "s-", ORANGE),
     ),
     "moving axis, rotate_by": (by_exponential, coning_velocity, 0.0, "^-", SKY),
-    "moving axis, rotate_by, velocity of mid-step": (
+    "moving axis, rotate_by, mid-step velocity": (
         *(by_exponential, coning_velocity, 0.5, "v-", BLUE),
     ),
 }
 
 
 def drift_of_first_order() -> Picture:
-    """The errors of Eq. 9.5 in length and angle, and of better methods."""
+    """Draw the errors of Eq. 9.5 in length and angle, and the errors of better methods."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
@@ -80,7 +80,9 @@ def drift_of_first_order() -> Picture:
         left.plot(times, lines, color=color, lw=1)
         rows += [("length", way, rate, *pair) for pair in zip(times, lengths, strict=True)]
         notes += [f"{way}, {rate} Hz: {message}"] if message else []
-    left.plot([], [], color=GRAY, lw=1, label="lines: (1 + (w h / 2)$^2$)$^{n/2}$ after n steps; 1")
+    left.plot(
+        [], [], color=GRAY, lw=1, label="lines: (1 + (w h / 2)$^2$)$^{n/2}$ after n steps, or 1"
+    )
     left.set_title(
         "One turn per second about a steady axis: the length differs from the\n"
         f"closed form (lines) by at most {largest(off):.2g}{_of_drift(drift_off, '')}",
@@ -92,13 +94,13 @@ def drift_of_first_order() -> Picture:
     for axes in (left, right):
         axes.grid(alpha=0.3)
     tell(figure, notes)
-    return Picture(figure, ("what", "way", "steps per second", "time, s", "value"), rows)
+    return Picture(figure, ("what", "method", "steps per second", "time, s", "value"), rows)
 
 
 def gimbal_lock() -> Picture:
-    """The map of the Euler rates near 90 degrees, where a direction is lost and the rates grow."""
+    """Draw the map of the Euler rates near 90°, where it loses a direction and rates grow."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
-    x, z = 0.4, 1.1  # rad: these two do not matter
+    x, z = 0.4, 1.1  # rad; any values would do
     degrees = range(-90, 91, 3)
     distances = [10.0 ** (-0.25 * n) for n in range(-7, 25)]  # degrees
     found = written(
@@ -136,7 +138,7 @@ def gimbal_lock() -> Picture:
         right.set_title(
             "The Euler rates of 1 rad/s about the worst axis: slope "
             f"{slope(distances[16:], rates[16:]):.4f};\n"
-            f"at 90° euler_rates refuses for {sum(refused)} of {len(refused)} angles z",
+            f"at 90° euler_rates raises an error for {sum(refused)} of {len(refused)} angles z",
             fontsize=11,
         )
         right.legend(fontsize=9)
@@ -151,7 +153,7 @@ def gimbal_lock() -> Picture:
 
 
 def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) -> None:
-    """Draw the final error of each method in degrees, by the step."""
+    """Draw the final error of each method in degrees against the time step."""
     found = written({way: partial(_ends, way, notes) for way in WAYS})
     steps = [1.0 / rate for rate in RATES]
     for way, errors in found.items():
@@ -164,7 +166,7 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
         shown = [max(error, FLOOR) for error in errors]
         axes.loglog(steps, shown, style, color=color, ms=8 if style == "x" else 6, label=label)
         rows += [("error", way, rate, END, e) for rate, e in zip(RATES, errors, strict=True)]
-    lines = [f"Error of the orientation after {END:g} s, by the step"]
+    lines = [f"Error of the orientation after {END:g} s, by time step"]
     bare, mended = (found.get(f"steady axis, Eq. 9.5{how}") for how in ("", ", normalized"))
     if bare and mended:
         apart = largest([abs(a - b) for a, b in zip(bare, mended, strict=True)])
@@ -174,12 +176,12 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
         off = [abs(drift - error) for drift, error in zip(drifts, bare, strict=True)]
         lines[-1] += _of_drift(off, "°")
     axes.set_title("\n".join(lines), fontsize=11)
-    axes.set(xlabel="step h, s", ylabel="error of the angle, degrees", ylim=(FLOOR, 1e3))
+    axes.set(xlabel="time step h, s", ylabel="error of the angle, degrees", ylim=(FLOOR, 1e3))
     axes.legend(fontsize=8.5, loc="center", bbox_to_anchor=(0.5, 0.4))
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Return the results of first_order_drift, the angle in degrees, or NaN for a stub."""
+    """Return the length and angle of first_order_drift in degrees, or NaN if it is a stub."""
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
         length, angle = found[0] if isinstance(found[0], tuple) else (None, None)
@@ -188,7 +190,7 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Return the error of first_order_drift against the measurement, for a title."""
+    """Return the deviation of first_order_drift from the measurement, as part of a title."""
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
     return f",\nfirst_order_drift differs from the measurement by {largest([*off]):.2g}{unit}"
@@ -208,7 +210,7 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 
 
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
-    """Return the largest Euler rates at a distance from gimbal lock in degrees, and any error."""
+    """Return the largest Euler rates at a distance in degrees from gimbal lock, and any error."""
     left = math.radians(distance)
     found: list[float] = []
 
@@ -221,6 +223,6 @@ def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
 
 
 def _refuses(x: float, z: float) -> bool:
-    """Return whether euler_rates refuses a rotation about the lost axis in gimbal lock."""
+    """Return whether euler_rates raises an error for a rotation about the lost axis."""
     lost = worst_axis(0.0, z)
     return bool(stopped(lambda: euler_rates(x, 0.5 * math.pi, z, Vector3(*lost))))

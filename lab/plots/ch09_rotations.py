@@ -1,8 +1,8 @@
 """Pictures of chapter 9: a rotating disc, and the order of rotations.
 
-Each title gives errors that are computed apart from the engine, so that its mistakes show. Parts
-that are not written yet are left out. Pictures of Eq. 9.5 and gimbal lock are in ch09_rates,
-the box of stones in ch09_stones.
+Each title states errors that are computed independently of the engine, so that its mistakes show.
+Parts that are not written yet are left out. Pictures of Eq. 9.5 and of gimbal lock are in
+ch09_rates, and the box of stones is in ch09_stones.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def turning_motion() -> Picture:
-    """A thrown disc that wobbles as it flies, with its axes at seven moments."""
+    """Draw a thrown disc that wobbles as it flies, with its axes at seven times."""
     rates = (120, 240, 480)
     throws = {rate: throw_disc(rate) for rate in rates}
     shown = throws[240]
@@ -90,11 +90,11 @@ def turning_motion() -> Picture:
                 label = name if i in (0, 6) else ""
                 arrow_3d(space, _along(place, v, 0.75), label, color, tail=place)
     for artist in (*space.collections, *space.lines, *space.texts):
-        artist.set_clip_on(False)  # the picture is wider than what matplotlib takes it for
+        artist.set_clip_on(False)  # the picture extends beyond matplotlib's axes
     off = [throws[rate].worst_direction() for rate in rates]
     space.set_title(
         "A thrown disc that wobbles, by integrate_rotation: its axes X, Y, Z,"
-        " and the exact ones (dashed)\n"
+        " and the exact axes (dashed)\n"
         f"240 steps per second: right angles off by up to {shown.worst(off_right_angles):.2g}°, "
         f"lengths by {shown.worst(off_unit_length):.2g},\n"
         f"errors of the directions at most {off[0]:.3g}°, {off[1]:.3g}° and {off[2]:.3g}° "
@@ -114,7 +114,7 @@ def turning_motion() -> Picture:
 
 
 def order_of_turns() -> Picture:
-    """An L rotated by 90 degrees about the world's X and then Y, and about Y and then X."""
+    """Draw an L rotated by 90° about the world's X and then Y, and about Y and then X."""
     figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
     grid = figure.add_gridspec(2, 3)
     quarter = {
@@ -171,7 +171,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Return the arrows as the engine rotates them, or none and a note if it refuses."""
+    """Return the arrows rotated by the engine. If it raises an error, add a note instead."""
     found: list[Arrows] = []
     if message := stopped(lambda: found.append(arrows_by_engine(q))):
         notes.append(message)
@@ -179,7 +179,7 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Return the same by matrices: at the start, after one rotation, and after both."""
+    """Return the arrows rotated by matrices: initially, after one rotation, and after both."""
     found: list[Arrows] = []
 
     def act() -> None:
@@ -200,13 +200,13 @@ def _letter(space: Any, found: Arrows) -> None:
 
 
 def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
-    """Draw a block between two values of each of its own coordinates, rotated like the arrows."""
+    """Draw a block with these ranges of its own coordinates, rotated like the arrows."""
     corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
     faces = []
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         for end in sides[i]:
             face = [c for c in corners if c[i] == end]
-            face.sort(key=lambda c: (c[j], c[k] if c[j] == sides[j][0] else -c[k]))  # around it
+            face.sort(key=lambda c: (c[j], c[k] if c[j] == sides[j][0] else -c[k]))  # in order
             faces.append([_point(corners[c]) for c in face])
     space.add_collection3d(Poly3DCollection(faces, alpha=0.3, facecolor=GRAY, edgecolor=BLACK))
 

@@ -19,8 +19,8 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def balance_lines() -> Picture:
-    """Exercise 9.7: the box with your stones, its balance lines, and the masses beside them."""
-    masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # report a stub before an empty file
+    """Draw the box with your stones, its balance lines and the masses beside them (9.7)."""
+    masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # reports a stub even if the file is empty
     stones = read_stones(own_stones())
     if not stones:
         raise ValueError("there are no stones in stones.csv: weigh some for exercise 9.7")
@@ -90,5 +90,5 @@ def balance_lines() -> Picture:
         for line in lines
     ]
     head = ("row", "what; angle, degrees", "mass, kg; offset, m", "x, m; mass on the left, kg")
-    head = (*head, "y, m; mass on the right, kg", "misses by, m", "torque, N m")
+    head = (*head, "y, m; mass on the right, kg", "distance from center, m", "torque, N m")
     return Picture(figure, head, rows)

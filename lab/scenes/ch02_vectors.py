@@ -1,4 +1,4 @@
-"""The scenes of chapter 2: two products of vectors, to be dragged."""
+"""Scenes of chapter 2: two products of vectors that the reader can drag."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from lab.camera import flat, on_the_ground
 from lab.pen import Pen
 from lab.scene import Scene
 
-STEP = math.radians(5.0)  # by which a key rotates a vector
-TIP = 0.14  # m, the radius of what can be dragged
+STEP = math.radians(5.0)  # rotation per key press
+TIP = 0.14  # m, radius of the draggable tip of a vector
 
 
 def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
@@ -20,7 +20,7 @@ def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
 
 
 class Projection(Scene):
-    """The part of a vector along another one: a dot product with a unit vector."""
+    """The component of one vector along another: a dot product with a unit vector."""
 
     chapter = 2
     title = "Projection: how much of a points along b?"
@@ -34,10 +34,10 @@ class Projection(Scene):
         self.a, self.b = Vector3(1.5, 2.5), Vector3(3.5, 0.5)
 
     def step(self, duration: float) -> None:
-        """Leave everything where it is: only the reader moves the vectors."""
+        """Do nothing, because only the reader moves the vectors."""
 
     def shadow(self) -> Vector3:
-        """Return the projection of a onto b, by the student's vector."""
+        """Return the projection of a onto b, computed with the student's Vector3."""
         direction = self.b.normalized()
         return direction * self.a.dot(direction)
 
@@ -77,7 +77,7 @@ class Projection(Scene):
             self.a.x, self.a.y = rotated(self.a.x, self.a.y, STEP if key == "left" else -STEP)
 
     def drag(self, name: str, x: float, y: float) -> None:
-        if math.hypot(x, y) > TIP:  # a vector without a length has no direction
+        if math.hypot(x, y) > TIP:  # a vector of zero length has no direction
             moved = self.a if name == "a" else self.b
             moved.x, moved.y = x, y
 
@@ -86,7 +86,7 @@ class Projection(Scene):
 
 
 class CrossProduct(Scene):
-    """Two vectors on the ground, and their vector product, which points up or down."""
+    """Two vectors on the ground and their vector product, which points up or down."""
 
     chapter = 2
     title = "Cross product: a direction and an area"
@@ -101,7 +101,7 @@ class CrossProduct(Scene):
         self.a, self.b = Vector3(0.5, 0.0, 1.8), Vector3(2.0, 0.0, 0.3)
 
     def step(self, duration: float) -> None:
-        """Leave everything where it is: only the reader moves the vectors."""
+        """Do nothing, because only the reader moves the vectors."""
 
     def draw(self, pen: Pen) -> None:
         zero, product = Vector3(), self.a.cross(self.b)
@@ -119,7 +119,7 @@ class CrossProduct(Scene):
         pen.text((x + 0.5, y), "a × b", "red", 18.0)
 
     def chart(self) -> dict[str, float]:
-        return {"up part of a × b, m²": self.a.cross(self.b).y}
+        return {"vertical component of a × b, m²": self.a.cross(self.b).y}
 
     def state(self) -> list[float]:
         product = self.a.cross(self.b)
@@ -130,15 +130,15 @@ class CrossProduct(Scene):
         return [0.0, a.z * b.x - a.x * b.z, 0.0]
 
     def facts(self) -> str:
-        return f"area of the parallelogram {self.a.cross(self.b).magnitude():.2f} m²"
+        return f"area of the parallelogram: {self.a.cross(self.b).magnitude():.2f} m²"
 
     def say(self) -> str:
         up = self.a.cross(self.b).y
-        return f"a × b points {'up' if up > 0.0 else 'down'} and is {abs(up):.2f} m² long."
+        return f"a × b points {'up' if up > 0.0 else 'down'}. Its length is {abs(up):.2f} m²."
 
     def press(self, key: str) -> None:
         if key in ("left", "right"):
-            turn = -STEP if key == "left" else STEP  # seen from above, z points toward the viewer
+            turn = -STEP if key == "left" else STEP  # from above, z points toward the viewer
             self.a.x, self.a.z = rotated(self.a.x, self.a.z, turn)
 
     def drag(self, name: str, x: float, y: float) -> None:

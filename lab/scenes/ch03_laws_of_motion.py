@@ -1,4 +1,4 @@
-"""Scenes of chapter 3: what the length of a time step does to a throw and to damping."""
+"""Scenes of chapter 3: how the length of a time step affects a throw and damping."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ COLORS = ("red", "orange", "blue")
 
 
 class FrameRates(Scene):
-    """One throw by the book's step at three step rates, beside the exact path."""
+    """The same throw with the book's integrator at three step rates, next to the exact path."""
 
     chapter = 3
     title = "One throw at three step rates"
     question = "How does the length of a time step change the path of a ball?"
     view = (-1.0, 25.0, -1.0, 12.0)
     seconds = 3.5
-    exact_from = "closed form of dv/dt = a - k v"
+    exact_from = "the closed form of dv/dt = a - k v"
     predict = Question(
-        "Three computers throw the same ball with 5, 10 and 60 steps per second. Which ball flies "
-        "farthest?",
-        ["The one with 5 steps per second.", "The one with 60 steps per second.", "None of them."],
+        "Three computers simulate the same throw at 5, 10 and 60 steps per second. Which ball "
+        "flies farthest?",
+        ["The ball at 5 steps per second.", "The ball at 60 steps per second.", "No difference."],
         lambda _: 0,
-        "Each step first moves the ball with its old velocity, and only then lets gravity slow it. "
-        "So every step rises g h² / 2 too far, and long steps rise the most.",
+        "Each step moves the ball with its old velocity and applies gravity only afterwards. So in "
+        "every step the ball rises g h² / 2 too far, and this error is largest for long steps.",
         3.0,
     )
     rate = Choice(5, "steps per second of the red ball", [5, 10, 15, 30], "Hz")
@@ -76,7 +76,7 @@ class FrameRates(Scene):
             pen.text((trail[-1][0] + 0.2, trail[-1][1] + 0.8), f"{rate} Hz", color)
 
     def off(self, i: int) -> float:
-        """Return how far a ball is from its exact position, after the steps that it has made."""
+        """Return a ball's distance in m from its exact position after the same number of steps."""
         x, y, _ = self.flight.exact(self.steps[i] / self.rates[i]).position
         return math.hypot(self.balls[i].position.x - x, self.balls[i].position.y - y)
 
@@ -92,18 +92,18 @@ class FrameRates(Scene):
 
     def facts(self) -> str:
         rise = 0.5 * -GRAVITY[1] / self.rate**2
-        return f"each step at {self.rate} Hz rises g h²/2 = {rise:.3g} m too far"
+        return f"each step at {self.rate} Hz ends g h²/2 = {rise:.3g} m too high"
 
     def say(self) -> str:
         places = [
             f"{path[-1][0]:.1f} m at {rate} Hz"
             for rate, path in zip(self.rates, self.paths, strict=True)
         ]
-        return f"The balls have come {', '.join(places)}."
+        return f"The balls have flown {', '.join(places)}."
 
 
 class DampingForms(Scene):
-    """Three pucks that should slow down alike: by Eq. 3.5, by Eq. 3.6, and exactly."""
+    """Three identical pucks that slow down by Eq. 3.5, by Eq. 3.6 and by the exact solution."""
 
     chapter = 3
     title = "Damping per step, or per second?"
@@ -112,12 +112,12 @@ class DampingForms(Scene):
     seconds = 4.0
     exact_from = "the integral of v d^t"
     predict = Question(
-        "Damping per step is set for 60 steps per second. How far does the red puck slide with "
-        "these settings, compared with the blue one?",
-        ["about as far", "less far", "farther"],
+        "The damping per step is chosen for 60 steps per second. With these settings, how far does "
+        "the red puck slide, compared with the blue puck?",
+        ["About as far.", "Less far.", "Farther."],
         lambda scene: 0 if scene.rate == 60 else 1 if scene.rate > 60 else 2,
-        "Damping per step takes the same fraction in each step, so more steps per second brake "
-        "harder. Damping per second raises d to the power of the step's duration.",
+        "Damping per step removes the same fraction of the speed in every step, so more steps per "
+        "second slow the puck more. Damping per second raises d to the power of the step's length.",
         3.0,
     )
     rate = Choice(120, "steps per second", [15, 30, 60, 120, 240], "Hz")
@@ -141,7 +141,7 @@ class DampingForms(Scene):
             self.speeds[1] = damp_per_second(self.speeds[1], Vector3(), self.kept, h)
 
     def slid(self) -> float:
-        """Return how far the exact puck has slid after the steps made so far."""
+        """Return the distance in m that the exact puck has slid in the time simulated so far."""
         k = -math.log(self.kept)
         return self.SPEED * -math.expm1(-k * self.steps / self.rate) / k
 
@@ -169,7 +169,8 @@ class DampingForms(Scene):
     def facts(self) -> str:
         per_step = self.kept ** (self.rate / 60.0)
         return (
-            f"damping per step keeps {per_step:.3g} per second at {self.rate} Hz, not {self.kept:g}"
+            f"at {self.rate} Hz damping per step keeps {per_step:.3g} of v per second, "
+            f"not {self.kept:g}"
         )
 
     def say(self) -> str:

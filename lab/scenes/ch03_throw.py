@@ -1,4 +1,4 @@
-"""A game of chapter 3: throw a ball at a hoop with your own Particle.integrate."""
+"""A game for chapter 3: throw a ball through a hoop with your own Particle.integrate."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ Point = tuple[float, float]
 
 
 class Throw(Scene):
-    """A ball that the engine moves step by step, next to the exact path."""
+    """A ball that the student's engine moves step by step, next to its exact path."""
 
     chapter = 3
     title = "Throw a ball at the hoop"
-    question = "Does a ball that is aimed exactly go in at 10 steps per second?"
+    question = "Does a perfectly aimed ball go in at 10 steps per second?"
     view = (-0.5, 20.0, -1.0, 11.0)
     seconds = 16.5
-    exact_from = "closed form of dv/dt = a - k v"
+    exact_from = "the closed form of dv/dt = a - k v"
     keys = {
         "up": "aim higher",
         "down": "aim lower",
@@ -39,11 +39,11 @@ class Throw(Scene):
     HAND = (1.0, 2.0)  # m
     HOOPS = ((9.0, 3.0), (14.0, 4.0), (11.0, 5.0), (16.0, 2.5))  # m, the center of each rim
     RIM, BALL = 0.5, 0.25  # m, half the width of the rim and the radius of the ball
-    PULL = 2.0  # 1/s, the speed of a throw per meter of distance to the click
+    PULL = 2.0  # 1/s, throwing speed per meter between the hand and the click
     REST = 1.0  # s, how long the hoop stays in place after a throw
-    LONGEST = 6.0  # s, after which a ball that has not come down is given up
-    # The throws of the scripted player: time in s, steps per second, damping, angle in degrees and
-    # speed in m/s. At 10 steps per second it first uses the exact aim, and then a lower speed.
+    LONGEST = 6.0  # s, after which a throw ends even if the ball has not landed
+    # The scripted throws: time in s, steps per second, damping, angle in degrees and speed in m/s.
+    # At 10 steps per second the script uses the exact aim first, and then a lower speed.
     ORDERS = (
         (0.5, 60, 1.0, 55.0, 9.57),
         (3.2, 10, 1.0, 55.0, 12.33),
@@ -64,17 +64,17 @@ class Throw(Scene):
 
     @property
     def hoop(self) -> Point:
-        """The center of the rim, in m. It moves on after each ball that goes in."""
+        """The center of the rim, in m. The hoop moves after each ball that goes in."""
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
     def flight(self) -> DragFlight:
-        """Return the throw as plain numbers that have an exact solution."""
+        """Return the current throw as plain numbers, together with its exact solution."""
         angle = math.radians(self.angle)
         velocity = (self.speed * math.cos(angle), self.speed * math.sin(angle), 0.0)
         return DragFlight("throw", State((*self.HAND, 0.0), velocity), GRAVITY, self.damping, 6.0)
 
     def new_ball(self) -> Particle:
-        """Return a particle that leaves the hand with the current aim."""
+        """Return a particle that leaves the hand as the current throw does."""
         start = self.thrown.start
         return Particle(
             Vector3(*start.position),
@@ -97,7 +97,7 @@ class Throw(Scene):
         self.message, self.flies = "", True
 
     def exact_path(self) -> list[Point]:
-        """Return the exact path of the throw, down to the ground."""
+        """Return the points of the throw's exact path down to the ground."""
         path: list[Point] = []
         while not path or (path[-1][1] >= 0.0 and len(path) < 60.0 * self.LONGEST):
             x, y, _ = self.thrown.exact(len(path) / 60.0).position
@@ -120,14 +120,17 @@ class Throw(Scene):
                 self.land()
 
     def land(self) -> None:
-        """End the throw, and compare both paths with the hoop."""
+        """End the throw, and report where both paths pass the hoop."""
         yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
         self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
         self.score += self.is_in(yours)
         self.flies, self.rest = False, self.REST
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Return how far beyond the rim's center, in m, a path passes the rim's height, if ever."""
+        """Return how far past the rim's center, in m, a path comes down to the rim's height.
+
+        Returns None if the path never comes down through that height.
+        """
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):
             if y1 > y >= y2:
@@ -135,7 +138,7 @@ class Throw(Scene):
         return None
 
     def is_in(self, beyond: float | None) -> bool:
-        """Return whether a ball that comes down there goes through the hoop."""
+        """Return whether a ball that comes down at this distance goes through the hoop."""
         return beyond is not None and abs(beyond) < self.RIM
 
     def told(self, beyond: float | None) -> str:
@@ -202,7 +205,7 @@ class Throw(Scene):
             self.throw()
 
     def aim(self, angle: float, speed: float) -> None:
-        """Aim forward, with an angle in degrees and a speed in m/s that an arm can reach."""
+        """Set the aim: an angle in degrees and a speed in m/s, limited to what an arm can do."""
         self.values["angle"] = max(0.0, min(88.0, angle))
         self.values["speed"] = max(4.0, min(20.0, speed))
 
@@ -213,7 +216,7 @@ class Throw(Scene):
             self.throw()
 
     def play(self, time: float) -> None:
-        """Throw at 60 steps per second, then at 10 with two aims, and with damping."""
+        """Throw once at 60 steps per second, then twice at 10, and then with damping."""
         if self.orders and self.orders[0][0] <= time:
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
             self.aim(angle, speed)

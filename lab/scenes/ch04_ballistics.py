@@ -1,4 +1,4 @@
-"""The ballistic range of chapter 4: shots of five types at blocks of several masses."""
+"""Scenes of chapter 4: the ballistic range, and a shell whose landing point is calculated."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ COLORS = {
     "grenade": "blue",
     "fragment": "blue",
 }
-MIDDLE = -20.0  # where the view from above is drawn, below the view from the side
+MIDDLE = -20.0  # y at which the view from above is drawn, below the view from the side
 
 
 class Ballistics(Scene):
-    """Shots at blocks, seen from the side and, below, from above."""
+    """Shots at blocks, seen from the side and, below that view, from above."""
 
     chapter = 4
     title = "The ballistic range"
@@ -42,7 +42,7 @@ class Ballistics(Scene):
         "f": "fire",
     }
     TURN = math.radians(2.0)
-    # Time in s, shot, azimuth and elevation in degrees, for the scripted player.
+    # The scripted shots: time in s, type, azimuth and elevation in degrees.
     ORDERS = (
         (0.2, "pistol", 0.0, None),
         (1.0, "fireball", 6.0, None),
@@ -79,7 +79,7 @@ class Ballistics(Scene):
             p = shot.particle.position
             _, trail = self.trails.setdefault(id(shot), (shot, []))
             trail.append((p.x, p.y, p.z))
-        for key in [*self.trails][:-24]:  # the last 24 remain visible
+        for key in [*self.trails][:-24]:  # keep the trails of the last 24 shots
             del self.trails[key]
 
     def draw(self, pen: Pen) -> None:
@@ -105,7 +105,7 @@ class Ballistics(Scene):
         pen.arrow((0.0, MIDDLE), above, COLORS.get(self.name, "pink"))
 
     def muzzle(self) -> float:
-        """Return the elevation in radians: the chosen one, or that of the type of shot."""
+        """Return the elevation in radians: the player's choice, or the default of the shot type."""
         vx, vy, vz = SHOT_TYPES[self.name].velocity
         own = math.atan2(vy, math.hypot(vx, vz))
         return own if self.elevation is None else self.elevation
@@ -135,7 +135,7 @@ class Ballistics(Scene):
             self.range.fire(self.name, self.azimuth, self.elevation)
 
     def click(self, x: float, y: float) -> None:
-        """Aim at the point, from the side or from above, and fire."""
+        """Aim at the clicked point in the view from the side or from above, and fire."""
         if x <= MUZZLE[2]:
             return
         if y > 0.5 * MIDDLE:
@@ -153,13 +153,13 @@ class Ballistics(Scene):
 
 
 def best_of_three(scene: Artillery) -> int:
-    """Return which of 30, 45 and 60 degrees carries a shell the farthest."""
+    """Return the index of the elevation with the longest range, out of 30, 45 and 60 degrees."""
     lengths = [scene.landing(angle)[0] for angle in (30.0, 45.0, 60.0)]
     return lengths.index(max(lengths))
 
 
 class Artillery(Scene):
-    """A shell whose landing point the closed form knows before it is fired."""
+    """A shell whose landing point is calculated before it is fired."""
 
     chapter = 4
     title = "Where will the shell land?"
@@ -169,10 +169,10 @@ class Artillery(Scene):
     exact_from = "the closed form, state_after"
     predict = Question(
         "With these settings, which elevation carries the shell the farthest?",
-        ["30°", "45°", "60°"],
+        ["30°.", "45°.", "60°."],
         best_of_three,
-        "Without drag it is 45°. With drag the shell spends its speed on the way, and a flatter "
-        "shot gets farther before it is slow.",
+        "Without drag it is 45°. Drag slows the shell down throughout its flight, so a flatter "
+        "shot flies farther: it covers more of the distance while it is still fast.",
         8.0,
     )
     keys = {"f": "fire again"}
@@ -191,7 +191,7 @@ class Artillery(Scene):
         ]
 
     def shot(self, elevation: float) -> Particle:
-        """Return a shell that leaves the ground at an elevation in degrees."""
+        """Return a shell that is fired from the ground at an elevation in degrees."""
         a = math.radians(elevation)
         velocity = Vector3(self.speed * math.cos(a), self.speed * math.sin(a))
         return Particle(Vector3(), velocity, Vector3(0.0, -9.81), damping=self.damping)
@@ -202,8 +202,8 @@ class Artillery(Scene):
         return position.x, position.y
 
     def landing(self, elevation: float) -> tuple[float, float]:
-        """Return how far a shell flies in m, and for how long in s, by bisection."""
-        low, high = 0.01, 20.0  # s; it is above the ground after the first and below after the last
+        """Return the range of a shell in m and its flight time in s, found by bisection."""
+        low, high = 0.01, 20.0  # s; the shell is above the ground at first and below it at last
         while high - low > 1e-9:
             middle = 0.5 * (low + high)
             above = self.place_after(middle, elevation)[1] > 0.0
@@ -237,7 +237,7 @@ class Artillery(Scene):
         return [*self.place_after(self.steps / self.rate, self.elevation)]
 
     def facts(self) -> str:
-        return f"lands {self.length:.2f} m away, after {self.flight:.2f} s and one calculation"
+        return f"lands {self.length:.2f} m away after {self.flight:.2f} s, as calculated in advance"
 
     def say(self) -> str:
         p = self.shell.position
@@ -249,7 +249,7 @@ class Artillery(Scene):
 
 
 def can_throw() -> bool:
-    """Return whether it is written what happens to a grenade."""
+    """Return whether the student has written what happens to a grenade."""
     return is_written(lambda: grenade_after(Shot("grenade", Particle())))
 
 

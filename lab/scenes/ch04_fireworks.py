@@ -1,4 +1,4 @@
-"""A display of fireworks to keep alive by clicking on its rockets (project 4.1)."""
+"""A fireworks display that the player keeps alive by clicking on its rockets (project 4.1)."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from lab.scene import Scene
 from studies.readings import is_written
 
 COLORS = ("orange", "red", "sky", "pink", "brown", "red", "sky", "green", "violet", "pink", "green")
-# The sparks of the Catherine wheel, as a type of their own.
+# The firework type of the Catherine wheel's sparks.
 WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), damping=0.4)
 
 
 class Fireworks(Scene):
-    """A display that lives as long as somebody clicks on its rockets, and a Catherine wheel."""
+    """A display that lasts as long as the player clicks on its rockets, and a Catherine wheel."""
 
     chapter = 4
     title = "Keep the fireworks alive"
@@ -26,7 +26,7 @@ class Fireworks(Scene):
     view = (-30.0, 30.0, -1.0, 34.0)
     seconds = 12.0
     keys = {**{str(i): f"launch a firework of type {i}" for i in range(1, 10)}}
-    SPIN = 5.0  # rad/s, with which sparks rotate on the screen
+    SPIN = 5.0  # rad/s, at which sparks rotate on the screen
 
     def build(self) -> None:
         own = own_types() if is_written(own_types) else []
@@ -70,15 +70,15 @@ class Fireworks(Scene):
                 corners = [*screen_corners((p.x, p.y), size, angle)]
             pen.area(corners, COLORS[(firework.type - 1) % len(COLORS)], solid=True)
         if self.ended():
-            pen.text((0.0, 16.0), "The display has ended. Press r.", "red", 20.0)
+            pen.text((0.0, 16.0), "The display has ended. Press r to restart.", "red", 20.0)
 
     def chart(self) -> dict[str, float]:
         return {"fireworks burning": float(len(self.display.show.fireworks))}
 
     def facts(self) -> str:
         show = self.display.show
-        endless = f"; types {self.endless} light each other for ever" if self.endless else ""
-        return f"at most {show.capacity} sparks, {show.dropped} had no room{endless}"
+        endless = f"; types {self.endless} light each other forever" if self.endless else ""
+        return f"at most {show.capacity} sparks; {show.dropped} did not fit{endless}"
 
     def say(self) -> str:
         shown = self.display
@@ -93,21 +93,21 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """Click on each rocket late, except in the last seconds, in which the display goes dark."""
+        """Click on each rocket just before it bursts, but let the display end in the last 3 s."""
         if time > self.seconds - 3.0:
             return
         if not self.plays:
             if round(time * 60.0) % 60 == 59:
                 self.display.show.launch(1 + round(time) % 2 * 5)
             return
-        for firework in [*self.display.show.fireworks]:  # click adds to the show's own list
+        for firework in [*self.display.show.fireworks]:  # a copy: click extends the show's list
             if 0.0 < firework.age < 0.3 and firework.type in (1, 2, 6, 10):
                 p = firework.particle.position
                 click(self.display, p.x, p.y)
 
 
 def can_turn() -> bool:
-    """Return whether the wheel is written: a trial one throws sparks."""
+    """Return whether the wheel is written, by testing whether it throws sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 
@@ -116,7 +116,7 @@ SCENES = (Fireworks,)
 
 
 def make_wheel(show: FireworksShow, center: Vector3) -> CatherineWheel:
-    """Return a wheel whose sparks are of the type of WHEEL_SPARK."""
+    """Return a wheel that throws sparks of the type WHEEL_SPARK."""
     return CatherineWheel(
         show, WHEEL_SPARK.type, center, radius=2.0, rate=9.0, sparks_per_second=90.0, jet=26.0
     )

@@ -1,4 +1,4 @@
-"""Scenes of chapter 5: falls in air, and an orbit by two forms of the step."""
+"""Scenes of chapter 5: falling through air, and an orbit with two forms of the time step."""
 
 from __future__ import annotations
 
@@ -16,26 +16,29 @@ G = 9.81  # m/s^2
 
 
 def lands_first(scene: FallInAir) -> int:
-    """Return which ball has the higher terminal speed: the one that reaches the ground first."""
+    """Return which ball lands first, the one with the higher terminal speed.
+
+    0 is the left ball, 1 the right ball, and 2 means that they land together.
+    """
     heavy, light = (terminal_speed(mass * G, 0.0, k2) for mass, k2, _ in scene.balls())
     return 0 if heavy > 1.001 * light else 1 if light > 1.001 * heavy else 2
 
 
 class FallInAir(Scene):
-    """Two balls that fall from a tower, with quadratic drag."""
+    """Two balls that fall from a tower with quadratic drag."""
 
     chapter = 5
     title = "Which ball lands first?"
     question = "Why does a heavy ball fall faster in air, but not on the moon?"
     view = (-6.0, 10.0, -4.0, 104.0)
     seconds = 7.0
-    exact_from = "closed form of a fall with quadratic drag"
+    exact_from = "the closed form of a fall with quadratic drag"
     predict = Question(
         "Both balls are released together. Which one lands first?",
-        ["The left one.", "The right one.", "Both together."],
+        ["The left ball.", "The right ball.", "Both land together."],
         lands_first,
-        "Without air both would land together. With drag, a ball falls faster the more weight it "
-        "has for its drag: the terminal speed is the root of m g / k2.",
+        "Without air both balls would land together. With drag, the ball with more weight for its "
+        "drag coefficient falls faster: the terminal speed is the square root of m g / k2.",
         6.0,
     )
     left_mass = Slider(4.0, "mass of the left ball", "kg", 0.1, 10.0, log=True)
@@ -46,7 +49,7 @@ class FallInAir(Scene):
     TOP = 100.0  # m
 
     def balls(self) -> list[tuple[float, float, str]]:
-        """Return mass, drag and color of both balls."""
+        """Return the mass, the drag coefficient and the color of both balls."""
         return [
             (self.left_mass, self.left_drag, "blue"),
             (self.right_mass, self.right_drag, "orange"),
@@ -94,7 +97,7 @@ class FallInAir(Scene):
         return [ball.position.y for ball in self.fallers]
 
     def exact(self, time: float) -> list[float]:
-        """Return the exact heights; a ball that has landed is compared no more."""
+        """Return the exact heights. Once a ball has landed, it no longer counts as an error."""
         heights = []
         for ball, landed, (mass, k2, _) in zip(
             self.fallers, self.landed, self.balls(), strict=True
@@ -118,7 +121,7 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet around a star, by the book's step or with the velocity first."""
+    """A planet around a star, moved position first as in the book, or velocity first."""
 
     chapter = 5
     title = "An orbit that should close"
@@ -127,18 +130,18 @@ class Orbit(Scene):
     seconds = 8.0
     exact_from = "Kepler's equation"
     predict = Question(
-        "The planet takes the book's step, position first. What happens to its orbit?",
-        ["It stays as it is.", "It grows.", "It shrinks."],
+        "The planet moves with the chosen form of the step. What happens to its orbit?",
+        ["It stays the same.", "It grows.", "It shrinks."],
         lambda scene: 1 if scene.order == "position first" else 0,
-        "With the position first, each step goes out along the tangent with its old speed and "
-        "gains energy. With the velocity first, the energy oscillates and does not drift.",
+        "With the position first, each step moves the planet outward along the tangent, and it "
+        "gains energy. With the velocity first, the energy oscillates but does not drift.",
         8.0,
     )
     order = Choice("position first", "step", ["position first", "velocity first"])
     rate = Choice(60, "steps per second", [15, 30, 60, 120, 240], "Hz")
     eccentricity = Slider(0.4, "eccentricity", "", 0.0, 0.7, step=0.05)
     MU = 4.0  # m^3/s^2
-    AXIS = 1.5  # m, half of the long axis
+    AXIS = 1.5  # m, semi-major axis
 
     def build(self) -> None:
         e = self.eccentricity
@@ -172,11 +175,11 @@ class Orbit(Scene):
         pen.arrow(p, p * (-0.3 / max(p.magnitude(), 0.3)), "red", "force")
 
     def period(self) -> float:
-        """Return the time of one orbit in s."""
+        """Return the orbital period in s."""
         return math.tau * math.sqrt(self.AXIS**3 / self.MU)
 
     def kepler(self, time: float) -> tuple[float, float]:
-        """Return the exact position after a time in s: M = E - e sin E, by Newton's method."""
+        """Return the exact position after a time in s, from Kepler's equation M = E - e sin E."""
         e, mean = self.eccentricity, math.tau * time / self.period()
         anomaly = mean
         for _ in range(12):

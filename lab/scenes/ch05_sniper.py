@@ -21,11 +21,11 @@ from ch05_forces.sniper import (
 from lab.pen import Pen
 from lab.scene import Scene
 
-COLORS = ("sky", "water", "blue")  # of the rings, from the outermost
+COLORS = ("sky", "water", "blue")  # of the rings, from the outside in
 
 
 class Sniper(Scene):
-    """Targets at four distances through a scope. One unit of the view is a milliradian."""
+    """Targets at four distances, seen through a scope. The view's unit is a milliradian."""
 
     chapter = 5
     title = "The sniper range"
@@ -47,7 +47,7 @@ class Sniper(Scene):
         self.begin()
 
     def begin(self) -> None:
-        """Begin a round, with other winds than the last."""
+        """Begin a round with different winds than in the last round."""
         self.seed += 1
         self.range = SniperRange(self.seed)
         self.aim = (0.0, 0.0)
@@ -82,7 +82,7 @@ class Sniper(Scene):
         wind = self.range.wind.velocity
         scale = 10.0 / STRONGEST_WIND
         pen.arrow((0.0, 25.0), (-scale * wind.x, 0.0), "orange")
-        pen.text((0.0, 27.5), f"{abs(wind.x):.1f} m/s of wind across", "orange")
+        pen.text((0.0, 27.5), f"crosswind of {abs(wind.x):.1f} m/s", "orange")
 
     def chart(self) -> dict[str, float]:
         return {"score": float(self.range.score)}
@@ -93,7 +93,7 @@ class Sniper(Scene):
 
     def say(self) -> str:
         if self.range.is_over():
-            return f"The round is over with a score of {self.range.score}. Press n."
+            return f"The round is over. Your score is {self.range.score}. Press n for a new round."
         side = "left" if self.range.wind.velocity.x > 0.0 else "right"
         return f"The wind blows to the {side}. {self.range.shots_left} of {SHOTS} shots are left."
 
@@ -112,19 +112,19 @@ class Sniper(Scene):
         self.shoot(-x / 1000.0, y / 1000.0)
 
     def shoot(self, azimuth: float, elevation: float) -> None:
-        """Aim there, as far as the rifle turns, and fire if nothing is in flight."""
+        """Aim as near to these angles as the rifle can turn, and fire if no bullet is in flight."""
         self.aim = (limited(azimuth), limited(elevation))
         self.range.shoot(*self.aim)
 
     def play(self, time: float) -> None:
-        """Shoot at one target after the other, corrected for the drop and the wind."""
+        """Shoot at the targets in turn, correcting for the drop and the wind."""
         if self.waited < 1.0 or self.range.is_over():
             return
         target = TARGETS[(SHOTS - self.range.shots_left) % len(TARGETS)]
         slows = (K1 + K2 * MUZZLE_SPEED) / BULLET_MASS
         flight = -math.log(1.0 - slows * target.distance / MUZZLE_SPEED) / slows
         drop = -GRAVITY[1] * flight * flight / 2.0
-        # The wind carries the bullet as far as it goes in the time that the drag costs.
+        # The wind carries the bullet along for as long as drag has delayed it.
         drift = self.range.wind.velocity.x * (flight - target.distance / MUZZLE_SPEED)
         self.shoot(
             math.atan2(target.x - drift, target.distance),
@@ -136,11 +136,11 @@ SCENES = (Sniper,)
 
 
 def seen(x: float, y: float, z: float) -> tuple[float, float]:
-    """Return where a point is seen from the muzzle, in milliradians; +x is to the left."""
+    """Return where a point appears from the muzzle, in milliradians. World +x is to the left."""
     along = max(z, 1.0)
     return -1000.0 * x / along, 1000.0 * (y - MUZZLE[1]) / along
 
 
 def limited(angle: float) -> float:
-    """Return the nearest angle to which the rifle turns."""
+    """Return the nearest angle to which the rifle can turn."""
     return max(-SWING, min(SWING, angle))

@@ -1,4 +1,4 @@
-"""Nets of springs: a bridge that hangs on them, and a cloth. Both can explode."""
+"""Scenes of chapter 6 with many springs: a bridge and a cloth. Both can explode."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from lab.stepped import STEPS, Stepped
 
 
 class SpringBridge(Stepped):
-    """A walker on planks that hang on springs (G6.2), which can be too stiff for the step."""
+    """A walker on planks that hang on springs (G6.2), which may be too stiff for the time step."""
 
     chapter = 6
     title = "A bridge on springs"
@@ -43,7 +43,7 @@ class SpringBridge(Stepped):
         self.x, self.owed = 0.5, 0.0
 
     def step(self, duration: float) -> None:
-        """Make the steps that are due, and add the weight of the walker before each of them."""
+        """Make the steps that are due. Before each step, add the walker's weight to the planks."""
         length = 1.0 / self.rate
         self.owed += duration
         while self.owed > 0.5 * length:
@@ -64,7 +64,7 @@ class SpringBridge(Stepped):
         pen.arrow((self.x, ground), (0.0, -0.002 * self.WEIGHT), "red", "force")
 
     def ground(self) -> float:
-        """Return how high the bridge is where the walker stands."""
+        """Return the height of the bridge under the walker."""
         places = [plank.position for plank in self.particles]
         for a, b in pairwise(places):
             if a.x <= self.x <= b.x and b.x > a.x:
@@ -75,13 +75,14 @@ class SpringBridge(Stepped):
         return {"height of the walker, m": self.ground()}
 
     def facts(self) -> str:
-        return f"semi-implicit Euler: stable below about {self.limit():,.0f} N/m"
+        return f"semi-implicit Euler is stable below about {self.limit():,.0f} N/m"
 
     def limit(self) -> float:
-        """Return the largest stable stiffness in N/m of semi-implicit Euler.
+        """Return the largest stiffness in N/m at which semi-implicit Euler is stable.
 
-        A long row of planks swings fastest if each moves against its neighbors, which is as stiff
-        as a spring of 4 k with the damping 4 c. It is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
+        In a long row of planks, the fastest oscillation moves each plank against its neighbors.
+        The plank then behaves as if it hung on a single spring with stiffness 4 k and damping 4 c.
+        That spring is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
         """
         limit: float = self.PLANK_MASS * self.rate**2 - 2.0 * self.DAMPING * self.rate
         return limit
@@ -95,14 +96,14 @@ class SpringBridge(Stepped):
             self.x = max(0.0, min(self.PLANKS - 1.0, self.x + pace))
 
     def play(self, time: float) -> None:
-        """Walk to the right end, and back."""
+        """Walk to the right end and back."""
         frame = round(60.0 * time)
         if frame % 6 == 0:
             self.press("right" if frame < 240 else "left")
 
 
 class Cloth(Stepped):
-    """A cloth that hangs from two corners. Drag a corner to pull at it."""
+    """A cloth that hangs from two corners, which the reader can drag."""
 
     chapter = 6
     title = "A cloth of 180 springs"
@@ -131,10 +132,10 @@ class Cloth(Stepped):
             for knot in self.particles
             if knot.has_finite_mass
         )
-        return {"kinetic + height energy, J": energy}
+        return {"kinetic + gravitational energy, J": energy}
 
     def facts(self) -> str:
-        return f"{len(neighbors())} springs, evaluated {self.rate:g} times per second and more"
+        return f"{len(neighbors())} springs, evaluated at least {self.rate:g} times per second"
 
     def say(self) -> str:
         lowest = min(knot.position.y for knot in self.particles)
@@ -145,7 +146,7 @@ class Cloth(Stepped):
         knot.position.x, knot.position.y = x, min(y, 0.8)
 
     def play(self, time: float) -> None:
-        """Pull one corner aside and up, and let it come back."""
+        """Pull one corner aside and up, and then move it back."""
         if 3.0 < time < 5.0:
             self.drag("right", 0.9 + 0.4 * (time - 3.0), 0.2 * (time - 3.0))
         elif 5.0 < time < 7.0:
@@ -156,5 +157,5 @@ SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:
-    """Return where a position is seen, from the side and from above."""
+    """Return where a position appears in a view from the side and from above."""
     return place.x + place.z / 3.0, place.y + place.z / 3.0

@@ -1,4 +1,4 @@
-"""Seven integrators on the same spring, each in the plane of position and velocity."""
+"""A scene of chapter 6: seven integrators in the plane of position and velocity."""
 
 from __future__ import annotations
 
@@ -25,24 +25,24 @@ COLORS = {
     "trapezoidal rule": "pink",
 }
 SOLVED = {"backward Euler": backward_euler, "trapezoidal rule": trapezoidal}
-FAR = 3.0  # m, beyond which a ball is no longer drawn
+FAR = 3.0  # m; a ball farther out is not drawn
 
 
 class IntegratorRace(Scene):
-    """Balls on equal springs. The exact motion goes around a circle, again and again."""
+    """Balls on identical springs. In the plane that is drawn, the exact motion is a circle."""
 
     chapter = 6
     title = "Energy of seven integrators"
     question = "Which paths stay on the circle, which spiral out, and which spiral in?"
     view = (-2.6, 4.4, -2.3, 2.3)
     seconds = 6.0
-    exact_from = "closed form"
+    exact_from = "the closed form"
     predict = Question(
-        "The circle is the exact motion. Which way does backward Euler go?",
+        "The circle is the exact motion. What does the path of backward Euler do?",
         ["It spirals out.", "It stays on the circle.", "It spirals in."],
         lambda _: 2,
         "Backward Euler uses the forces at the end of the step and loses energy in every swing. "
-        "Explicit Euler uses those at its start and gains as much.",
+        "Explicit Euler uses the forces at its start and gains energy at the same rate.",
         5.0,
     )
     stiffness = Slider(40.0, "stiffness k", "N/m", 1.0, 2_000.0, log=True)
@@ -63,7 +63,7 @@ class IntegratorRace(Scene):
             self.steps += 1
             for name, ball in self.balls.items():
                 if abs(ball.position.x) > 100.0:
-                    continue  # it has exploded; the others go on
+                    continue  # it has exploded, and the other balls continue
                 if name in STEPS:
                     STEPS[name]([ball], self.registries[name].update_forces, h)
                 else:
@@ -74,12 +74,12 @@ class IntegratorRace(Scene):
                 self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
 
     def phase(self, ball: Particle) -> tuple[float, float]:
-        """Return the position, and the velocity in units in which the exact path is a circle."""
+        """Return the position, and the velocity scaled so that the exact path is a circle."""
         return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
 
     def draw(self, pen: Pen) -> None:
         pen.circle((0.0, 0.0), 1.0, "gray", fill=False)
-        pen.text((-1.9, 2.1), "velocity / ω, over position", "gray", 13.0)
+        pen.text((-1.9, 2.1), "velocity / ω against position", "gray", 13.0)
         exact = self.exact(self.time)
         pen.circle((exact[0], exact[1]), 0.1, "gray", fill=False)
         for i, (name, ball) in enumerate(self.balls.items()):
@@ -109,11 +109,11 @@ class IntegratorRace(Scene):
 
     def facts(self) -> str:
         number = self.stiffness / self.rate**2 / self.MASS
-        return f"k h²/m = {number:.4g}; the error charted is that of Runge-Kutta 4"
+        return f"k h²/m = {number:.4g}; the error shown is that of Runge-Kutta 4"
 
     def say(self) -> str:
         x, y = self.phase(self.balls["explicit Euler"])
-        return f"Explicit Euler has {100.0 * min(x * x + y * y, 1e6):.0f} % of its energy."
+        return f"Explicit Euler has {100.0 * min(x * x + y * y, 1e6):.0f} % of its initial energy."
 
 
 SCENES = (IntegratorRace,)

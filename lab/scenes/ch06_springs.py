@@ -1,4 +1,4 @@
-"""The scenes of chapter 6: springs, and the steps that can follow them or not."""
+"""A scene of chapter 6: one spring, and time steps that may be too long for it."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ from lab.stepped import Stepped
 
 
 def explodes(scene: OneSpring) -> int:
-    """Return which option is right for these parameters, by the limits of chapter 6."""
+    """Return the index of the correct option, according to the stability limits of chapter 6."""
     number = scene.stiffness / scene.rate**2 / scene.mass
     limits = {"explicit Euler": 0.0, "leapfrog": 4.0, "Runge-Kutta 4": 8.0}
     return 1 if number > limits.get(scene.integrator, 4.0) else 0
 
 
 class OneSpring(Stepped):
-    """A ball on a spring along one line, whose exact motion is known."""
+    """A ball on a spring that moves along a line. Its exact motion is known."""
 
     chapter = 6
     title = "One spring, five integrators"
     question = "Which integrator keeps the energy, and how stiff may the spring be?"
     view = (-2.2, 2.2, -1.2, 1.2)
     seconds = 6.0
-    exact_from = "closed form"
+    exact_from = "the closed form"
     predict = Question(
         "The ball starts 1 m from the middle. What will it do?",
-        ["It swings, and never goes farther than about 1 m.", "Each swing is wider than the last."],
+        ["It swings and stays within about 1 m.", "Each swing is wider than the last."],
         explodes,
         "The number k h^2 / m decides. Explicit Euler explodes at any stiffness, and "
-        "semi-implicit Euler above 4.",
+        "semi-implicit Euler explodes if the number is greater than 4.",
     )
     keys = {"p": "push the ball to the right"}
     stiffness = Slider(100.0, "stiffness k", "N/m", 1.0, 20_000.0, log=True)
@@ -95,13 +95,13 @@ class OneSpring(Stepped):
         self.let_go(max(-2.0, min(2.0, x)), 0.0)
 
     def let_go(self, x: float, v: float) -> None:
-        """Start the motion again, here and from now."""
+        """Set the ball's state, and restart the exact motion from it."""
         self.ball.position.x, self.ball.velocity.x = x, v
         self.since, self.x0, self.v0 = self.time, x, v
 
 
 class ExactSpring(OneSpring):
-    """The same ball, placed by the closed form."""
+    """The same ball, moved by the closed form."""
 
     def step(self, duration: float) -> None:
         passed = self.time + duration - self.since
@@ -111,16 +111,16 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """The same ball on a damped spring of pymunk."""
+    """The same ball on pymunk's damped spring."""
 
     def build(self) -> None:
-        import pymunk  # only this peer needs it
+        import pymunk  # not needed by the other scenes
 
         super().build()
         self.space, self.owed = pymunk.Space(), 0.0
         self.body = pymunk.Body(self.mass, 1.0)
         groove = pymunk.GrooveJoint(self.space.static_body, self.body, (-5, 0), (5, 0), (0, 0))
-        # Its far end is so far away that the spring pulls along one line.
+        # The spring begins so far away that the ball cannot pass its fixed end.
         far, k, c = 10.0, self.stiffness, self.damping
         ends = ((-far, 0.0), (0.0, 0.0))
         spring = pymunk.DampedSpring(self.space.static_body, self.body, *ends, far, k, c)

@@ -1,4 +1,4 @@
-"""Scenes of chapter 7: a ball that bounces, and a stack that should stand still."""
+"""Scenes of chapter 7: a bouncing ball, and a stack of spheres that should stand still."""
 
 from __future__ import annotations
 
@@ -23,38 +23,38 @@ RATES = [30, 60, 120, 240, 480]
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces: gravity is the particles' own acceleration."""
+    """Add no forces. Gravity is each particle's own acceleration."""
 
 
 def rises(scene: Bounce) -> int:
-    """Return which option the last bounces were: about as high, higher or lower."""
+    """Return which option describes the last bounces: about as high, higher or lower."""
     share = max(y for _, y in scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 
 
 class Bounce(Scene):
-    """A ball that falls on the ground, with all of its speed returned, or a part of it."""
+    """A ball that falls to the ground and keeps all or part of its speed in a bounce."""
 
     chapter = 7
     title = "A ball that bounces"
     question = "Does the ball come back to the height from which it fell?"
     view = (-2.6, 2.6, -0.4, 4.4)
     seconds = 8.0
-    exact_from = "the flight between impacts"
+    exact_from = "the exact flight between impacts"
     predict = Question(
         "The ball falls from 2 m. How high are its bounces after ten seconds?",
         ["As high as at first, within 2 %.", "Higher.", "Lower."],
         rises,
-        "With restitution 1 an exact bounce loses nothing. Explicit Euler gains energy in every "
-        "flight. Semi-implicit Euler loses some at each impact, which falls between two steps. "
-        "Time division finds the moment of the impact.",
+        "With restitution 1 an exact bounce loses no energy. Explicit Euler gains energy in every "
+        "flight. Semi-implicit Euler loses some at each impact, because an impact falls between "
+        "two steps. Time division finds the time of the impact.",
         10.0,
     )
     method = Choice("semi-implicit Euler", "method", [*STEPS, "time division"])
     rate = Choice(60, "steps per second", RATES, "Hz")
     restitution = Slider(1.0, "restitution", "", 0.0, 1.0, step=0.05)
     HEIGHT, RADIUS = 2.0, 0.15  # m
-    LONGEST = 1800  # frames for which the exact heights are known
+    LONGEST = 1800  # frames for which the exact heights are calculated
 
     def build(self) -> None:
         self.ball = Particle(Vector3(0.0, self.HEIGHT), acceleration=Vector3(0.0, -G))
@@ -74,12 +74,12 @@ class Bounce(Scene):
         self.path = [*self.path[-240:], (0.0, self.ball.position.y)]
 
     def one_step(self, h: float) -> None:
-        """Make one step by the method that the reader chose."""
+        """Make one step with the chosen method."""
         if self.method == "time division":
             try:
                 time_division_step([self.ball], self.ground, h)
             except TooManyImpacts:
-                self.ended = "The impacts come faster and faster and never end: the ball rests."
+                self.ended = "The bounces become ever shorter: the ball has come to rest."
             return
         STEPS[self.method]([self.ball], no_forces, h)
         self.view_of_contacts.forget()
@@ -119,7 +119,7 @@ class Bounce(Scene):
 
     def facts(self) -> str:
         if self.restitution == 1.0:
-            return f"a flight takes {2.0 * math.sqrt(2.0 * self.HEIGHT / G):.3f} s"
+            return f"each flight takes {2.0 * math.sqrt(2.0 * self.HEIGHT / G):.3f} s"
         c = self.restitution
         end = math.sqrt(2.0 * self.HEIGHT / G) * (1.0 + c) / (1.0 - c)
         return f"in theory the bounces end after {end:.3f} s"
@@ -129,10 +129,10 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """The same ball in pymunk, on a segment with the restitution of the scene."""
+    """The same ball in pymunk, bouncing on a segment with the scene's restitution."""
 
     def build(self) -> None:
-        import pymunk  # only this peer needs it
+        import pymunk  # not needed without this peer
 
         super().build()
         self.space = pymunk.Space()
@@ -154,19 +154,19 @@ Bounce.peers = {"pymunk": PymunkBounce}
 
 
 class Stack(Scene):
-    """Spheres on top of each other. Drag the top one, and watch what the resolver sees."""
+    """A stack of spheres. The reader can drag the top sphere and watch the resolver's work."""
 
     chapter = 7
     title = "A stack of spheres"
-    question = "How many iterations does a tall stack need, so that it does not sink?"
+    question = "How many iterations keep a tall stack from sinking?"
     view = (-4.0, 4.0, -0.5, 10.5)
     seconds = 5.0
     predict = Question(
-        "The solver may resolve each contact only a few times per step. Does the stack stand?",
-        ["Yes.", "No, spheres sink by more than 10 % of their diameter into each other."],
+        "The resolver may resolve each contact only a few times per step. Does the stack stand?",
+        ["Yes.", "No, spheres sink into each other by more than 10 % of their diameter."],
         lambda scene: int(scene.overlap() > 10.0),
-        "Each resolution lifts one sphere out of the one below and pushes it into the one above. "
-        "The weight of a tall stack needs more iterations, or shorter steps.",
+        "Resolving a contact lifts a sphere out of the sphere below and pushes it into the sphere "
+        "above. A tall stack needs more iterations or shorter steps to carry its weight.",
         4.0,
     )
     count = Choice(10, "spheres", [2, 3, 5, 8, 10])
@@ -224,10 +224,10 @@ class Stack(Scene):
 
 
 class PymunkStack(Stack):
-    """The same spheres in pymunk, as circles that slide on a segment."""
+    """The same spheres in pymunk, as circles above a segment."""
 
     def build(self) -> None:
-        import pymunk  # only this peer needs it
+        import pymunk  # not needed without this peer
 
         super().build()
         self.space = pymunk.Space()

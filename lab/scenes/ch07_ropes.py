@@ -1,4 +1,4 @@
-"""The same rope of rods by three methods, side by side."""
+"""A scene of chapter 7: the same rope of rods, simulated by three methods."""
 
 from __future__ import annotations
 
@@ -20,24 +20,24 @@ COLORS = ("red", "blue", "green")
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces: gravity is the particles' own acceleration."""
+    """Add no forces. Gravity is each particle's own acceleration."""
 
 
 class Ropes(Scene):
-    """A rope that should keep its length: one step per frame, substeps, and a direct solve."""
+    """A rope that should keep its length: with one step per frame, substeps, or a direct solve."""
 
     chapter = 7
     title = "One rope, three methods"
-    question = "Which method keeps the rods as long as they are?"
+    question = "Which method keeps the rods at their true length?"
     view = (-9.5, 9.5, -4.2, 2.2)
     seconds = 6.0
     exact_from = "the length of the rods"
     predict = Question(
-        "Which rope is stretched most after a second?",
+        "Which rope stretches the most?",
         ["One step per frame.", "Substeps.", "The direct solve."],
         lambda _: 0,
-        "Each iteration of the resolver fixes one rod and disturbs its neighbors. Substeps leave "
-        "less to fix in each step, and the direct solve finds the pulls of all rods at once.",
+        "Each iteration of the resolver fixes one rod and disturbs its neighbors. With substeps "
+        "there is less to fix in each step. The direct solve finds the pulls of all rods at once.",
         3.0,
     )
     count = Choice(5, "rods", [1, 2, 3, 5, 10, 15, 20])
@@ -53,7 +53,7 @@ class Ropes(Scene):
         self.chain = DirectChain(self.ropes[2][1:], Vector3())
 
     def rope(self) -> list[Particle]:
-        """Return an immovable particle and a straight chain from it."""
+        """Return an immovable particle and a straight chain of particles that hangs from it."""
         a, link = math.radians(self.angle), LENGTH / self.count
         direction, down = Vector3(math.sin(a), -math.cos(a)), Vector3(0.0, -9.81)
         chain = [
@@ -71,7 +71,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Return by how many m a rope is longer than its rods."""
+        """Return the stretch of a rope in m, summed over its rods."""
         return math.fsum(
             (b.position - a.position).magnitude() - LENGTH / self.count
             for a, b in pairwise(self.ropes[i])

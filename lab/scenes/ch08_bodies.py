@@ -1,4 +1,4 @@
-"""Scenes of chapter 8: a platform that tips over, and a blob that tears."""
+"""Scenes of chapter 8: a tilting platform, and a blob that can tear."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up
 
 
 def lower_end(scene: Platform) -> int:
-    """Return which end goes down: 0 is the left one, 1 the right one, 2 neither."""
+    """Return which end goes down: 0 is the left end, 1 the right end, and 2 neither."""
     ends = tilting_platform.LEFT + tilting_platform.RIGHT
     torque = 2.0 * tilting_platform.MASS * ends + scene.mass * scene.x
     return 2 if abs(torque) < 1e-9 else int(torque > 0.0)
 
 
 class Platform(WorldScene):
-    """A weight on a platform that tilts on a pivot, which can be freed (mini-project 8.1)."""
+    """A weight on a platform that tilts on a pivot. The pivot can be freed (mini-project 8.1)."""
 
     chapter = 8
     title = "A platform that tips"
@@ -42,12 +42,12 @@ class Platform(WorldScene):
         "The right end is farther from the pivot. Which end goes down?",
         ["The left end.", "The right end.", "Neither: the platform is balanced."],
         lower_end,
-        "Each mass turns the platform by mass times distance from the pivot. The end on the side "
-        "with the larger sum goes down.",
+        "Each mass exerts a torque in proportion to its distance from the pivot. The end on the "
+        "side with the larger torque goes down.",
         3.0,
     )
     mass = Slider(4.0, "weight", "kg", 0.0, 32.0, step=0.5, live=True)
-    x = Slider(-1.0, "place of the weight", "m", -3.0, 4.0, step=0.25, live=True)
+    x = Slider(-1.0, "position of the weight", "m", -3.0, 4.0, step=0.25, live=True)
     PACE = 0.5  # m
 
     def build(self) -> None:
@@ -81,8 +81,9 @@ class Platform(WorldScene):
 
     def facts(self) -> str:
         ends = 2.0 * tilting_platform.MASS * (tilting_platform.LEFT + tilting_platform.RIGHT)
-        balance = f"{-ends / self.x:.2f} kg balance here" if self.x * ends < 0.0 else "no balance"
-        return f"torque / g = {ends + self.mass * self.x:+.2f} kg m; {balance}"
+        balance = f"{-ends / self.x:.2f} kg" if self.x * ends < 0.0 else "no weight"
+        torque = ends + self.mass * self.x
+        return f"torque / g = {torque:+.2f} kg m; {balance} would balance it here"
 
     def say(self) -> str:
         pivot = "free" if self.free else "held"
@@ -100,7 +101,7 @@ class Platform(WorldScene):
         self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
 
     def play(self, time: float) -> None:
-        """Let it tip, walk the weight to the right end and back, and free the pivot."""
+        """Let the platform tip, move the weight to the right end and back, and free the pivot."""
         orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
         orders |= dict.fromkeys(range(380, 480, 8), "left")
         orders |= dict.fromkeys(range(580, 650, 5), "right")
@@ -109,11 +110,11 @@ class Platform(WorldScene):
 
 
 class Blob(WorldScene):
-    """A blob of bonds that break and heal, to throw about; cables can hold it together."""
+    """A blob of bonds that break and heal. It can be pushed around and held together by cables."""
 
     chapter = 8
     title = "A blob that tears"
-    question = "How hard a push tears the blob apart, and do cables prevent it?"
+    question = "How hard a push tears the blob apart, and can cables prevent it?"
     view = (-4.1, 4.1, -0.4, 4.1)
     seconds = 12.0
     keys = {
@@ -130,7 +131,7 @@ class Blob(WorldScene):
     def build(self) -> None:
         self.blob = blob.Blob(cables=self.cables != "none")
         self.pushed = 0.0
-        self.eye = 0.0  # x in m of the middle of the picture
+        self.eye = 0.0  # m, x of the middle of the picture
         self.can_measure = is_written(lambda: blob.spread(self.blob.particles))
         self.run(self.blob.step, self.blob.world)
 
@@ -141,13 +142,13 @@ class Blob(WorldScene):
         self.pushed -= duration
 
     def middle(self) -> Vector3:
-        """Return the mean of the positions."""
+        """Return the mean position of the particles."""
         places = [particle.position for particle in self.blob.particles]
         return sum(places[1:], places[0]) / len(places)
 
     def draw(self, pen: Pen) -> None:
         middle = self.middle()
-        if abs(middle.x - self.eye) > 3.0:  # it has no friction, and would soon be out of sight
+        if abs(middle.x - self.eye) > 3.0:  # follow the blob, which slides without friction
             self.eye = middle.x + math.copysign(3.0, self.eye - middle.x)
         away = Vector3(-self.eye)
         pen.ground()
@@ -169,21 +170,21 @@ class Blob(WorldScene):
         self.contacts.draw(pen, 2.0)
 
     def holding(self) -> int:
-        """Return how many bonds hold."""
+        """Return the number of bonds that are not broken."""
         return sum(bond.holds for bond in self.blob.bonds)
 
     def chart(self) -> dict[str, float]:
-        found = {"bonds that hold": float(self.holding())}
+        found = {"intact bonds": float(self.holding())}
         if self.can_measure:
             found["spread, m"] = blob.spread(self.blob.particles)
         return found
 
     def facts(self) -> str:
         limit, break_length = blob.LIMIT, blob.BREAK
-        return f"a bond is red beyond {limit:g} times its length, and breaks at {break_length:g}"
+        return f"a bond turns red beyond {limit:g} and breaks at {break_length:g} times its length"
 
     def say(self) -> str:
-        return f"{self.holding()} of {len(self.blob.bonds)} bonds hold."
+        return f"{self.holding()} of {len(self.blob.bonds)} bonds are intact."
 
     def press(self, key: str) -> None:
         if key in DIRECTIONS:
@@ -191,7 +192,7 @@ class Blob(WorldScene):
             self.pushed = self.MOMENT
 
     def play(self, time: float) -> None:
-        """Throw the blob about."""
+        """Push the blob around."""
         orders = {70: "up", 110: "down", 122: "down", 134: "down", 270: "right", 300: "left"}
         if key := orders.get(round(60.0 * time) % 360):
             self.press(key)

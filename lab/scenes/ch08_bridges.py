@@ -1,4 +1,4 @@
-"""Scenes of chapter 8 on the rope bridge: a ball that walks over it, and a game."""
+"""Scenes of chapter 8 with the rope bridge: a ball that walks across it, and a game."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from lab.world_scene import WorldScene, draw_cables
 from studies.links import over_length
 
 VIEW = (-8.0, 8.0, -1.0, 7.6)
-LATE = 0.5  # s, what a late frame takes
+LATE = 0.5  # s, duration of a late frame
 
 
 class Bridge(WorldScene):
-    """A heavy ball walks over a rope bridge, in frames of one length or in some that are late."""
+    """A heavy ball that walks across a rope bridge. All frames are on time, or some are late."""
 
     chapter = 8
     title = "A rope bridge"
@@ -27,9 +27,9 @@ class Bridge(WorldScene):
     keys = {"left": "walk to the left", "right": "walk to the right", "s": "stand still"}
     predict = Question(
         "The ball stands on the bridge. Is any cable more than 2 % too long after three seconds?",
-        ["No, the resolver holds all cables.", "Yes, some cable is too long."],
+        ["No, the resolver holds all cables.", "Yes, at least one cable."],
         lambda scene: int(scene.too_long() > 2.0),
-        "Each iteration shortens one cable and pulls at its neighbors. With too few iterations "
+        "Each iteration shortens one cable and pulls on its neighbors. With too few iterations "
         "the step ends before the weight of the ball has reached the anchors.",
         3.0,
     )
@@ -37,8 +37,8 @@ class Bridge(WorldScene):
     mass = Slider(5.0, "mass of the ball", "kg", 1.0, 50.0, step=1.0)
     frames = Choice("all on time", "frames", ["all on time", "every 60th late"], live=True)
     PACE = 1.5  # m/s
-    MAX_STEPS = 6  # of a frame, if some frames are late
-    EVERY = 60  # frames, one of them is late
+    MAX_STEPS = 6  # per frame, if some frames are late
+    EVERY = 60  # one frame in this many is late
 
     def build(self) -> None:
         self.bridge = bridge.Bridge(self.mass)
@@ -50,7 +50,7 @@ class Bridge(WorldScene):
         if self.frames == "all on time":
             super().step(duration)
             return
-        # The time step that copes with late frames is the student's own.
+        # The student's own FixedStep has to cope with the late frames.
         if self.clock is None or self.clock.duration != 1.0 / self.rate:
             self.clock = FixedStep(self.one_step, 1.0 / self.rate, self.MAX_STEPS)
         self.count += 1
@@ -65,11 +65,11 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Return by how much the worst cable is too long, as a percentage of its length."""
+        """Return how much longer than allowed the worst cable is, in percent."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:
-        return {"worst cable too long by, %": self.too_long(), **self.used()}
+        return {"excess length of the worst cable, %": self.too_long(), **self.used()}
 
     def facts(self) -> str:
         dropped = f"; {self.clock.dropped:.2f} s dropped so far" if self.clock else ""
@@ -87,7 +87,7 @@ class Bridge(WorldScene):
         self.bridge.pace = paces.get(key, self.bridge.pace)
 
     def play(self, time: float) -> None:
-        """Walk to the left, then with late frames to the right and off the bridge."""
+        """Walk to the left, then to the right with late frames, and off the bridge."""
         frame = round(60.0 * time)
         if frame == 240:
             self.values["frames"] = "every 60th late"
@@ -96,7 +96,7 @@ class Bridge(WorldScene):
 
 
 class BallGame(Scene):
-    """A game: bounce from plank to plank, and do not fall (project 8.1)."""
+    """A game: bounce from plank to plank without falling (project 8.1)."""
 
     chapter = 8
     title = "A game on the bridge"
@@ -106,10 +106,10 @@ class BallGame(Scene):
     keys = {
         "left": "steer to the left",
         "right": "steer to the right",
-        "down": "steer neither way",
+        "down": "stop steering",
         "n": "begin a new game",
     }
-    FORESIGHT = 0.4  # s, by which the scripted player looks ahead
+    FORESIGHT = 0.4  # s that the scripted player looks ahead
 
     def build(self) -> None:
         self.game = ball_game.BallGame()
@@ -135,7 +135,7 @@ class BallGame(Scene):
         return {"score": float(self.game.rules.score)}
 
     def facts(self) -> str:
-        return f"{ball_game.POINTS} points a row, {ball_game.BONUS} for each ball that is left"
+        return f"{ball_game.POINTS} points per row, and {ball_game.BONUS} for each ball left"
 
     def say(self) -> str:
         rules = self.game.rules
@@ -148,7 +148,7 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """Win a game by steering to the next row that was not visited; then lose another one."""
+        """Win a game by steering to the next row that is not yet visited, then lose another."""
         frame = round(60.0 * time)
         if frame == 424:
             self.press("n")
@@ -158,7 +158,7 @@ class BallGame(Scene):
             self.press(self.next_key())
 
     def next_key(self) -> str:
-        """Return the key that steers to the first row that was not visited."""
+        """Return the key that steers toward the first row that is not yet visited."""
         ball = self.game.ball
         for row, (a, b) in enumerate(self.game.rows):
             if row not in self.game.rules.visited:

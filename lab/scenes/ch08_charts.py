@@ -1,4 +1,4 @@
-"""The scenes of the charts of speed against accuracy, played back by any of their models."""
+"""Replay the scenes of the speed-against-accuracy charts with any of their models."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from lab.scene import Scene
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.scene import RATE, Model, Place
 
-# At rest there is nothing to see, and most of its models take longer than a reader waits.
+# The bridge at rest does not move, and most of its models take longer than a reader will wait.
 CHARTED = {scene.name: scene for scene in scenes_with("") if scene.name != "rope bridge at rest"}
 METHODS = list(dict.fromkeys(model.name for scene in CHARTED.values() for model in scene.models))
 
 
 class Charts(Scene):
-    """A scene of the charts. A model runs all of it at once, and the frames are then shown."""
+    """A scene of the charts. The model computes all frames first, and then they are shown."""
 
     chapter = 8
     title = "Speed against accuracy"
     question = "Which method is the fastest that is accurate enough?"
     view = (-1.6, 1.6, -1.3, 1.3)
     seconds = 3.0
-    exact_from = "the closed form, or SciPy to 1e-11"
-    error_unit = "of scale"
+    exact_from = "the closed form, or SciPy with a tolerance of 1e-11"
+    error_unit = "of the scale"
     compare = ("method", "steps")
     charted = Choice("elastic pendulum", "scene", [*CHARTED])
     method = Choice("semi-implicit Euler", "method", METHODS)
@@ -37,7 +37,7 @@ class Charts(Scene):
         try:
             outcome = self.model.run(self.steps if self.steps in self.model.steps else 1)
         except (ArithmeticError, ValueError) as error:
-            raise ArithmeticError(f"The scene exploded. Take more steps. {error}") from error
+            raise ArithmeticError(f"The scene exploded. Choose more steps. {error}") from error
         self.cost = 1e6 * (clock.perf_counter() - started) / self.scene.frames
         self.places, self.work = outcome.places, outcome.work
         self.truths = [self.scene.truth(frame / RATE) for frame in range(1, self.scene.frames + 1)]
@@ -47,7 +47,7 @@ class Charts(Scene):
         self.size = max(max(xs) - min(xs), max(ys) - min(ys), 1e-9)  # m
 
     def chosen(self) -> Model:
-        """Return the model of that name, or the scene's first model where it has none."""
+        """Return the chosen model, or the scene's first model if the scene does not have it."""
         models = {model.name: model for model in self.scene.models}
         return models.get(self.method, self.scene.models[0])
 
@@ -55,7 +55,7 @@ class Charts(Scene):
         self.frame = min(self.frame + 1, len(self.places) - 1)
 
     def seen(self, place: Place) -> list[tuple[float, float]]:
-        """Return where the points of a place are drawn: the whole path fills the view."""
+        """Return where the points of a place are drawn, if the whole path is to fill the view."""
         x0, y0 = self.middle
         return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
 
@@ -84,11 +84,11 @@ class Charts(Scene):
         )
 
     def say(self) -> str:
-        return f"{self.model.name} is off by {self.error() or 0.0:.2g} of the scale."
+        return f"The error of {self.model.name} is {self.error() or 0.0:.2g} of the scale."
 
 
 def points(place: Place) -> list[tuple[float, float]]:
-    """Return the points of a place: pairs of x and y, or one height."""
+    """Return the points of a place, which holds pairs of x and y or a single height."""
     numbers = [float(number) for number in place]
     if len(numbers) == 1:
         return [(0.0, numbers[0])]

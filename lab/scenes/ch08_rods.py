@@ -1,4 +1,4 @@
-"""Scenes of chapter 8 on bodies of rods: a wheel that is driven, and a cube that falls."""
+"""Scenes of chapter 8 with bodies made of rods: a driven wheel and a falling cube."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Wheel(WorldScene):
     exact_from = "a rigid wheel"
     error_unit = "rad/s"
     iterations = Choice(300, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
-    force = Slider(1.0, "force on each", "N", -20.0, 20.0, step=1.0, live=True)
+    force = Slider(1.0, "force on each particle", "N", -20.0, 20.0, step=1.0, live=True)
     driven = Choice(8, "driven particles", [1, 2, 4, 8])
 
     def build(self) -> None:
@@ -69,8 +69,8 @@ class Wheel(WorldScene):
 
     def facts(self) -> str:
         return "a rigid wheel gains " + (
-            f"{self.driven * self.force / (wheel.COUNT * wheel.MASS * wheel.RADIUS):.2f} rad/s a "
-            "second; each step of this wheel loses the speed along its rods"
+            f"{self.driven * self.force / (wheel.COUNT * wheel.MASS * wheel.RADIUS):.2f} rad/s per "
+            "second; this wheel loses the speed along its rods in each step"
         )
 
     def say(self) -> str:
@@ -80,15 +80,15 @@ class Wheel(WorldScene):
         return words + "."
 
     def play(self, time: float) -> None:
-        """Drive the rim harder, and brake it."""
+        """Drive the rim harder, and then brake it."""
         self.values["force"] = 1.0 if time < 1.0 else 5.0 if time < 4.0 else -3.0
 
 
 class PymunkWheel(Wheel):
-    """The same wheel in pymunk, of pin joints."""
+    """The same wheel in pymunk, made of pin joints."""
 
     def build(self) -> None:
-        import pymunk  # only this peer needs it
+        import pymunk  # not needed without this peer
 
         super().build()
         self.space = pymunk.Space()
@@ -116,25 +116,25 @@ class PymunkWheel(Wheel):
 
 
 class Cube(WorldScene):
-    """A cube of rods falls on a corner; how many can be taken away (mini-project 8.2)?"""
+    """A cube of rods that falls on a corner, with some rods removed (mini-project 8.2)."""
 
     chapter = 8
     title = "A cube of rods"
-    question = "How many rods can be taken away before the cube collapses?"
+    question = "How many rods can be removed before the cube collapses?"
     view = (-3.5, 3.5, -1.1, 3.2)
     seconds = 6.0
     predict = Question(
         "The cube falls on a corner. Does it keep its shape?",
         ["Yes, it stays a cube.", "No, it collapses."],
         lambda scene: int(scene.changed() > 10.0),
-        "Eight particles can move in 24 ways. A rigid body moves in six, so that at least 18 rods "
-        "are needed, each of which removes one way.",
+        "Eight particles have 24 degrees of freedom, and a rigid body has six. Each rod removes "
+        "one of them, so a rigid cube needs at least 18 rods.",
         3.0,
     )
     iterations = Choice(300, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
-    taken = Choice(1, "rods taken away", [0, 1, 2, 3, 6, 12, 18])
-    HEIGHT = 1.6  # m, of the lowest corner at first
-    SIZE = 2.2  # m, half the side of the ground
+    taken = Choice(1, "removed rods", [0, 1, 2, 3, 6, 12, 18])
+    HEIGHT = 1.6  # m, initial height of the lowest corner
+    SIZE = 2.2  # m, half the side length of the ground
 
     def build(self) -> None:
         rods = cube.cube_rods()
@@ -144,12 +144,12 @@ class Cube(WorldScene):
         self.run(self.cube.step, self.cube.world)
 
     def distances(self) -> list[float]:
-        """Return how far every two corners are apart."""
+        """Return the distances between all pairs of corners."""
         places = [particle.position for particle in self.cube.particles]
         return [(b - a).magnitude() for a, b in combinations(places, 2)]
 
     def changed(self) -> float:
-        """Return by how many percent the distance of two corners has changed at most."""
+        """Return the largest change in the distance between two corners, in percent."""
         pairs = zip(self.distances(), self.first, strict=True)
         return 100.0 * max(abs(now / then - 1.0) for now, then in pairs)
 
@@ -164,7 +164,7 @@ class Cube(WorldScene):
         pen.dots([tilted(particle.position) for particle in self.cube.particles], "black", 7.0)
 
     def chart(self) -> dict[str, float]:
-        return {"largest change of a distance, %": self.changed(), **self.used()}
+        return {"largest change in a distance, %": self.changed(), **self.used()}
 
     def facts(self) -> str:
         fewest = ""
@@ -173,11 +173,11 @@ class Cube(WorldScene):
         return f"{self.count} rods{fewest}"
 
     def say(self) -> str:
-        return f"The distance of two corners has changed by up to {self.changed():.1f} %."
+        return f"The distance between two corners has changed by up to {self.changed():.1f} %."
 
 
 def tilted(place: Vector3) -> tuple[float, float]:
-    """Return where a place is seen from a corner, and from above."""
+    """Return where a position appears in a view from a corner and from above."""
     across, away = 0.87 * place.x - 0.5 * place.z, 0.5 * place.x + 0.87 * place.z
     return across, 0.94 * place.y + 0.34 * away
 

@@ -1,4 +1,4 @@
-"""A trebuchet throws (project 8.2), and its counterweight's energy goes into the projectile."""
+"""A scene of chapter 8: a trebuchet and the energy of its throw (project 8.2)."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from lab.pen import Pen
 from lab.scene import Question
 from lab.world_scene import WorldScene
 
-# The machine is drawn again above the flight, enlarged: this many times, at this place in m.
+# A second, enlarged picture of the machine: its scale, and its position above the flight in m.
 LARGER, MACHINE = 2.2, (27.0, 33.0)
-DESIGN = trebuchet.Design(400.0, 1.0, 4.0, 3.0, 40.0)  # for a chapter without my_design
+DESIGN = trebuchet.Design(400.0, 1.0, 4.0, 3.0, 40.0)  # used if my_design is not written
 
 Point = tuple[float, float]
 
 
 class Trebuchet(WorldScene):
-    """The student's own design, with another counterweight or another angle of release."""
+    """The student's own design, with an adjustable counterweight and release angle."""
 
     chapter = 8
     title = "A trebuchet"
@@ -29,13 +29,13 @@ class Trebuchet(WorldScene):
         "How much of the counterweight's energy does the projectile get?",
         ["Less than a quarter.", "From a quarter to a half.", "From a half to three quarters."],
         lambda scene: int(scene.share() >= 0.25) + int(scene.share() >= 0.5),
-        "The counterweight falls and slows down while the beam and the sling speed up. A good "
-        "design lets it nearly stand still when the sling lets go.",
+        "The counterweight falls, then slows down while the beam and the sling speed up. In a good "
+        "design it has almost stopped when the sling lets go of the projectile.",
         4.0,
     )
     rate = Choice(240, "steps per second", [60, 120, 240, 480], "Hz", live=True)
     counterweight = Slider(400.0, "counterweight", "kg", 250.0, 600.0, step=25.0)
-    earlier = Slider(0.0, "let go earlier by", "degrees", -40.0, 40.0, step=5.0)
+    earlier = Slider(0.0, "release earlier by", "degrees", -40.0, 40.0, step=5.0)
 
     def build(self) -> None:
         try:
@@ -57,7 +57,7 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Note the path and the energies, and end where the projectile is down."""
+        """Record the path and the energies, and end the throw when the projectile has landed."""
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
         self.way.append((projectile.position.x, max(0.0, projectile.position.y)))
@@ -74,7 +74,7 @@ class Trebuchet(WorldScene):
             )
 
     def share(self) -> float:
-        """Return the projectile's share of the energy that the counterweight has lost."""
+        """Return the fraction of the counterweight's lost energy that the projectile received."""
         return self.gained / self.lost if self.lost > 0.0 else 0.0
 
     def draw(self, pen: Pen) -> None:
@@ -82,7 +82,7 @@ class Trebuchet(WorldScene):
         for scale, (x, y) in ((1.0, (0.0, 0.0)), (LARGER, MACHINE)):
             self.draw_machine(pen, scale, x, y)
         x, y = MACHINE
-        pen.text((x, y - 3.0), f"the machine, {LARGER:g} times as large", "gray", 12.0)
+        pen.text((x, y - 3.0), f"the machine, enlarged {LARGER:g} times", "gray", 12.0)
         pen.segments([((x - 20.0, y), (x + 20.0, y))], "gray")
         pen.line(self.way, "orange", 1.5)
         stone = self.engine.projectile
@@ -113,12 +113,12 @@ class Trebuchet(WorldScene):
         one = self.design
         return (
             f"arms {one.short_arm:g} m and {one.long_arm:g} m, sling {one.sling:g} m, "
-            f"lets go at {one.release_angle:g}°"
+            f"release at {one.release_angle:g}°"
         )
 
     def say(self) -> str:
         if self.end:
-            return f"{self.end} It got {100.0 * self.share():.0f} % of the energy."
+            return f"{self.end} It received {100.0 * self.share():.0f} % of the energy."
         return "The projectile flies." if self.engine.flies else "The beam swings."
 
 

@@ -1,4 +1,4 @@
-"""A box that spins freely about one of its axes, or flips over."""
+"""A scene of chapter 9: a box that spins freely about one of its axes, or flips over."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SPINS = ("smallest", "middle", "largest")
 
 
 class Spin(Scene):
-    """A box, as a thick book, that spins about one of its axes, and a little about the next."""
+    """A box like a thick book that spins about one of its axes, and slightly about another."""
 
     chapter = 9
     title = "A book thrown into the air"
@@ -30,15 +30,15 @@ class Spin(Scene):
         "The book is spun about one of its axes. Does it keep on spinning about that axis?",
         ["Yes, it only wobbles a little.", "No, it turns over again and again."],
         lambda scene: int(scene.about == "middle" and scene.disturbance > 0.0),
-        "A spin about the axis of the smallest or the largest moment of inertia is stable. About "
-        "the middle one, every disturbance grows until the book has turned over.",
+        "A spin about the axis with the smallest or the largest moment of inertia is stable. About "
+        "the middle axis, every disturbance grows until the book has turned over.",
         9.0,
     )
     about = Choice("middle", "axis, by its moment of inertia", SPINS)
-    disturbance = Slider(5.0, "spin about the next axis", "%", 0.0, 20.0, step=0.5)
+    disturbance = Slider(5.0, "spin about another axis", "%", 0.0, 20.0, step=0.5)
     MASS = 1.0  # kg
     SIDES = (0.2, 0.3, 0.1)  # m
-    SPEED = math.tau  # rad/s, a turn a second
+    SPEED = math.tau  # rad/s, one turn per second
     ARROW = 0.24  # m
 
     def build(self) -> None:
@@ -54,7 +54,7 @@ class Spin(Scene):
         self.turned_over, self.before = 0, self.SPEED
 
     def momentum(self) -> Vector3:
-        """Return the angular momentum from the visible rotation of the box, in kg m^2/s."""
+        """Return the angular momentum in kg m^2/s that follows from the box's rotation."""
         own = self.box.own_velocity().component_product(self.box.inertia)
         return self.box.orientation.rotate(own)
 
@@ -76,7 +76,7 @@ class Spin(Scene):
 
     def chart(self) -> dict[str, float]:
         velocity = numbers(self.box.own_velocity())
-        return {f"own {name}, rad/s": v for name, v in zip("XYZ", velocity, strict=True)}
+        return {f"spin about {name}, rad/s": v for name, v in zip("XYZ", velocity, strict=True)}
 
     def state(self) -> list[float]:
         """Return the energy in J and the angular momentum in kg m^2/s."""

@@ -1,4 +1,4 @@
-"""Orientations in steps: by matrix, quaternion and Euler angles, and what Eq. 9.5 leaves out."""
+"""Scenes of chapter 9: three ways to store an orientation, and the error of Eq. 9.5."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
 
 
 class Orientations(Scene):
-    """Three boxes with the same angular velocity, each with its own way to store an orientation."""
+    """Three boxes with the same angular velocity, which store their orientations differently."""
 
     chapter = 9
     title = "Matrix, quaternion, Euler angles"
-    question = "Which way to store an orientation can be stepped without breaking?"
+    question = "Which way to store an orientation stays accurate over many steps?"
     view = (-3.8, 3.8, -1.6, 1.9)
     seconds = 8.0
-    exact_from = "one rotation about the fixed axis"
-    error_unit = "lengths"
+    exact_from = "a single rotation about the fixed axis"
+    error_unit = "axis lengths"
     predict = Question(
-        "The same angular velocity turns three boxes. Which of them is wrong after four seconds?",
+        "Three boxes have the same angular velocity. Which box is wrong after four seconds?",
         ["The matrix.", "The quaternion.", "The Euler angles.", "None of them."],
         lambda scene: scene.worst(),
-        "Where the second angle comes near a quarter turn, the rates of the other two become huge, "
-        "and a step overshoots. Numbers added to a matrix stretch it. The quaternion is turned by "
-        "the exact rotation of each step.",
+        "When the second angle comes near a quarter turn, the rates of the other two become huge "
+        "and a step overshoots. Adding small changes to a matrix stretches it. The quaternion is "
+        "multiplied by the exact rotation of each step.",
         4.0,
     )
     rate = Choice(60, "steps per second", RATES, "Hz")
@@ -64,7 +64,7 @@ class Orientations(Scene):
             self.step_angles(h)
 
     def step_matrix(self, h: float) -> None:
-        """Move each column, an axis of the box, with the velocity of its tip: w x column."""
+        """Move each column, which is an axis of the box, by the velocity w x column of its tip."""
         for column in self.columns:
             column.add_scaled(self.velocity.cross(column), h)
         if self.repair == "yes":
@@ -75,7 +75,7 @@ class Orientations(Scene):
             self.columns[2] = x.cross(y)
 
     def step_angles(self, h: float) -> None:
-        """Move the angles with their rates, which do not exist in gimbal lock."""
+        """Advance the angles by their rates, which do not exist in gimbal lock."""
         a = self.angles
         try:
             a.add_scaled(euler_rates(a.x, a.y, a.z, self.velocity), h)
@@ -88,7 +88,7 @@ class Orientations(Scene):
         return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
 
     def turns(self) -> dict[str, list[Vector3]]:
-        """Return where the axes of each box point."""
+        """Return the directions of each box's axes."""
         angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
         q = self.quaternion.copy()
         q.normalize()
@@ -100,7 +100,7 @@ class Orientations(Scene):
         }
 
     def errors(self) -> list[float]:
-        """Return how far, in percent of its length, an axis of each box is from the right place."""
+        """Return the largest error of an axis of each box, in percent of the axis's length."""
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
         axes = [right.rotate(a) for a in (Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0))]
@@ -110,7 +110,7 @@ class Orientations(Scene):
         ]
 
     def worst(self) -> int:
-        """Return which box is farthest from the right orientation; 3 if none is 10 % off."""
+        """Return the index of the box with the largest error, or 3 if all are within 10 %."""
         errors = self.errors()
         return errors.index(max(errors)) if max(errors) > 10.0 else 3
 
@@ -154,20 +154,21 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A hand that is turned by Eq. 9.5, which moves the quaternion along a straight line."""
+    """A hand that rotates by Eq. 9.5, which moves its quaternion along a straight line."""
 
     chapter = 9
     title = "What Eq. 9.5 leaves out"
-    question = "Does normalizing repair all of the error of a step?"
+    question = "Does normalizing remove the whole error of a step?"
     view = (-2.4, 2.4, -1.7, 1.7)
     seconds = 8.0
     exact_from = "the angle of a steady rotation"
     error_unit = "rad"
     predict = Question(
-        "The hand turns once per second, and is normalized after each step. Does it keep up?",
-        ["Yes, only the length was wrong.", "No, it falls behind."],
+        "The hand turns once per second. Its quaternion is normalized after each step. Does the "
+        "hand keep up?",
+        ["Yes, normalizing is enough.", "No, it falls behind."],
         lambda _: 1,
-        "A step along the tangent makes the quaternion longer, and turns it by too small an "
+        "A step along the tangent makes the quaternion longer and rotates it by too small an "
         "angle. Normalizing removes the first error but not the second.",
         8.0,
     )
@@ -197,7 +198,7 @@ class FirstOrder(Scene):
         return math.atan2(self.q.k, self.q.r)
 
     def passed(self) -> float:
-        """Return the time in s that the steps have covered."""
+        """Return the time in s covered by the steps so far."""
         passed: float = self.steps / self.rate
         return passed
 
@@ -205,7 +206,7 @@ class FirstOrder(Scene):
         pen.circle((0.0, 0.0), 1.0, "gray", fill=False)
         right = self.spin.z * self.passed()
         pen.arrow((0.0, 0.0), (math.cos(right), math.sin(right)), "gray")
-        length = self.q.magnitude() ** 2  # by what it would scale a vector
+        length = self.q.magnitude() ** 2  # the factor by which q scales a vector
         hand = (length * math.cos(self.angle), length * math.sin(self.angle))
         pen.arrow((0.0, 0.0), hand, "blue")
         pen.text((-1.75, 1.4), "steady rotation", "gray", 13.0)
@@ -216,7 +217,7 @@ class FirstOrder(Scene):
         return {"behind, degrees": behind, "length of q": self.q.magnitude()}
 
     def state(self) -> list[float]:
-        """Return the angle that the hand has turned by, in rad."""
+        """Return the angle in rad through which the hand has turned."""
         return [self.angle]
 
     def exact(self, time: float) -> list[float]:
@@ -225,7 +226,7 @@ class FirstOrder(Scene):
     def facts(self) -> str:
         length, angle = first_order_drift(self.spin.z, 1.0, self.rate)
         return (
-            f"in theory {math.degrees(angle):.3g}° behind and {length:.3g} times as long per second"
+            f"in theory {math.degrees(angle):.3g}° behind and {length:.3g} times as long after 1 s"
         )
 
     def say(self) -> str:

@@ -1,1 +1,1 @@
-"""Speed against accuracy: the same scenes by every model, what each costs and how far off it is."""
+"""Speed against accuracy: the cost and the error of every model in the same scenes."""

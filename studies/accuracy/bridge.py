@@ -1,11 +1,11 @@
-"""The rope bridge of chapter 8 at rest, with a load: what holds it keeps it where it is.
+"""The rope bridge of chapter 8 at rest with a load: how well each model keeps it in place.
 
-Every model starts without speed where potential energy is least, and a hair lower: of cables that
-are just as long as they may be rounding says which are taut. What is counted is contacts resolved;
-pymunk goes through its joints in each step as often as it has iterations.
+Every model starts at rest in the position with the least potential energy, but slightly lower.
+Otherwise rounding would decide which cables are taut. The work is the number of resolved contacts.
+Pymunk visits all of its joints in each iteration of a step.
 
-Places are compared as they are seen from the side, since pymunk has no other: its bridge is both
-sides in one plane, with the cables as long as they look from there, and needs no rods across.
+Positions are compared as seen from the side, because pymunk is two-dimensional. Its bridge has both
+sides in one plane, with the cables as long as they appear from there, and needs no rods across.
 """
 
 from __future__ import annotations
@@ -40,17 +40,17 @@ from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
 
 FRAMES = 60  # errors do not grow after this second
-MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg lie on the third
-HAIR = 1e-8  # m; it puts ends 3e-8 m too low: errors below that say nothing
+MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg on the third row
+HAIR = 1e-8  # m; it puts ends 3e-8 m too low, so smaller errors have no meaning
 
 Links = Callable[[list[Row]], list[ContactGenerator]]
 
 
 def bridge() -> Scene:
-    """The bridge with 5 kg on its third row, at rest for 1 s, in units of a cable from row to row.
+    """Return the bridge with 5 kg on its third row, at rest for 1 s.
 
-    Of pymunk's joints a slide joint is a cable. It makes 10 iterations unless it is told another
-    number.
+    The scale is the length of a cable between two rows. Pymunk's slide joint acts as a cable. Its
+    solver makes 10 iterations by default.
     """
     few, some = STEPS[:5], STEPS[:8]
 
@@ -75,12 +75,12 @@ def bridge() -> Scene:
 
 
 def truth(_: float) -> Place:
-    """Return where both ends of each row are at any time, seen from the side."""
+    """Return the positions of both ends of each row, seen from the side. They never change."""
     return tuple(part for place in hanging() for part in place * 2)
 
 
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
-    """Return what holds a side: from which anchor or row to which row, and how long in m."""
+    """Return the cables of one side: start (an anchor or a row), end row, and length in m."""
     found: list[tuple[int | tuple[float, float], int, float]] = []
     for i, (end, _) in enumerate(make_rows()):
         anchor = anchor_of(end)
@@ -91,15 +91,15 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Return where the rows of a side hang, at the least potential energy that the cables allow.
+    """Return the positions of one side's rows, at the least potential energy possible.
 
-    There weights and the pulls of cables are in balance, and all cables are taut: as long as they
-    are, and longer by ``extra``, in m.
+    There the weights and the pulls of the cables balance, and all cables are taut. Each cable has
+    its length plus ``extra``, in m.
     """
     held = cables()
 
     def off(state: Any) -> Any:
-        """Return the forces on the rows in N, and by how much in m each cable is too long."""
+        """Return the forces on the rows in N, and the excess length of each cable in m."""
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
         too_long = []
@@ -120,7 +120,7 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Return rods that pull and push in place of all links: there is no cable that is not taut."""
+    """Return rods that pull and push in place of all links. This works as all cables are taut."""
     found: list[ContactGenerator] = []
     for link in links_of(rows):
         if isinstance(link, AnchoredCable):
@@ -136,9 +136,9 @@ def two_sided(rows: list[Row]) -> list[ContactGenerator]:
 def by_world(
     integrator: Integrator, links: Links, resolver: ContactResolver, steps: int
 ) -> Outcome:
-    """Step the world of the bridge, which has its damping."""
+    """Step the world of the bridge, which has its own damping."""
     rows = make_rows()
-    held = links(rows)  # which are made for the places at the start
+    held = links(rows)  # the links get their lengths from the positions before the shift
     for row, (x, y), mass in zip(rows, hanging(HAIR), MASSES, strict=True):
         for end in row:
             end.position.x, end.position.y, end.mass = x, y, mass
@@ -148,7 +148,7 @@ def by_world(
 
     def step(duration: float) -> None:
         nonlocal work
-        resolver.iterations_used = 0  # where there is no contact, the resolver is not asked
+        resolver.iterations_used = 0  # the resolver is not called without contacts
         world.step(duration)
         work += resolver.iterations_used
 
@@ -159,7 +159,7 @@ def by_world(
 
 
 def by_joints(iterations: int, steps: int) -> Outcome:
-    """Let pymunk hold both sides by slide joints."""
+    """Hold both sides together with slide joints in pymunk."""
     import pymunk
 
     space = pymunk.Space()

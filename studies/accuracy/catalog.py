@@ -1,4 +1,4 @@
-"""Every scene, by the part of its name that a command may give."""
+"""All scenes, which a command can select by part of a name."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ from studies.accuracy.springs import SPRINGS
 
 
 def scenes_with(part: str) -> list[Scene]:
-    """Return the scenes with this in their name, all for an empty text.
+    """Return the scenes whose names contain this text, or all scenes for an empty text.
 
-    Raises ValueError, with the names that there are, where no scene has it.
+    Raises:
+        ValueError: If no scene matches. The message lists all names.
     """
     every = [make() for make in (*FLIGHTS, *SPRINGS, *IMPACTS, *LINKED, *BRIDGES)]
     if found := [scene for scene in every if part in scene.name]:

@@ -1,7 +1,7 @@
-"""Ways to run a chain of rods: its true path, our models, and pymunk's pin joints.
+"""Models of a chain of rods: the exact path, our models, and pymunk's pin joints.
 
-What is counted as work is contacts resolved. A model that solves for all rods at once counts each
-rod once an evaluation, and pymunk goes through its joints several times a step.
+The work is the number of resolved contacts. A model that solves for all rods at once counts each
+rod once per evaluation, and pymunk visits its joints several times per step.
 """
 
 from __future__ import annotations
@@ -36,10 +36,11 @@ COUNTED = "contacts resolved, or rods solved for"
 
 @dataclass(frozen=True)
 class Chain:
-    """A chain of rods that hangs from the origin at rest, straight and askew, for some frames.
+    """A chain of rods that starts at rest, straight and at an angle, and runs for some frames.
 
-    All rods have one ``length`` in m; ``masses`` are in kg, from the first to the tip, ``angle`` in
-    radians from straight down, and ``gravity`` in m/s^2.
+    It is attached to the origin. All rods have the same ``length`` in m. ``masses`` are in kg, from
+    the first particle to the tip. ``angle`` is in radians from straight down, and ``gravity`` is in
+    m/s^2.
     """
 
     length: float
@@ -49,7 +50,7 @@ class Chain:
     frames: int
 
     def particles(self) -> list[Particle]:
-        """Return the particles at the start, from the first to the tip."""
+        """Return the particles in their initial state, from the first to the tip."""
         x, y = self.length * math.sin(self.angle), -self.length * math.cos(self.angle)
         down = Vector3(0.0, -self.gravity)
         return [
@@ -63,14 +64,14 @@ class Chain:
         return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
 
     def angles(self) -> tuple[list[float], Sequence[float], list[float]]:
-        """Return the lengths, masses and angles at the start."""
+        """Return the initial lengths, masses and angles."""
         count = len(self.masses)
         return [self.length] * count, self.masses, [self.angle] * count
 
     def truth(self) -> Callable[[float], Place]:
-        """Return the true path, by SciPy from the equations of Lagrange for the angles.
+        """Return the exact path, found by SciPy from Lagrange's equations for the angles.
 
-        With M the sum of the masses from the further one of two rods to the tip:
+        If M is the sum of the masses from the farther one of two rods to the tip, these are
         sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i.
         """
         count = len(self.masses)
@@ -93,7 +94,7 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Return the models that run any chain, with so many steps a frame; pymunk's come last."""
+    """Return the models for any chain, with these numbers of steps per frame. Pymunk's are last."""
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
         Model("rods as forces, Runge-Kutta 4", partial(by_tensions, chain), steps),
@@ -116,14 +117,14 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Step the angles alone, with four evaluations a step."""
+    """Step the angles alone by Runge-Kutta 4, with four evaluations per step."""
     angles = AngleChain(*chain.angles(), gravity=chain.gravity)
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:
-    """Step the particles with the tensions of the rods as forces, four times a step."""
+    """Step the particles by Runge-Kutta 4, with the tensions of the rods as forces."""
     particles = chain.particles()
     rods = RodTensions(particles, Vector3())
     places = in_frames(
@@ -136,7 +137,7 @@ def by_tensions(chain: Chain, steps: int) -> Outcome:
 
 
 def by_direct_chain(chain: Chain, steps: int) -> Outcome:
-    """Solve for the impulses of all rods at once."""
+    """Step the particles, solving for the impulses of all rods at once."""
     particles = chain.particles()
     solver = DirectChain(particles, Vector3())
     places = in_frames(solver.step, lambda: places_of(particles), chain.frames, steps)
@@ -149,7 +150,7 @@ def by_resolver(
     rods: Callable[[Sequence[Particle]], list[Any]],
     steps: int,
 ) -> Outcome:
-    """Step the particles, and resolve the contacts of their rods."""
+    """Step the particles and resolve the contacts of their rods."""
     particles = chain.particles()
     resolver, work = ContactResolver(), 0
 
@@ -164,7 +165,7 @@ def by_resolver(
 
 
 def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
-    """Let pymunk hold the particles together, with so many iterations of its solver a step."""
+    """Connect the particles with pin joints in pymunk, with this number of solver iterations."""
     import pymunk
 
     space = pymunk.Space()
@@ -191,5 +192,5 @@ def places_of(particles: Sequence[Particle]) -> Place:
 
 
 def flat(vectors: Sequence[Vector3]) -> Place:
-    """Return x and y of all vectors, one after the other."""
+    """Return the x and y of all vectors in one sequence."""
     return tuple([part for vector in vectors for part in (vector.x, vector.y)])

@@ -1,4 +1,4 @@
-"""Draw a scene's points, error over processor time and over work; and all scenes in one chart."""
+"""Draw a scene's error over processor time and over work, and an overview of all scenes."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ from studies.drawing import (
     YELLOW,
 )
 
-FLOOR, CEILING = 1e-15, 10.0  # errors below and above are rounding, and no answer
-OWN = COLORS | {"adaptive": BROWN}  # a model that has the same color in all charts
+FLOOR, CEILING = 1e-15, 10.0  # smaller errors are rounding, and larger errors are useless
+OWN = COLORS | {"adaptive": BROWN}  # models with the same color in all charts
 OURS = (BLUE, GREEN, ORANGE, SKY, PINK, BROWN, GRAY, YELLOW)
-UP = (0.25, 0.0, -0.25)  # of the three tolerances in the row of a scene
+UP = (0.25, 0.0, -0.25)  # vertical offsets of the three tolerances in a scene's row
 MARKERS = "os^Dvph<>"
 COLUMNS = (
-    *("model", "by", "steps a frame, or 1 / tolerance", "error / scale", "work"),
+    *("model", "by", "steps per frame, or 1 / tolerance", "error / scale", "work"),
     *("time, ms", "lower quartile, ms", "upper quartile, ms"),
 )
 
 
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
-    """Write the chart of one scene, and a table of its points beside it."""
+    """Write the chart of one scene, and a table of its points."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
     edge = front(points)
@@ -52,7 +52,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
         ms=18,
         lw=9,
         alpha=0.45,
-        label="front of the best",
+        label="best trade-offs",
         zorder=0,
     )
     for name, own in models_of(points).items():
@@ -63,7 +63,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
             [1e3 * (point.time - point.spread[0]) for point in seen],
             [1e3 * (point.spread[1] - point.time) for point in seen],
         ]
-        label = name if seen else f"{name}: nowhere near"
+        label = name if seen else f"{name}: useless"
         left.errorbar(times, errors, xerr=around, capsize=2, label=label, **styles[name])
         right.plot([point.work for point in seen], errors, **styles[name])
     _draw_extrapolated(left, points, styles)
@@ -89,7 +89,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Draw a dotted line to the tightest tolerance that pymunk's time is extrapolated to."""
+    """Draw a dotted line to the tightest tolerance for which pymunk's time is extrapolated."""
     sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
     found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
     if not found:
@@ -105,11 +105,12 @@ def _draw_extrapolated(
 
 
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
-    """Write how many times as long pymunk takes as our best model, for each scene and tolerance.
+    """Write a chart of pymunk's time relative to our best model, for each scene and tolerance.
 
-    An open mark is a ratio with pymunk's time extrapolated from its order. One with an arrow is a
-    bound: the other side was not there in the time that was tried. Where it never gets there, a
-    word is at the edge; where neither side gets there, nothing is drawn.
+    An open mark is a ratio in which pymunk's time is extrapolated from its order of convergence. An
+    open mark with an arrow is a bound, because one side did not reach the tolerance in the time it
+    was given. If a side can never reach it, the word "never" is at the edge. If neither side
+    reaches it, nothing is drawn.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
@@ -123,15 +124,15 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
         for found in rows:
             if found.tolerance == tolerance:
                 _draw_ratio(axes, found, scenes.index(found.scene) + up, color, mark)
-        axes.plot([], [], mark, color=color, label=f"to {tolerance:g} of the scale")
+        axes.plot([], [], mark, color=color, label=f"error of {tolerance:g} of the scale")
     if any(found.is_extrapolated for found in rows):
         axes.plot([], [], "o", color=GRAY, mfc="none", label="pymunk's time extrapolated")
     axes.axvline(1.0, color=BLACK, lw=1)
     axes.set_xlabel(
-        "time of pymunk / time of our cheapest model that is as near to the truth\n"
-        "(left of 1 pymunk is the faster one; arrows: more than that, or less)"
+        "time of pymunk / time of our cheapest model with the same error\n"
+        "(left of 1, pymunk is faster; arrows: the ratio is even larger or smaller)"
     )
-    axes.set_title("A place in every 60 Hz frame, to a tolerance: pymunk's time over ours")
+    axes.set_title("Pymunk's time relative to ours, if the position is needed in every 60 Hz frame")
     axes.grid(alpha=0.3)
     figure.legend(loc="outside lower center", ncols=4, fontsize=9)
     figure.savefig(png, dpi=100)
@@ -139,9 +140,9 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw a ratio as a mark, and one from an extrapolated time as an open mark.
+    """Draw a ratio as a mark, which is open if the time is extrapolated.
 
-    A bound is an open mark with an arrow, and what never is, is a word.
+    A bound is an open mark with an arrow, or the word "never".
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color
@@ -161,10 +162,10 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 def said(found: Row) -> str:
     """Return a row of the table as a sentence."""
     ours, theirs = found.ours, found.pymunk
-    start = f"to {found.tolerance:g} of the scale: "
+    start = f"at an error of {found.tolerance:g} of the scale, "
     if ours.time is None or theirs.time is None:
         mine, others = (told(side) for side in (ours, theirs))
-        return f"{start}ours {mine}; pymunk {others}"
+        return f"{start}ours: {mine}; pymunk: {others}"
     many = theirs.time / ours.time
     end = f"{_number(many)} times as long" if many >= 1.0 else f"1/{_number(1.0 / many)} of that"
     end += " (extrapolated)" * found.is_extrapolated
@@ -172,20 +173,20 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Return one side of a row in words: the model and its time, or that there is none.
+    """Describe one side of a row: its model and time, or why there is none.
 
-    A time that is extrapolated is marked, and has the order that it is extrapolated from.
+    A time that is extrapolated is marked with its order of convergence.
     """
     if side.time is not None:
         time = f"{side.model}, {_number(1e3 * side.time)} ms"
         return time if side.order is None else f"{time} (extrapolated, order {side.order:.2f})"
-    return "never" if side.never else f"not in {_number(1e3 * side.longest)} ms"
+    return "never" if side.never else f"not within {_number(1e3 * side.longest)} ms"
 
 
 def told_ratio(found: Row) -> str:
-    """Return how many times as long pymunk takes in words: a number, a bound, or nothing.
+    """Describe how many times as long pymunk takes: a number, a bound, or nothing.
 
-    A number from a time that is extrapolated has the sign ~ before it.
+    A number that is based on an extrapolated time begins with ~.
     """
     low, high = found.bounds
     if found.ratio:
@@ -196,14 +197,14 @@ def told_ratio(found: Row) -> str:
 
 
 def _number(value: float) -> str:
-    """Return three digits of a number, or all before the point: 0.0277, 5.51, 4,190."""
+    """Return a number with three digits, or all digits before the point: 0.0277, 5.51, 4,190."""
     return f"{value:.3g}" if value < 1000.0 else f"{float(f'{value:.3g}'):,.0f}"
 
 
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
-    """Return how each model is drawn: pymunk's in black and gray, the book's in red.
+    """Return the style of each model: pymunk's are black and gray, and the book's are red.
 
-    A step of chapter 6 has its own color, and the other models have those that are left.
+    The integrators of chapter 6 have their own colors. The other models get the remaining colors.
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)

@@ -1,4 +1,4 @@
-"""Scenes of one body that flies, falls, goes round or floats."""
+"""Scenes of one body: a shot, a fall, two orbits, and a floating block."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ G = 9.81  # m/s^2
 
 
 def projectile() -> Scene:
-    """A shot with linear drag: the closed form, damping in the particle, and drag as a force."""
+    """Return a shot with linear drag, by the closed form, by damping, and by drag as a force."""
     frames = round(PROJECTILE.duration * RATE)
     k1 = -math.log(PROJECTILE.damping)
 
@@ -79,7 +79,7 @@ def projectile() -> Scene:
 
 
 def quadratic_drag() -> Scene:
-    """A fall from rest with quadratic drag, to nearly its terminal speed."""
+    """Return a fall from rest with quadratic drag, almost to its terminal speed."""
     frames, k2 = 180, 0.05
 
     def place_at(time: float) -> Place:
@@ -103,9 +103,9 @@ def quadratic_drag() -> Scene:
 
 
 def orbit(e: float, turns: int, period: float) -> Scene:
-    """Turns round a center, on an ellipse of eccentricity e with a half axis of 1 m.
+    """Return an orbit around a center, with eccentricity e and a semi-major axis of 1 m.
 
-    The period is in s, and the orbit begins where it is nearest to the center.
+    The period is in s. The orbit begins at the point nearest to the center.
     """
     frames = math.floor(turns * period * RATE)
     rate = 2.0 * math.pi / period
@@ -113,7 +113,7 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 
     def truth(time: float) -> Place:
         mean = rate * time  # Kepler's equation M = E - e sin E, by Newton's method
-        anomaly = mean + math.copysign(0.85 * e, math.sin(mean))  # Danby's start: it never fails
+        anomaly = mean + math.copysign(0.85 * e, math.sin(mean))  # Danby's start always converges
         for _ in range(60):
             anomaly -= (anomaly - e * math.sin(anomaly) - mean) / (1.0 - e * math.cos(anomaly))
         return math.cos(anomaly) - e, math.sqrt(1.0 - e * e) * math.sin(anomaly)
@@ -133,9 +133,9 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 
 
 def floating_block() -> Scene:
-    """A block that bobs in water, and is never quite out of it or under: a spring, therefore."""
+    """Return a block that bobs in water, always partly submerged, and so moves as on a spring."""
     frames, s, volume, mass = 240, 0.05, 0.001, 0.5
-    stiffness = 1000.0 * volume * G / (2.0 * s)  # how much more lift a meter more under water has
+    stiffness = 1000.0 * volume * G / (2.0 * s)  # increase of the buoyancy per meter of depth
     low, amplitude = s * (1.0 - 2.0 * mass / (1000.0 * volume)), 0.04
 
     def place_at(time: float) -> Place:
@@ -158,6 +158,6 @@ def floating_block() -> Scene:
     return Scene("floating block", frames, amplitude, truth, models)
 
 
-# One orbit like a planet's, and one like a comet's, whose one turn takes 60 frames.
+# One orbit is like a planet's. The other is like a comet's, with 60 frames per turn.
 ORBITS = [partial(orbit, 0.5, 3, 2.0 * math.pi), partial(orbit, 0.9, 1, 1.0)]
 FLIGHTS: list[Callable[[], Scene]] = [projectile, quadratic_drag, *ORBITS, floating_block]

@@ -1,7 +1,7 @@
-"""Scenes of balls that bounce: on the ground, without loss and with, and one on another.
+"""Scenes of bouncing balls: one ball with and without losses, and one ball on another.
 
-What is counted is how often contacts are looked for: once a step, or once an impact and frame. A
-ball by its impacts alone counts its heights.
+The work is the number of searches for contacts: one per step, or one per impact and frame. For a
+ball that is computed from its impacts alone, it is the number of heights.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ RADIUS = 0.1  # m
 
 
 class Balls:
-    """Balls above each other that are let go: heights of their middles in m, the lowest first."""
+    """Balls above each other that start at rest. Heights are those of centers, lowest first."""
 
     def __init__(
         self, heights: Sequence[float], masses: Sequence[float], ground: float, pair: float
@@ -35,21 +35,21 @@ class Balls:
         self.ground, self.pair = ground, pair  # restitutions
 
     def particles(self) -> list[Particle]:
-        """Return them as particles."""
+        """Return the balls as particles."""
         return [
             Particle(Vector3(0.0, y), acceleration=Vector3(0.0, -G), mass=mass)
             for y, mass in zip(self.heights, self.masses, strict=True)
         ]
 
     def detectors(self, particles: list[Particle]) -> Detectors:
-        """Return what finds their contacts."""
+        """Return the detectors of the balls' contacts."""
         ground = GroundPlane(particles, radius=RADIUS, restitution=self.ground)
         if len(particles) == 1:
             return Detectors(ground)
         return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
 
     def places_at(self, times: Sequence[float]) -> list[Place]:
-        """Return the heights at these times, from impact to impact, in plain numbers."""
+        """Return the heights at these times, computed from impact to impact in plain numbers."""
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
         for time in times:
@@ -64,7 +64,7 @@ class Balls:
         return found
 
     def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
-        """Return when the next impact is, and of which ball with what is below it."""
+        """Return the time until the next impact, and the index of the upper ball in it."""
         first, v = heights[0] - RADIUS, speeds[0]
         impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
         for i in range(1, len(heights)):
@@ -91,7 +91,7 @@ def _fall(
 
 
 def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Go from impact to impact."""
+    """Advance from impact to impact."""
     particles = balls.particles()
     detectors, work = balls.detectors(particles), 0
 
@@ -113,14 +113,14 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
-    """Have a single ball nowhere but where a height is wanted."""
+    """Compute a single ball only at the times at which its height is needed."""
     (height,) = balls.heights
     heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)
     return Outcome([(RADIUS + height,) for height in heights], frames)
 
 
 def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -> Outcome:
-    """Step, look what touches after it, and resolve that."""
+    """Make a step, then detect and resolve contacts."""
     particles = balls.particles()
     detectors, resolver = balls.detectors(particles), ContactResolver()
     step = resolving(integrator, particles, [detectors], resolver.resolve_contacts)
@@ -132,13 +132,14 @@ def _heights(particles: list[Particle]) -> Place:
 
 
 def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Let pymunk do it: restitution is the product of two elasticities."""
+    """Run the balls in pymunk, where restitution is the product of two elasticities."""
     import pymunk
 
     space = pymunk.Space()
     space.gravity = (0.0, -G)
     bodies: list[Any] = []
-    # The ground has 1 and the lowest ball the ground's restitution; the next one makes up the pair.
+    # The ground has 1, the lowest ball has the ground's restitution, and the next ball has the
+    # value that gives the pair's restitution.
     elasticity = [balls.ground, balls.pair / balls.ground]
     for i, (y, mass) in enumerate(zip(balls.heights, balls.masses, strict=True)):
         body = pymunk.Body(mass, math.inf)
@@ -155,7 +156,7 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
-    """Return the scene of these balls, with every model."""
+    """Return the scene of these balls with every model."""
     exact = balls.places_at([frame / RATE for frame in range(1, frames + 1)])
 
     def truth(time: float) -> Place:
@@ -178,17 +179,17 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
         ),
         Model("pymunk", partial(by_pymunk, balls, frames), MANY, "pymunk"),
     ]
-    return Scene(name, frames, scale, truth, models, "looks for contacts")
+    return Scene(name, frames, scale, truth, models, "searches for contacts")
 
 
 def bouncing_ball(restitution: float) -> Scene:
-    """A ball that is dropped from 2 m, for 3 s."""
+    """Return a ball that is dropped from 2 m, for 3 s."""
     balls = Balls((2.0 + RADIUS,), (1.0,), restitution, 1.0)
     return scene_of(f"bouncing ball, restitution {restitution:g}", balls, 180, 2.0)
 
 
 def two_balls() -> Scene:
-    """Exercise 7.3: a light ball on a heavy one, dropped from 1 m, for 1.5 s."""
+    """Return a light ball on a heavy ball, dropped from 1 m, for 1.5 s (exercise 7.3)."""
     gap = 1e-3
     balls = Balls((1.0 + RADIUS, 1.0 + 3.0 * RADIUS + gap), (1.0, 0.1), 0.9, 0.8)
     return scene_of("a light ball dropped on a heavy one", balls, 90, 1.0)

@@ -18,15 +18,15 @@ from studies.accuracy.chains import COUNTED, Chain, by_resolver, flat, models_of
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
 
 G = 9.81  # m/s^2
-ROUND_G = 10.0  # m/s^2, of the first two scenes that there were
+ROUND_G = 10.0  # m/s^2, in the scenes of the pendulum and of the rope
 
 
 def pendulum() -> Scene:
-    """A pendulum of 1 m that is let go where it is horizontal, for 5 s."""
+    """Return a pendulum of 1 m that is released horizontally, for 5 s."""
     chain = Chain(1.0, [1.0], 0.5 * math.pi, ROUND_G, frames=300)
 
     def truth(time: float) -> Place:
-        """By Jacobi's functions: sin(angle / 2) is sin(start / 2) cn / dn of t root g / l."""
+        """Use Jacobi's functions: sin(angle / 2) is sin(start / 2) cn / dn of t sqrt(g / l)."""
         m = math.sin(0.25 * math.pi) ** 2
         _, cn, dn, _ = ellipj(math.sqrt(ROUND_G) * time, m)
         half = math.asin(math.sqrt(m) * cn / dn)
@@ -37,13 +37,13 @@ def pendulum() -> Scene:
         places = in_frames(bob.step, lambda: (bob.position.x, bob.position.y), chain.frames, steps)
         return Outcome(places, 4 * chain.frames * steps)
 
-    by_particles = models_of(chain)[1:]  # without the angles of a chain: this is one of one rod
+    by_particles = models_of(chain)[1:]  # the first model would be the same as by_angle
     models = [Model("by its angle, Runge-Kutta 4", by_angle), *by_particles]
     return Scene("pendulum from horizontal", chain.frames, 1.0, truth, models, COUNTED)
 
 
 def double_pendulum() -> Scene:
-    """Two bobs of 1 kg on two rods of 1 m, both 60 degrees from straight down, for 2 s."""
+    """Return two bobs of 1 kg on two rods of 1 m, both at 60 degrees at first, for 2 s."""
     chain = Chain(1.0, [1.0, 1.0], math.radians(60.0), G, frames=120)
 
     def by_two_angles(steps: int) -> Outcome:
@@ -56,14 +56,14 @@ def double_pendulum() -> Scene:
 
 
 def heavy_tip() -> Scene:
-    """A bob of 10 kg on five rods of 1 m with joints of 1 kg, 60 degrees askew, for 2 s."""
+    """Return a bob of 10 kg on five rods of 1 m with joints of 1 kg, at 60 degrees, for 2 s."""
     chain = Chain(1.0, [1.0, 1.0, 1.0, 1.0, 10.0], math.radians(60.0), G, frames=120)
     models = models_of(chain)
     return Scene("five rods, heavy tip", chain.frames, 1.0, chain.truth(), models, COUNTED)
 
 
 def rope() -> Scene:
-    """A rope of thirty rods of 0.1 m and 0.1 kg, let go 30 degrees askew, for a second."""
+    """Return a rope of thirty rods of 0.1 m and 0.1 kg, released at 30 degrees, for 1 s."""
     chain = Chain(0.1, [0.1] * 30, math.radians(30.0), ROUND_G, frames=60)
     steps = STEPS[:6]
 

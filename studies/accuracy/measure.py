@@ -1,8 +1,8 @@
 """Measure every model of some scenes: its error and work once, its time in turn with all others.
 
-The times of a round are taken in shuffled order, so that what else the machine does hits no model
-alone. What is measured is kept in a file after every round, and a run that was stopped goes on
-where it was, as long as code and versions are the same.
+The times of a round are measured in random order, so that other load on the machine does not affect
+a single model. The results are saved after every round. A run that was interrupted resumes from
+them, as long as the code and the versions are the same.
 """
 
 from __future__ import annotations
@@ -19,22 +19,22 @@ from dataclasses import asdict, dataclass, field
 from importlib import metadata
 from pathlib import Path
 
-import pymunk  # noqa: F401 - else the first run of a model of pymunk's would pay for the import
+import pymunk  # noqa: F401 - otherwise the first run of a pymunk model would include the import
 
 from autograder.manifest import ROOT
 from studies.accuracy.scene import Model, Outcome, Scene
 from studies.timing import quartiles
 
-EXACT = 1e-13  # an error that more steps cannot lower: rounding
-LEAST = 2e-3  # s for one measurement: what is faster is run several times
-LONG, FEW = 1.0, 2  # s: what takes longer is timed in the first two rounds alone
+EXACT = 1e-13  # an error that more steps cannot reduce, because it comes from rounding
+LEAST = 2e-3  # s for one measurement; a faster run is repeated
+LONG, FEW = 1.0, 2  # s, rounds: a run that takes longer is timed only in the first two rounds
 
 
 @dataclass
 class Point:
-    """A model of a scene, with one of its choices. ``times`` are in s, of the rounds it is in.
+    """The results of a model with one choice of its steps. ``times`` has a time in s per round.
 
-    ``steps`` is the choice: steps a frame, or 1 / tolerance for a model that takes a tolerance.
+    ``steps`` is the number of steps per frame, or 1 / tolerance for a model that takes a tolerance.
     """
 
     scene: str
@@ -47,18 +47,18 @@ class Point:
 
     @property
     def time(self) -> float:
-        """The median of the rounds."""
+        """The median time in s."""
         return statistics.median(self.times)
 
     @property
     def spread(self) -> tuple[float, float]:
-        """The quartiles of the rounds."""
+        """The quartiles of the times in s."""
         return quartiles(self.times)
 
 
 @dataclass
 class Measured:
-    """All points of a run, and how many rounds of times they have."""
+    """All points of a run, and the number of rounds in which they were timed."""
 
     points: list[Point]
     rounds: int = 0
@@ -67,10 +67,10 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Return the points of these scenes, without times: error and work of each model.
+    """Return the points of these scenes with the error and work of each model, but without times.
 
-    A model is not asked for more steps once a run takes ``slowest`` s, or ``theirs`` if it is
-    pymunk's, nor once it is exact.
+    The steps of a model increase until a run takes ``slowest`` s, or ``theirs`` s for pymunk's
+    models, or until the model is exact.
     """
     points = []
     for scene in scenes:
@@ -88,7 +88,7 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model; None where it breaks off, as steps that are too long make it."""
+    """Run a model. Return None if it fails, which may happen if its steps are too long."""
     try:
         return model.run(steps)
     except (ArithmeticError, ValueError):
@@ -96,7 +96,7 @@ def run(model: Model, steps: int) -> Outcome | None:
 
 
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
-    """Add a round of times to all points, in shuffled order."""
+    """Add one round of times to all points, in random order."""
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
         if len(point.times) < FEW or point.time < LONG:
@@ -106,7 +106,7 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 
 
 def seconds_of(model: Model, steps: int) -> float:
-    """Return the processor time of a run in s, of several where one is short."""
+    """Return the processor time of a run in s. A short run is repeated and averaged."""
     count = 0
     start = time.process_time()
     while (taken := time.process_time() - start) < LEAST or not count:
@@ -116,7 +116,7 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Keep what is measured, all or nothing, with what it was measured of."""
+    """Save the results atomically, with a signature of what was measured."""
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
     part = path.with_suffix(".part")
     part.write_text(json.dumps(data), encoding="utf-8")
@@ -124,7 +124,7 @@ def save(measured: Measured, path: Path, sign: str) -> None:
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Return what was kept, or None where there is nothing, or it is of other code or versions."""
+    """Return the saved results, or None if there are none with this signature."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
         if data["sign"] != sign:
@@ -135,7 +135,7 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Return what stands for these scenes, all code that they run, and the versions."""
+    """Return a signature of these scenes, of all code that they run, and of the versions."""
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):
         for file in sorted((ROOT / folder).rglob("*.py")):

@@ -1,4 +1,4 @@
-"""What the measured points say: how long each model takes to a tolerance, and which are best."""
+"""Evaluate the measured points: the time that each model needs for a tolerance, and the best."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from studies.accuracy.measure import EXACT, Point
 
 TOLERANCES = (1e-2, 1e-4, 1e-6)
 EIGHTFOLD = 8  # an order is measured over the last three doublings of the steps
-STEADY = 0.1  # by how much the order may differ from doubling to doubling
-FARTHEST = 1000.0  # an error is extrapolated to a thousandth of the smallest one at the most
+STEADY = 0.1  # largest difference in order from doubling to doubling
+FARTHEST = 1000.0  # an error is extrapolated to a thousandth of the smallest error at most
 
 
 @dataclass(frozen=True)
 class Side:
-    """Which model of ours, or of pymunk's, reaches a tolerance first, and its time in s.
+    """The model on one side, ours or pymunk's, that reaches a tolerance first, and its time in s.
 
-    Both are None where none does: then every model that might get there has been tried for
-    ``longest`` s, or longer; and ``never`` says that none of them might.
+    Both are None if no model reaches it. In that case every model that could still reach it has
+    been run for ``longest`` s or longer. ``never`` is true if there is no such model.
 
-    Where ``order`` is not None, the model has not been run for that long. Its time is extrapolated
+    If ``order`` is not None, the model has not been run for that long. Its time is extrapolated
     from this order of convergence.
     """
 
@@ -35,7 +35,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Row:
-    """A scene and a tolerance, and the two sides of it."""
+    """The results of both sides for a scene and a tolerance."""
 
     scene: str
     tolerance: float
@@ -44,7 +44,7 @@ class Row:
 
     @property
     def ratio(self) -> float | None:
-        """How many times as long pymunk takes."""
+        """How many times as long pymunk takes, or None if a time is unknown."""
         if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time
@@ -56,7 +56,7 @@ class Row:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """Between what the ratio lies where a side is not there in the time that was tried."""
+        """The lowest and highest possible ratio, if a side did not reach the tolerance in time."""
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
         return low, high
@@ -67,10 +67,10 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Return from which of a model's points on it is within a tolerance; None where it never is.
+    """Return the index of the first point from which on a model is within a tolerance, or None.
 
-    ``ordered`` are by their steps. More steps must not lead out of it again: one lucky number of
-    them is not enough.
+    ``ordered`` is sorted by steps. All points with more steps must be within the tolerance as well,
+    because one point may be within it by chance.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -78,9 +78,9 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return how long one model takes to a tolerance in s; None where it never gets there.
+    """Return the time in s that one model needs for a tolerance, or None if it never reaches it.
 
-    Between two measured numbers of steps the time is interpolated, on logarithmic scales.
+    The time is interpolated between two measured numbers of steps, on logarithmic scales.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     first = first_within(ordered, tolerance)
@@ -95,10 +95,10 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 
 
 def stalls(points: Sequence[Point]) -> bool:
-    """Say whether a model's error has not even halved over the last eightfold of its steps.
+    """Return whether a model's error has not even halved while its steps grew eightfold.
 
-    Of any order it would fall to an eighth: as a judgment, it then never gets where it is not.
-    While it is off by a tenth of the scale or more, nobody can tell.
+    At order 1 the error would fall to an eighth. So a model that stalls is assumed to never reach
+    smaller errors. As long as the error is a tenth of the scale or more, nothing can be concluded.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -106,11 +106,11 @@ def stalls(points: Sequence[Point]) -> bool:
 
 
 def order_of(points: Sequence[Point]) -> float | None:
-    """Return a model's order of convergence, from the last eightfold of its steps.
+    """Return a model's order of convergence over the last eightfold increase of its steps.
 
-    That is the exponent p for errors in proportion to 1 / steps^p. None where the error does not
-    fall steadily: the order then differs from doubling to doubling, or nobody can tell because the
-    error is a tenth of the scale or more, or there are less than four points.
+    The order is the exponent p if the error is proportional to 1 / steps^p. It is None if the error
+    does not fall steadily, so that the order varies between doublings. It is also None if the error
+    is a tenth of the scale or more, or if there are fewer than four points.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -125,10 +125,10 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return how long a model would take to a tolerance in s, by its order of convergence.
+    """Return the time in s that a model would need for a tolerance, from its order of convergence.
 
-    Each step is taken to last as long as those of the most steps that were tried. None where the
-    model has no steady order, or is still too far from the tolerance.
+    Each step is assumed to take as long as in the run with the most steps. The result is None if
+    the model has no steady order, or if it is still too far from the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -138,7 +138,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Return the points of each model, by its name, in the order in which they come."""
+    """Return the points of each model by its name, in their original order."""
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -146,7 +146,7 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Return which model reaches a tolerance in the least time."""
+    """Return the side with the model that reaches a tolerance in the shortest time."""
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
     times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
@@ -156,9 +156,10 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
-    """Return the cheapest point of all models within a tolerance, and the next cheaper outside it.
+    """Return the cheapest point that is reliably within a tolerance, and the next cheaper point.
 
-    None where there is none.
+    A point is reliable if its model stays within the tolerance with more steps. Each result is None
+    if there is no such point.
     """
     within = []
     for own in models_of(points).values():
@@ -171,13 +172,13 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 
 
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
-    """Return our points, the book's among them, and pymunk's."""
+    """Return our points, including the book's, and pymunk's points."""
     ours = [point for point in points if point.by != "pymunk"]
     return ours, [point for point in points if point.by == "pymunk"]
 
 
 def row(points: Sequence[Point], tolerance: float) -> Row:
-    """Return what the points of one scene say of a tolerance."""
+    """Return the results of one scene for a tolerance."""
     ours, theirs = split(points)
     side = side_of(theirs, tolerance)
     if side.time is None:
@@ -186,9 +187,9 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 
 
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
-    """Return a side with the least time that one of its models would take, by its order.
+    """Return a side with the shortest time that is extrapolated for one of its models.
 
-    It is as it was where no model has a steady order.
+    If no model has a steady order, the side is returned unchanged.
     """
     models = models_of(points)
     times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
@@ -208,9 +209,9 @@ def table(points: Sequence[Point]) -> list[Row]:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Return the points than which no other is both faster and nearer to the truth, by time.
+    """Return the points for which no other point is both faster and more accurate, by time.
 
-    What is off by rounding alone is as near as can be.
+    All errors that come from rounding alone count as equal.
     """
     kept: list[Point] = []
     nearest = math.inf

@@ -1,8 +1,8 @@
-"""What is compared: a scene, where its truth is, and the models that run it.
+"""What the charts compare: a scene, its exact solution, and the models that run it.
 
-A model is asked for the places at the end of every frame, at 60 frames a second, and may make any
-number of steps in between. Its error is by how much any coordinate is off the truth at any of those
-times, at the worst, in units of the scene's scale: a lucky instant counts for nothing.
+A model returns the positions at the end of every frame, at 60 frames per second, and may make any
+number of steps in between. Its error is the largest deviation of any coordinate from the exact
+solution at any of these times, in units of the scene's scale. A single good moment does not count.
 """
 
 from __future__ import annotations
@@ -22,18 +22,18 @@ from studies.stability import INTEGRATORS
 if TYPE_CHECKING:
     import pymunk
 
-RATE = 60.0  # frames a second
-STEPS = tuple(2**n for n in range(11))  # a frame
-MANY = tuple(2**n for n in range(16))  # of pymunk
-TOLERANCES = tuple(10**n for n in range(1, 13))  # 1 / tolerance, of a model that takes one
-Place = tuple[float, ...]  # the coordinates of all that is looked at, in m
+RATE = 60.0  # frames per second
+STEPS = tuple(2**n for n in range(11))  # per frame
+MANY = tuple(2**n for n in range(16))  # per frame, for pymunk
+TOLERANCES = tuple(10**n for n in range(1, 13))  # 1 / tolerance, for a model that takes one
+Place = tuple[float, ...]  # all coordinates that are compared, in m
 Made = tuple[Particle, Sequence[ForceGenerator]]
-Pull = Callable[[float, float, float, float], tuple[float, float]]  # of x, y and velocity, in N
+Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x, y and velocity
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """The places at the end of every frame, and how often forces, or a formula, were worked out."""
+    """The positions at the end of every frame, and the number of evaluations of the forces."""
 
     places: list[Place]
     work: int
@@ -41,11 +41,11 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Model:
-    """A way to run a scene, in so many steps a frame. ``by`` says whose it is.
+    """A way to run a scene with a number of steps per frame.
 
-    That is "ours", "the book" or "pymunk". One that is exact has no steps to choose: (1,). One that
-    chooses its own steps is given a tolerance instead: then ``takes_tolerance`` is true, and
-    ``steps`` are numbers n for a tolerance of 1 / n, so that a larger number is finer here too.
+    ``by`` is "ours", "the book" or "pymunk". An exact model has no steps to choose, so its
+    ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own steps. The numbers
+    in ``steps`` are then 1 / tolerance, so that a larger number is more accurate here, too.
     """
 
     name: str
@@ -57,9 +57,9 @@ class Model:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene of so many frames. ``truth`` has the place at a time in s; ``scale`` is in m.
+    """A scene with a number of frames. ``truth`` returns the exact position at a time in s.
 
-    ``counted`` says what the models count as their work.
+    ``scale`` is in m. ``counted`` describes what the models count as their work.
     """
 
     name: str
@@ -70,7 +70,7 @@ class Scene:
     counted: str = "evaluations of forces or formulas"
 
     def error(self, outcome: Outcome) -> float:
-        """Return the largest error of a coordinate, in units of the scale; inf for a NaN."""
+        """Return the largest error of a coordinate in units of the scale, or inf for a NaN."""
         worst = 0.0
         for frame, place in enumerate(outcome.places, 1):
             for found, true in zip(place, self.truth(frame / RATE), strict=True):
@@ -84,12 +84,11 @@ def solved(
     place: Callable[[Any], Place],
     frames: int,
 ) -> Callable[[float], Place]:
-    """Return the truth of a scene without a closed form, from its equations of motion.
+    """Return the exact solution of a scene without a closed form, from its equations of motion.
 
-    ``rates`` are the equations for SciPy, of a time and a state that is ``start`` at first, and
-    ``place`` is what a state looks like. The truth is known at the end of every frame, and solved
-    for when it is asked for the first time. It is right to about 1e-11: ten thousand times nearer
-    than the tightest tolerance.
+    ``rates`` are the equations for SciPy, as a function of time and state. ``start`` is the initial
+    state, and ``place`` converts a state to positions. SciPy solves the equations at the first
+    call, for the end of every frame. The error of about 1e-11 is far below the tightest tolerance.
     """
 
     @cache
@@ -107,7 +106,7 @@ def solved(
 def in_frames(
     step: Callable[[float], object], place: Callable[[], Place], frames: int, steps: int
 ) -> list[Place]:
-    """Let frames pass in so many steps each, and return the place at the end of every one."""
+    """Run frames with a number of steps each. Return the positions at the end of every frame."""
     places: list[Place] = []
     duration = 1.0 / (RATE * steps)
     for _ in range(frames):
@@ -118,7 +117,7 @@ def in_frames(
 
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
-    """Return a model for each integrator of chapter 6, of one particle and its forces."""
+    """Return a model for each integrator of chapter 6, for one particle and its forces."""
     fixed = [
         Model(
             name,
@@ -131,7 +130,7 @@ def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
 
 
 def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
-    """Return the model that is given a tolerance, and chooses its own steps in every frame."""
+    """Return the model that takes a tolerance and chooses its own steps in every frame."""
 
     def run(finer: int) -> Outcome:
         return by_forces(make, adaptive(1.0 / finer), frames)(1)
@@ -142,7 +141,7 @@ def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
 def by_forces(
     make: Callable[[], Made], integrator: Integrator, frames: int
 ) -> Callable[[int], Outcome]:
-    """Return what steps a particle in the X-Y plane by an integrator, and counts evaluations."""
+    """Return a function that runs a particle in the X-Y plane and counts force evaluations."""
 
     def run(steps: int) -> Outcome:
         particle, generators = make()
@@ -168,7 +167,7 @@ def by_forces(
 
 
 def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
-    """Return the model that asks a closed form once a frame."""
+    """Return the model that evaluates a closed form once per frame."""
 
     def run(_: int) -> Outcome:
         return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)
@@ -182,10 +181,10 @@ def by_pymunk(
     frames: int,
     pull: Pull | None = None,
 ) -> Model:
-    """Return the model that steps a body of pymunk, which works forces out once a step.
+    """Return the model that steps a pymunk body and evaluates its forces once per step.
 
-    ``pull`` is a force that is given to it by hand before every step: it has none but gravity and
-    its springs of its own.
+    ``pull`` is a force that is applied by hand before every step. Without it, the body feels only
+    gravity and pymunk's own springs.
     """
 
     def run(steps: int) -> Outcome:
@@ -205,8 +204,8 @@ def by_pymunk(
 
 
 def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:
-    """Return a space of pymunk without gravity, and the one body in it."""
-    import pymunk  # here, since a chapter's plots can do without
+    """Return a pymunk space without gravity that contains one body."""
+    import pymunk  # here, because a chapter's plots do not need it
 
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)

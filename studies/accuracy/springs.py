@@ -1,4 +1,4 @@
-"""Scenes of one body on a spring: along one line at four stiffnesses, and an elastic pendulum."""
+"""Scenes of one body on a spring: along a line with four stiffnesses, and an elastic pendulum."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ FRAMES = 120
 
 
 def spring(stiffness: float, damping: float) -> Scene:
-    """A body of 1 kg that is let go 1 m from the anchor of a spring, whose rest length is 0."""
+    """Return a body of 1 kg that is released 1 m from the anchor of a spring of rest length 0."""
 
     def place_at(time: float) -> Place:
         return damped_spring_state(1.0, 0.0, stiffness, damping, 1.0, time)[0], 0.0
 
     def truth(time: float) -> Place:
-        """The two exponentials, of complex numbers; the roots of these scenes are never equal."""
+        """Use the two complex exponentials. The roots are never equal in these scenes."""
         root = cmath.sqrt(0.25 * damping * damping - stiffness)
         a, b = -0.5 * damping + root, -0.5 * damping - root
         return ((b * cmath.exp(a * time) - a * cmath.exp(b * time)) / (b - a)).real, 0.0
@@ -54,7 +54,7 @@ def spring(stiffness: float, damping: float) -> Scene:
         return Particle(Vector3(1.0)), [FakeStiffSpring(Vector3(), stiffness, damping)]
 
     def in_space() -> tuple[pymunk.Space, pymunk.Body]:
-        import pymunk  # here, since a chapter's plots can do without
+        import pymunk  # here, because a chapter's plots do not need it
 
         space, body = space_with((1.0, 0.0), (0.0, 0.0), 1.0)
         still = space.static_body
@@ -83,9 +83,9 @@ def spring(stiffness: float, damping: float) -> Scene:
 
 
 def elastic_pendulum() -> Scene:
-    """A body of 1 kg that swings on a spring of 200 N/m and 1 m without damping, for 2 s.
+    """Return a body of 1 kg that swings on an undamped spring of 200 N/m and 1 m, for 2 s.
 
-    It is let go beside the anchor, at 1.2 m, with 1.5 m/s upwards. It has no closed form.
+    It starts beside the anchor, at 1.2 m, with 1.5 m/s upward. Its motion has no closed form.
     """
     stiffness, rest, gravity = 200.0, 1.0, 9.81
     place, velocity = (1.2, 0.0), (0.0, 1.5)
@@ -127,7 +127,7 @@ def elastic_pendulum() -> Scene:
 
 
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
-    """Step a linear spring by a solver, which works one formula out a step."""
+    """Step a linear spring by a solver, which evaluates one formula per step."""
     x, v = 1.0, 0.0
 
     def step(duration: float) -> None:
@@ -137,8 +137,7 @@ def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> O
     return Outcome(in_frames(step, lambda: (x, 0.0), FRAMES, steps), FRAMES * steps)
 
 
-# A tenth of the critical damping, c = 0.2 root k; and one that is damped a tenth of critically but
-# over long before the first frame ends.
+# All springs have a tenth of critical damping, c = 0.2 sqrt(k), except for one with a hundredth.
 SPRINGS: list[Callable[[], Scene]] = [
     *(partial(spring, k, 0.2 * math.sqrt(k)) for k in (10.0, 100.0, 1e4)),
     partial(spring, 1e6, 20.0),

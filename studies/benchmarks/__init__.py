@@ -1,1 +1,1 @@
-"""What make bench measures: a module a subject, with a function lines."""
+"""The measurements of make bench: one module per subject, each with a function ``lines``."""

@@ -1,11 +1,11 @@
-"""Speed against accuracy: how long pymunk takes for what a model of ours does in a scene.
+"""Speed at equal accuracy: pymunk's time relative to that of one of our models.
 
-The position is wanted at every frame, to a tolerance of the scene's scale. Each side makes the
-fewest steps a frame that reach it, of powers of two. Where pymunk does not reach it in MOST steps,
-its time is extrapolated from its order of convergence, and the line says so. Where its error does
-not fall steadily either, the line is a lower bound.
+The position is needed in every frame, with a tolerance in units of the scene's scale. Each side
+makes the fewest steps per frame that reach the tolerance, out of the powers of two. If pymunk does
+not reach it with MOST steps, its time is extrapolated from its order of convergence, and the line
+says so. If its error does not fall steadily either, the line is a lower bound.
 
-Last come the evaluations that a fixed step needs for what `adaptive` does with an orbit.
+The last lines compare the cost of a fixed step with that of `adaptive` for an orbit.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ TOLERANCE = 1e-4
 RK4 = "Runge-Kutta 4"
 BY_ANGLE, BY_ANGLES = f"by its angle, {RK4}", f"by its two angles, {RK4}"
 AS_FORCES = f"rods as forces, {RK4}"
-MOST = 2_000_000  # steps of a run: a few seconds of pymunk's
+MOST = 2_000_000  # steps per run, which take pymunk a few seconds
 
 
 def lines() -> list[Measurement]:
-    """Return every line about speed at equal accuracy."""
+    """Return all lines about speed at equal accuracy."""
     return [
         line("projectile with linear drag", None, "pymunk", 31, Target("at least", 150)),
         line("spring, k = 100 N/m", RK4, "pymunk's spring", 15, Target("at least", 250)),
@@ -49,10 +49,11 @@ def lines() -> list[Measurement]:
 
 
 def lines_of_adaptive() -> list[Measurement]:
-    """Return what Runge-Kutta 4 needs for the orbit of a comet over what `adaptive` does.
+    """Return the cost of Runge-Kutta 4 relative to `adaptive`, for the orbit of a comet.
 
-    Both have an error of at most 1e-6 of the half axis in every frame. Each has the coarsest choice
-    with which it is that near: of steps a frame, or of tolerances, four in a decade.
+    Both have an error of at most 1e-6 of the semi-major axis in every frame. Each uses the coarsest
+    setting with that error. Runge-Kutta 4 has a number of steps per frame, and `adaptive` has a
+    tolerance, with four tolerances per decade to choose from.
     """
     (scene,) = scenes_with("orbit of eccentricity 0.9")
     fixed, own = model_of(scene, RK4), model_of(scene, "adaptive")
@@ -74,7 +75,7 @@ def lines_of_adaptive() -> list[Measurement]:
 def coarsest(
     scene: Scene, model: Model, choices: Sequence[int], tolerance: float
 ) -> tuple[int, Outcome]:
-    """Return the first choice within a tolerance, and its run, by bisection from coarse to fine."""
+    """Return the coarsest choice within a tolerance and its run, by bisection."""
 
     def is_within(choice: int) -> bool:
         outcome = run(model, choice)
@@ -92,9 +93,9 @@ def line(
     target: Target | None = None,
     tolerance: float = TOLERANCE,
 ) -> Measurement:
-    """Return pymunk's time to a tolerance over ours, as a line.
+    """Return the line of pymunk's time for a tolerance over ours.
 
-    Ours is the fastest exact model where it has no name.
+    If ``ours`` is None, our fastest exact model is used.
     """
     (scene,) = scenes_with(part)
     mine = model_of(scene, ours) if ours else fastest_exact(scene)
@@ -103,26 +104,26 @@ def line(
     tried = tried_steps(scene, other, tolerance)
     finest = tried[-1]
     sides = f"{told(other, finest.steps, finest.error)} / {told(mine, steps, error)}"
-    what = f"{scene.name}, every frame: {sides}"
+    what = f"{scene.name}: {sides}"
     figure = versus(partial(seconds_of, other, finest.steps), partial(seconds_of, mine, steps))
     if finest.error <= tolerance:
         return Measurement(what, figure, rounds, target)
     order = order_of(tried)
     if order is None:
-        what += f"; a lower bound, as pymunk does not reach {tolerance:g}"
+        what += f"; a lower bound, because pymunk does not reach {tolerance:g}"
         return Measurement(what, figure, rounds, target)
     more = math.pow(finest.error / tolerance, 1.0 / order)
-    what += f"; pymunk's time is extrapolated to {tolerance:g} by its order of {order:.2f}"
+    what += f"; pymunk's time is extrapolated to {tolerance:g} with its order of {order:.2f}"
     return Measurement(what, lambda: more * figure(), rounds, target)
 
 
 def model_of(scene: Scene, name: str) -> Model:
-    """Return the model of that name."""
+    """Return the model with this name."""
     return next(model for model in scene.models if model.name == name)
 
 
 def fastest_exact(scene: Scene) -> Model:
-    """Return the one of our models without steps to choose that takes the least time."""
+    """Return the fastest of our models that have no steps to choose."""
     exact = [model for model in scene.models if model.by == "ours" and is_exact(model)]
     return min(exact, key=lambda model: seconds_of(model, 1))
 
@@ -133,16 +134,16 @@ def is_exact(model: Model) -> bool:
 
 
 def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
-    """Return the fewest steps a frame within a tolerance, of powers of two, and the error there.
+    """Return the fewest steps per frame within a tolerance, as a power of two, and the error.
 
-    Where MOST steps in a run are not enough, these are the most that were tried.
+    If MOST steps per run are not enough, return the most steps that were tried.
     """
     finest = tried_steps(scene, model, tolerance)[-1]
     return finest.steps, finest.error
 
 
 def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
-    """Return what was tried of a model: doubled steps until one is within a tolerance, or MOST."""
+    """Return the points that were tried, with steps doubled up to the tolerance or MOST steps."""
     tried: list[Point] = []
     steps = 1
     while True:
@@ -155,6 +156,6 @@ def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
 
 
 def told(model: Model, steps: int, error: float) -> str:
-    """Return a model with its steps and its error."""
-    chosen = "" if is_exact(model) else f", {steps:,} {'step' if steps == 1 else 'steps'} a frame"
-    return f"{model.name}{chosen}, error {error:.1g}"
+    """Describe a model with its steps and its error."""
+    chosen = "" if is_exact(model) else f"{steps:,} {'step' if steps == 1 else 'steps'} per frame, "
+    return f"{model.name} ({chosen}error {error:.1g})"

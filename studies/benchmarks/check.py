@@ -1,4 +1,4 @@
-"""How long a student waits for make check."""
+"""The time that a student waits for make check."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from studies.timing import Measurement, Target, Timer, timer, versus
 
 
 def lines() -> list[Measurement]:
-    """How long make check takes for one chapter, in units of Python importing pytest."""
+    """Return the time of make check for one chapter, relative to importing pytest."""
     check = running("-m", "autograder", "check", "--chapter", "2")
-    for _ in range(2):  # the first run compiles
+    for _ in range(2):  # the first run compiles the modules
         check()
     what = "make check CH=2 / importing pytest"
     figure = versus(check, running("-c", "import pytest"))
@@ -20,6 +20,6 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return what times Python with these arguments."""
+    """Return a timer that runs Python with these arguments."""
     call = [sys.executable, *command]
     return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

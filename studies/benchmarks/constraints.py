@@ -1,4 +1,4 @@
-"""What contacts cost: a heap beside the plain scan, pairs of many spheres, a chain of rods."""
+"""The cost of contacts: a heap and a plain scan, pairs of many spheres, and a chain of rods."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from studies.constraints import FRAME, GRAVITY, LINK, chain_particles, no_forces
 from studies.timing import Measurement, Target, Timer, timer, versus
 
 LINKS = 30
-ANGLE = 30.0  # degrees, at which the chain is let go
+ANGLE = 30.0  # degrees, at which the chain is released
 SECONDS = 1
 RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
 def lines() -> list[Measurement]:
-    """Return every line about contacts."""
+    """Return all lines about contacts."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
     return [
@@ -63,7 +63,7 @@ def lines() -> list[Measurement]:
 
 
 def resolving(kind: type[ContactResolver], count: int) -> Timer:
-    """Return what times how one resolver takes the contacts of a rope that has just been pulled."""
+    """Return a timer of a resolver for the contacts of a rope that has just been stretched."""
 
     def once() -> float:
         down = Vector3(0.0, -GRAVITY)
@@ -79,7 +79,7 @@ def resolving(kind: type[ContactResolver], count: int) -> Timer:
 
 
 def spread(count: int) -> ParticlePairs:
-    """Return spheres of radius 0.5 m in a cube, one in each 8 m^3 on average."""
+    """Return spheres of radius 0.5 m in a cube, with one per 8 m^3 on average."""
     rng = random.Random(1)
     size = 2.0 * count ** (1.0 / 3.0)
     places = [[rng.uniform(0.0, size) for _ in range(3)] for _ in range(count)]
@@ -87,7 +87,7 @@ def spread(count: int) -> ParticlePairs:
 
 
 def by_direct_solve(rate: int) -> tuple[float, float]:
-    """Let a chain go; return where its tip is after a second."""
+    """Release a chain, and return the position of its tip after one second."""
     particles = chain_particles(LINKS, ANGLE)
     chain = DirectChain(particles[1:], Vector3())
     for _ in range(SECONDS * rate):
@@ -97,7 +97,7 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Return the same of pymunk's pin joints, at its default of 10 iterations."""
+    """Return the same for pymunk's pin joints, with the default of 10 iterations."""
     space = pymunk.Space()
     space.gravity = (0.0, -GRAVITY)
     before = space.static_body
@@ -113,9 +113,10 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 
 
 def matching_rate() -> int:
-    """Return the frame rate from which on pymunk's tip is as near the true place as ours.
+    """Return the frame rate at which pymunk's tip is as accurate as ours, found by doubling.
 
-    The true place is that of DirectChain at 16 times its rate, whose error is 256 times smaller.
+    The exact position is that of DirectChain at 16 times its rate, where its error is 256 times
+    smaller.
     """
     true = by_direct_solve(16 * RATE)
     ours = math.dist(by_direct_solve(RATE), true)

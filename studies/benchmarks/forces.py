@@ -1,4 +1,4 @@
-"""What a force costs: the step with forces against chapter 3's and against its own arithmetic."""
+"""The cost of a force: the step with forces, compared with chapter 3's and with arithmetic."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FRAMES = [FRAME] * STEPS
 
 
 def lines() -> list[Measurement]:
-    """Return every line about forces."""
+    """Return all lines about forces."""
     chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
     free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
     forced = timer(lambda: forced_steps(FRAMES))
@@ -40,7 +40,7 @@ def lines() -> list[Measurement]:
 
 
 def make_particle_with_forces() -> Particle:
-    """Return chapter 5's particle at the start of the flight."""
+    """Return a particle of chapter 5 in the initial state of the flight."""
     start = PROJECTILE.start
     return Particle(
         Vector3(*start.position),
@@ -51,7 +51,7 @@ def make_particle_with_forces() -> Particle:
 
 
 def forced_steps(frames: list[float]) -> Numbers:
-    """Step under one force, and return the position at the end."""
+    """Step under one force, and return the final position."""
     particle = make_particle_with_forces()
     force = Vector3(*FORCE)
     for frame in frames:
@@ -61,7 +61,7 @@ def forced_steps(frames: list[float]) -> Numbers:
 
 
 def generator_steps(frames: list[float]) -> Numbers:
-    """Step with gravity as a generator, and return the position at the end."""
+    """Step with gravity as a generator, and return the final position."""
     particle = make_particle_with_forces()
     particle.acceleration = Vector3()
     registry = ForceRegistry()
@@ -73,9 +73,9 @@ def generator_steps(frames: list[float]) -> Numbers:
 
 
 def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Step under one force in local variables, and return the position at the end.
+    """Step under one force in local variables, and return the final position.
 
-    The force is added to a sum, which the step uses and clears.
+    The force is added to a sum, which the step uses and then clears.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

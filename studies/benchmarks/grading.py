@@ -1,4 +1,4 @@
-"""What it costs to grade untrusted code in workers, next to running it beside the checks."""
+"""The cost of grading untrusted code in workers, compared with running it beside the checks."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ AT_A_TIME = 2
 
 
 def lines() -> list[Measurement]:
-    """Return the lines of a check, of a class of twenty, and of the sample class."""
+    """Return the lines for a check, for a class of twenty, and for the sample class."""
     behind = Behind(vars(best_level()))
     _, second, *_, last = load_chapters()
-    # The target was set with chapter 3; later chapters import more modules and ask more.
+    # The target was set for chapter 3. Later chapters import more modules and do more work.
     checks = [_one_check(second, behind, Target("at most", 8)), _one_check(last, behind, None)]
     return [*checks, _twenty(behind), _sample_class(behind)]
 
 
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
-    """Milliseconds that a check takes longer in a worker, its share of the start included."""
+    """Return how many ms longer a check takes in a worker, including its share of the start."""
 
     def checked(where: Behind | None) -> int:
         return len(run_checks(chapter, ENGINE, seed="1", behind=where))
@@ -42,7 +42,7 @@ def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measu
         return (inside - beside) / count * 1000
 
     what = (
-        f"extra time of a check of chapter {chapter.number} in an isolated worker, in milliseconds"
+        f"extra time per check of chapter {chapter.number} in an isolated worker, in milliseconds"
     )
     return Measurement(what, extra, 9, target)
 
@@ -55,7 +55,7 @@ def _twenty(behind: Behind) -> Measurement:
         with ThreadPoolExecutor(AT_A_TIME) as pool:
             run = partial(run_checks, chapter, ENGINE, behind=where, limits=Limits(run=600.0))
             for _ in pool.map(lambda seed: run(seed=str(seed)), range(20)):
-                pass  # a fault of one would be raised here
+                pass  # an exception of a run would be raised here
 
     what = "20 submissions: a new interpreter per check / a fork per check"
     figure = versus(timer(partial(grade, True)), timer(partial(grade, False)))
@@ -63,7 +63,7 @@ def _twenty(behind: Behind) -> Measurement:
 
 
 def _sample_class(behind: Behind) -> Measurement:
-    """Endless loops are among it, and are waited for."""
+    """Return the line for the sample class, which includes the waits for its endless loops."""
     submissions, _ = find_submissions(ROOT / "sample_class")
     chapters = load_chapters()
 

@@ -1,4 +1,4 @@
-"""What each integrator costs: one particle on an anchored spring, per step."""
+"""The cost per step of each integrator, for one particle on an anchored spring."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return every line about integrators."""
+    """Return all lines about integrators."""
     once = timer(stepping(semi_implicit_euler))
     return [
         Measurement(
             "one particle on a spring: a semi-implicit Euler step / the same arithmetic",
             versus(once, timer(arithmetic)),
             ROUNDS,
-            Target("at most", 6.6),  # nine tenths of what a step cost before kick and drift
+            Target("at most", 6.6),  # nine tenths of the cost before kick and drift
         ),
         Measurement(
             "one particle on a spring: a leapfrog step / a semi-implicit Euler step",
@@ -55,7 +55,7 @@ def lines() -> list[Measurement]:
 
 
 def stepping(integrator: Integrator) -> Callable[[], None]:
-    """Return a run of many steps. The particle swings on from round to round."""
+    """Return a function that makes many steps. The motion continues from round to round."""
     particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0), mass=MASS)
     registry = ForceRegistry()
     registry.add(particle, AnchoredSpring(Vector3(), STIFFNESS, REST_LENGTH, DAMPING))
@@ -69,7 +69,7 @@ def stepping(integrator: Integrator) -> Callable[[], None]:
 
 
 def arithmetic() -> tuple[float, float, float]:
-    """Make the same steps of semi-implicit Euler in local variables; return the last position."""
+    """Make the same steps of semi-implicit Euler in local variables. Return the last position."""
     x, y, z = 1.0, 2.0, 3.0
     u, v, w = 1.0, 2.0, 3.0
     for _ in range(STEPS):

@@ -1,7 +1,7 @@
-"""The figures of the last `make bench`, committed here, and their quotations in the READMEs.
+"""The committed figures of the last `make bench`, and their quotations in the READMEs.
 
-A README quotes the median of a line between two comments. The first one has the beginning of what
-the line describes, enough to tell it from all other lines:
+A README quotes the median of a line between two comments. The first comment contains the beginning
+of the line's description, which must be long enough to identify the line:
 
     takes <!-- bench: a cloth of 180 springs by connect -->1.8<!-- end --> times as long
 """
@@ -25,7 +25,7 @@ QUOTATION = re.compile(r"(<!-- bench: ([^>]*?) -->)(.*?)(<!-- end -->)", re.DOTA
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Write the lines of a run, with the day, the Python and the kind of machine."""
+    """Write the lines of a run with the date, the Python version and the kind of machine."""
     found: dict[str, Any] = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),
@@ -45,12 +45,12 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
 
 
 def rounded(figure: float) -> float:
-    """Return a figure with three digits: its spread is wider than a fourth one."""
+    """Return a figure rounded to three digits, because its spread is larger than a fourth."""
     return float(f"{figure:.3g}")
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Return the ratios of the last run by what they describe: none before the first run."""
+    """Return the ratios of the last run by their descriptions. Before the first run it is empty."""
     if not file.exists():
         return {}
     lines = json.loads(file.read_text(encoding="utf-8"))["lines"]
@@ -58,10 +58,10 @@ def kept(file: Path = FILE) -> dict[str, float]:
 
 
 def with_quotations(page: str, ratios: dict[str, float]) -> str:
-    """Return a page whose quotations are the figures of a run, with two digits.
+    """Return a page with its quotations updated to the figures of a run, with two digits.
 
     Raises:
-        ValueError: A quotation is of no line of the run, or of more than one.
+        ValueError: If a quotation fits no line of the run, or more than one.
     """
 
     def renewed(match: re.Match[str]) -> str:
@@ -80,7 +80,7 @@ def pages() -> list[Path]:
 
 
 def write_quotations() -> None:
-    """Renew the quotations of all pages. Raises ValueError where one quotes no line."""
+    """Update the quotations of all pages. Raises ValueError if a quotation fits no line."""
     ratios = kept()
     for path in pages():
         old = path.read_text(encoding="utf-8")

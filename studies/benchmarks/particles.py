@@ -1,4 +1,4 @@
-"""The step of a particle against its own arithmetic, against operators and against pymunk."""
+"""The step of a particle, compared with its arithmetic, with operators and with pymunk."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return every line about particles."""
+    """Return all lines about particles."""
     even = [FRAME] * STEPS
     uneven = [FRAME * random.uniform(0.8, 1.2) for _ in even]
     step = timer(lambda: steps(make_particle(PROJECTILE), even))
@@ -52,9 +52,10 @@ def lines() -> list[Measurement]:
 
 
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
-    """Time as many damped falls in both engines, with every x and y read after each step or not.
+    """Time the same number of damped falls in both engines.
 
-    Our positions lie in Python already; pymunk's are fetched one by one from its library in C.
+    If ``read`` is true, every x and y is read after each step. Our positions are in Python already,
+    but pymunk's are fetched one by one from its C library.
     """
     frames = max(1, 4000 // bodies)
     particles = [make_particle(DAMPED_FALL) for _ in range(bodies)]
@@ -67,7 +68,7 @@ def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
             if read:
                 for particle in particles:
                     position = particle.position
-                    position.x, position.y  # noqa: B018 - to read them is the point
+                    position.x, position.y  # noqa: B018 - reading them is the purpose
 
     def theirs() -> None:
         for _ in range(frames):
@@ -80,7 +81,7 @@ def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
     many = "1 body" if bodies == 1 else f"{bodies} bodies"
     what = "step and read every position" if read else "step only"
     if not read and bodies > 1:
-        what += " (pymunk wins below 1)"
+        what += " (below 1, pymunk is faster)"
     target = Target("at least", 1.8) if read else None
     figure = versus(timer(theirs), timer(ours))
     return Measurement(f"pymunk / Particle, {many}, {what}", figure, ROUNDS, target)
@@ -92,7 +93,7 @@ def steps(particle: Particle, frames: list[float]) -> None:
 
 
 def operator_steps(particle: Particle, frames: list[float]) -> None:
-    """Step by the same equations with v + w and v * s; what is assigned is looked at and copied."""
+    """Step by the same equations with v + w and v * s. Assigned vectors are checked and copied."""
     for frame in frames:
         particle.position = particle.position + particle.velocity * frame
         keep = particle.damping**frame
@@ -109,10 +110,10 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def arithmetic(frames: list[float]) -> Numbers:
-    """Step by the same equations in local variables, and return the position at the end.
+    """Step by the same equations in local variables, and return the final position.
 
-    This is what a step costs without any objects, with a power in every frame; integrate saves
-    that one where a frame is as long as the last.
+    This is the cost of a step without any objects, with a power in every frame. Particle.integrate
+    saves the power if a frame is as long as the last frame.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -1,4 +1,4 @@
-"""Quaternions and matrices: two ways to the same end, and the same way in other libraries."""
+"""Quaternions and matrices, compared with each other and with other libraries."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ m, n = M3.from_quaternion(q), M3.from_quaternion(p)
 t, u = M4.from_orientation_and_position(q, v), M4.from_orientation_and_position(p, v)
 c = q.copy()
 """
-RIVALS = (  # two statements, what their ratio is, and its target
+RIVALS = (  # two statements, the description of their ratio, and its target
     (
         "t.inverse().transform(v)",
         "t.transform_inverse(v)",
@@ -63,13 +63,13 @@ RIVALS = (  # two statements, what their ratio is, and its target
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Return every line about rotations."""
+    """Return all lines about rotations."""
     found = [
         Measurement(what, versus(_timer(first), _timer(second)), ROUNDS, target)
         for first, second, what, target in RIVALS
     ]
     form, rotate, transform = map(_timer, ("M3.from_quaternion(q)", "q.rotate(v)", "m @ v"))
-    what = "number of vectors from which converting the quaternion to a matrix is faster"
+    what = "number of vectors above which converting the quaternion to a matrix is faster"
     found.append(Measurement(what, versus(form, lambda: rotate() - transform()), ROUNDS))
     peers = (
         ("pyglet", "pyglet Quaternion, Mat3 and Mat4", None),

@@ -1,6 +1,6 @@
-"""Sparks stepped frame by frame against their closed form: model no more than a scene needs.
+"""Sparks that are stepped frame by frame, compared with their closed form.
 
-Both end with lists of coordinates, as a screen wants them.
+Both return lists of coordinates, as a screen needs them.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from studies.timing import Measurement, Target, timer, versus
 FRAME = 1.0 / 60.0
 SPARKS = 1000
 SECONDS = 2.0
-START = (0.0, 1e6, 0.0)  # so high that none comes down while it is timed
+START = (0.0, 1e6, 0.0)  # so high that no spark lands while it is timed
 DAMPING = 0.5
 ROUNDS = 31
 
-# They burn for longer than they are timed, so that nothing but the step is paid for.
+# The sparks burn for longer than they are timed, so that only the steps are measured.
 RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
 def lines() -> list[Measurement]:
-    """Return every line about sparks."""
+    """Return all lines about sparks."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)
@@ -61,20 +61,20 @@ def lines() -> list[Measurement]:
 
 
 def burst() -> FireworksShow:
-    """Return a show of SPARKS that have just been lit at START."""
+    """Return a show with SPARKS sparks that have just been lit at START."""
     show = FireworksShow([RULE], SPARKS, seed=1)
     show.light([(1, SPARKS, Particle(Vector3(*START)))])
     return show
 
 
 def speeds_of(show: FireworksShow) -> list[list[float]]:
-    """Return the speeds of all sparks along X, along Y and along Z."""
+    """Return the velocity components of all sparks along X, Y and Z."""
     velocities = [firework.particle.velocity for firework in show.fireworks]
     return [[v.x for v in velocities], [v.y for v in velocities], [v.z for v in velocities]]
 
 
 def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
-    """Step a show and read where the sparks are along these axes."""
+    """Step a show, and return the coordinates of the sparks along these axes."""
     for _ in range(frames):
         show.update(FRAME)
     places = [firework.particle.position for firework in show.fireworks]
@@ -83,7 +83,7 @@ def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
 
 
 def positions(speeds: list[list[float]], time: float, axes: str) -> list[list[float]]:
-    """Return where the sparks are along these axes after a time, by the closed form."""
+    """Return the coordinates of the sparks along these axes after a time, by the closed form."""
     return [
         burst_positions(START[axis], speeds[axis], GRAVITY[axis], DAMPING, time)
         for axis in range(len(axes))

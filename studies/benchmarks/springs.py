@@ -1,4 +1,4 @@
-"""What springs cost: a cloth by connect, by a Spring an end, and by its bare arithmetic."""
+"""The cost of springs: a cloth by connect, by one Spring per end, and by plain arithmetic."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from ch06_springs.springs import Spring, spring_force
 from studies.timing import Measurement, Target, timer, versus
 
 DAMPING = 0.2  # N s/m
-FRAME = 1.0 / 2400.0  # s, at which the book's step bears this cloth
+FRAME = 1.0 / 2400.0  # s, short enough for the book's step to be stable with this cloth
 FRAMES = 120
 ROUNDS = 21
 
 
 def lines() -> list[Measurement]:
-    """Return every line about springs. The cloths are made before, and fall from round to round."""
+    """Return all lines about springs. The cloths are made once, and fall from round to round."""
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
     return [
@@ -45,10 +45,10 @@ def lines() -> list[Measurement]:
 
 
 class VectorSpring(Spring):
-    """A spring as a student writes it first, in vectors."""
+    """A spring in vectors, as students write it first."""
 
     def update_force(self, particle: Particle, duration: float) -> None:  # noqa: ARG002
-        """Add the force on the particle, seen from the other one."""
+        """Add the force of the spring on the particle."""
         offset = particle.position - self.other.position
         velocity = particle.velocity - self.other.velocity
         force = spring_force(offset, velocity, self.stiffness, self.rest_length, self.damping)
@@ -56,7 +56,7 @@ class VectorSpring(Spring):
 
 
 def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
-    """Return the same cloth with two generators a spring, one for each end."""
+    """Return the same cloth with two generators per spring, one for each end."""
     knots, _ = make_cloth(DAMPING)
     registry = ForceRegistry()
     for i, j in neighbors():
@@ -67,7 +67,7 @@ def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
 
 
 def steps(knots: list[Particle], registry: ForceRegistry) -> float:
-    """Step a cloth by the book's step; return how low it hangs."""
+    """Run a cloth with the book's step, and return its lowest height."""
     for _ in range(FRAMES):
         registry.update_forces(FRAME)
         for knot in knots:
@@ -76,7 +76,7 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 
 
 def cloth_arithmetic() -> float:
-    """Step the same cloth in lists of floats, springs first; return how low it hangs."""
+    """Run the same cloth in lists of floats, springs first, and return its lowest height."""
     count = KNOTS * KNOTS
     x = [REST_LENGTH * (i % KNOTS) for i in range(count)]
     y = [0.0] * count

@@ -1,4 +1,4 @@
-"""Vector3 against the vectors of other libraries, where they are installed."""
+"""Vector3 compared with the vectors of other libraries that are installed."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from studies.timing import Measurement, Statements, Target, against_peers
 
 
 def lines(console: Console) -> list[Measurement]:
-    """How much faster Vector3 is than each peer: the geometric mean over what both can do."""
+    """Return the time of each peer relative to Vector3, over the operations that both have."""
     peers = (
         ("pyglet", "pyglet Vec3", Target("at least", 2.4)),
         ("numpy", "NumPy array", Target("at least", 4.5)),

@@ -1,4 +1,4 @@
-"""What a world costs: beside the bare steps, asleep, and a rope of rods beside a direct chain."""
+"""The cost of a world, of a world asleep, and of a rope of rods, compared with alternatives."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from studies.ropes import hang_by_direct_chain, hang_by_rods, polygon_sag
 from studies.timing import Measurement, Target, timer, versus
 
 COUNT = 1000  # particles that fly freely
-BALLS = 300  # of which a tenth moves
-FRAMES = 40  # after which what lies still is asleep
+BALLS = 300  # of which a tenth move
+FRAMES = 40  # enough for resting balls to fall asleep
 RATE = 240  # Hz, of the direct chain
-SUBSTEPS = 16  # of the rods, in a frame
+SUBSTEPS = 16  # per frame, of the rods
 DOWN = Vector3(0.0, -GRAVITY)
 
 
 def lines() -> list[Measurement]:
-    """Return every line about worlds."""
+    """Return all lines about worlds."""
     bare = flying()
     return [
         Measurement(
@@ -56,11 +56,12 @@ def lines() -> list[Measurement]:
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Return the line of balls that are awake, over the same of which nine tenths sleep."""
+    """Return the line of awake balls, over the same balls with nine tenths of them asleep."""
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
         f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
-        # It looks what pushes what sleeps in every LOOK_EVERY-th frame, which costs several others.
+        # In every LOOK_EVERY-th frame, the world checks what pushes the balls asleep. Such a frame
+        # costs as much as several others, so each time includes one.
         versus(*(timer(stepping(world), LOOK_EVERY) for world in worlds)),
         21,
         target,
@@ -68,7 +69,7 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Return the line of a rope of rods, over the direct solve of the same."""
+    """Return the line of a rope of rods, over a direct solve of the same rope."""
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
     wanted = polygon_sag(links)
@@ -83,36 +84,36 @@ def rope(links: int, rounds: int) -> Measurement:
 
 
 def flying() -> list[Particle]:
-    """Return particles that fly, each its own way."""
+    """Return particles that fly freely, each with its own velocity."""
     return [
         Particle(Vector3(i), Vector3(1.0, 0.001 * i, 2.0), DOWN, damping=0.99) for i in range(COUNT)
     ]
 
 
 def integrate(particles: Sequence[Particle]) -> None:
-    """Move particles on by a frame, without a world."""
+    """Move particles by one frame, without a world."""
     for particle in particles:
         particle.integrate(FRAME)
 
 
 def stepping(world: ParticleWorld) -> Callable[[], None]:
-    """Return what lets a world make a frame."""
+    """Return a function that makes one frame of a world."""
     return lambda: world.step(FRAME)
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return what lets an integrator make a frame, without a world."""
+    """Return a function that makes one frame of an integrator, without a world."""
     return lambda: step(particles, no_forces, FRAME)
 
 
 def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return balls that lie on the ground, and a tenth of them that roll."""
+    """Return balls that lie on the ground, a tenth of which roll."""
     balls = [Particle(Vector3(2.0 * i), acceleration=DOWN) for i in range(BALLS)]
     return settled(kind(balls, [GroundPlane(balls)]))
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return balls that hang still on springs, and a tenth of them that fly away on theirs."""
+    """Return balls that hang still on springs, a tenth of which fly away."""
     balls = [Particle(Vector3(2.0 * i)) for i in range(BALLS)]
     world = kind(balls)
     for i, ball in enumerate(balls):
@@ -121,7 +122,7 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Return a world after enough frames for what lies still to sleep, if it ever is to."""
+    """Return a world after enough frames for resting balls to sleep, if the world allows it."""
     for ball in world.particles[: BALLS // 10]:
         ball.velocity.z = 5.0
     for _ in range(FRAMES):

@@ -1,4 +1,4 @@
-"""The host answers every message, and tells what is wrong with the student's code."""
+"""The host answers every message and reports what is wrong with the student's code."""
 
 from __future__ import annotations
 
@@ -111,11 +111,11 @@ def test_what_a_body_raises_is_told(host: Host, monkeypatch: pytest.MonkeyPatch)
 def test_an_unknown_message_is_answered(host: Host, message: Message) -> None:
     (answer,) = host.receive(message)
     assert answer["kind"] == "stopped"
-    assert "no known kind" in answer["why"]
+    assert "unknown kind of message" in answer["why"]
 
 
 def test_a_prediction_is_judged_by_theory(host: Host) -> None:
-    """Semi-implicit Euler is stable below k h^2 / m = 4: at 60 Hz and 1 kg, 14,400 N/m."""
+    """Semi-implicit Euler is stable up to k h^2 / m = 4: 14,400 N/m at 60 Hz and 1 kg."""
     for stiffness, right in ((14_390.0, 0), (14_410.0, 1)):
         host.receive({"kind": "set", "name": "stiffness", "value": stiffness})
         (judged,) = host.receive({"kind": "predict", "option": 1})
@@ -125,7 +125,7 @@ def test_a_prediction_is_judged_by_theory(host: Host) -> None:
 
 
 def test_a_choice_may_be_spelled_as_a_command_line_needs_it() -> None:
-    """`SET="integrator=explicit-euler rate=60"` has no spaces in a value, and no decimals."""
+    """A value in `SET="integrator=explicit-euler rate=60"` has no spaces and no decimals."""
     host = Host(told)
     values = {"integrator": "explicit-euler", "rate": "60"}
     message = {"kind": "load", "scene": "one-spring", "values": values, "peer": ""}

@@ -1,4 +1,4 @@
-"""The lab's page in a real browser: every scene, the keyboard, broken code, and no other host."""
+"""Test the lab's page in a real browser: scenes, keyboard, broken code, and requests."""
 
 from __future__ import annotations
 
@@ -32,20 +32,20 @@ def address() -> Iterator[str]:
 
 @pytest.fixture
 def page(browser: Any) -> Iterator[Any]:
-    """A page that notes its errors, and every host that it asks."""
-    page = browser.new_page(viewport=DESK, bypass_csp=True)  # Playwright's waiting needs eval
+    """Yield a page that records its errors and every host that it sends requests to."""
+    page = browser.new_page(viewport=DESK, bypass_csp=True)  # Playwright's waits need eval
     page.set_default_timeout(10_000.0)  # ms; an answer takes less than a second
     page.errors, page.hosts = [], set()
     page.on("pageerror", lambda error: page.errors.append(str(error)))
     page.on("request", lambda request: page.hosts.add(urlsplit(request.url).hostname))
     yield page
     assert page.errors == []
-    assert page.hosts <= {"127.0.0.1", None}  # none: data within the page
+    assert page.hosts <= {"127.0.0.1", None}  # None: data within the page
     page.close()
 
 
 def open_scene(page: Any, address: str, scene: str, **values: object) -> None:
-    """Open a scene, and wait until its first frame is there."""
+    """Open a scene and wait for its first frame."""
     page.goto(f"{address}?{urlencode({'scene': scene, **values})}")
     page.wait_for_function("document.querySelector('#contenders tbody tr')")
     page.wait_for_function("document.querySelector('#clock').textContent !== ''")
@@ -75,7 +75,7 @@ def test_a_scene_runs_for_two_seconds(page: Any, address: str, scene: str) -> No
 
 
 def test_the_error_is_that_of_the_method(page: Any, address: str) -> None:
-    """Leapfrog errs by a phase of w h (w h)^2 / 24 a step: 0.0139 in 2 s at 10 rad/s and 60 Hz."""
+    """Leapfrog's phase error is w h (w h)^2 / 24 per step: 0.0139 in 2 s at 10 rad/s and 60 Hz."""
     open_scene(page, address, "one-spring", stiffness=100, integrator="leapfrog")
     play_until(page, 2.0)
     error = float(page.inner_text("#contenders tbody tr td").removesuffix(" m"))
@@ -103,11 +103,11 @@ def test_another_contender_is_compared(page: Any, address: str) -> None:
         float(row.split("\t")[1].removesuffix(" m"))
         for row in page.inner_text("#contenders tbody").splitlines()
     )
-    assert second < first / 100.0  # order 4 against order 1, at w h = 1/6
+    assert second < first / 100.0  # order 4 against order 1, with w h = 1/6
     assert page.is_visible("#tradeoff")
     page.check("#split")
     assert page.locator("#stage canvas").count() == 2
-    other = page.context.browser.new_page(bypass_csp=True)  # the address brings all of it back
+    other = page.context.browser.new_page(bypass_csp=True)  # the address restores everything
     other.goto(page.url)
     other.wait_for_function("document.querySelectorAll('#contenders tbody tr').length === 2")
     other.close()
@@ -140,7 +140,7 @@ def test_the_keyboard_is_enough(page: Any, address: str) -> None:
         reached.add(page.evaluate("document.activeElement.name || document.activeElement.id"))
     assert {"scenes", "play", "restart", "stiffness", "integrator", "add", "csv"} <= reached
     open_scene(page, address, "platform")
-    page.keyboard.press("ArrowRight")  # a key that changes a parameter moves its slider
+    page.keyboard.press("ArrowRight")  # if a key changes a parameter, its slider moves
     page.wait_for_function("document.querySelector('[name=x]').value === '-0.5'")
     open_scene(page, address, "one-spring")
     page.focus("#parameters input[type=range]")
@@ -156,7 +156,7 @@ def test_it_is_accessible_and_fits(
     from axe_playwright_python.sync_playwright import Axe
 
     page = browser.new_page(viewport=size, color_scheme=scheme, bypass_csp=True)
-    for scene in ("one-spring", "charts"):  # the second has the longest names to choose from
+    for scene in ("one-spring", "charts"):  # the second scene has the longest option names
         open_scene(page, address, scene)
         play_until(page, 0.5)
         found = Axe().run(page).response["violations"]

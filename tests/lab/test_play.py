@@ -1,4 +1,4 @@
-"""Scenes are played into files, or in a window with mouse and keys."""
+"""Play scenes in a window with mouse and keys, and record them to files."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def record(*arguments: str, **settings: int) -> subprocess.CompletedProcess[str]
 def test_a_scene_becomes_an_animation_a_contact_sheet_and_a_table(
     name: str, tmp_path: Path
 ) -> None:
-    """It works with the exercise that unlocks it and those before it: what is later are stubs."""
+    """A scene runs with only the exercise that unlocks it and the exercises before it written."""
     chapter, unlocks = UNLOCKED[name]
     written = [exercise.id for exercise in chapter.exercises]
     written = written[: written.index(unlocks.id) + 1]
@@ -51,7 +51,7 @@ def test_a_scene_becomes_an_animation_a_contact_sheet_and_a_table(
     assert f"{name}.gif, " in done.stdout
     with Image.open(tmp_path / f"{name}.gif") as animation:
         length = 0.0
-        for i in range(animation.n_frames):  # equal pictures are one, that is shown for longer
+        for i in range(animation.n_frames):  # equal pictures are merged and shown for longer
             animation.seek(i)
             length += animation.info["duration"] / 1000.0
     # The format counts in hundredths of a second.
@@ -73,13 +73,13 @@ def test_a_scene_that_cannot_begin_is_said_and_leaves_no_older_file(tmp_path: Pa
     (out / "ballistics.gif").write_text("an older animation", encoding="utf-8")
     done = record("ballistics", "--engine", str(tmp_path / "engine"), "--out", str(out))
     assert done.returncode == 1
-    assert "ballistics: not played, not written yet: Exercise B4.3" in done.stdout
+    assert "ballistics: cannot be played, not written yet: Exercise B4.3" in done.stdout
     assert "Traceback" not in done.stderr
     assert [*out.iterdir()] == []
 
 
 def test_a_scene_plays_with_what_is_written(tmp_path: Path) -> None:
-    """Without grenades, targets, own types, wheel, turns and game there is enough to see."""
+    """Enough is left to see without grenades, targets, own types, wheel, turns and game."""
     copy_tree(ROOT / "solutions", tmp_path / "engine")
     stubs = made_stubs()
     missing = ("grenade", "targets", "firework_types", "catherine_wheel", "screen_rotation")
@@ -96,8 +96,8 @@ def test_a_scene_plays_with_what_is_written(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["trebuchets"], "there is no scene 'trebuchets'; there are projection, cross-product"),
-        ([], "name a scene; there are projection, cross-product"),
+        (["trebuchets"], "there is no scene 'trebuchets'; choose from projection, cross-product"),
+        ([], "name a scene; choose from projection, cross-product"),
         (["spin", "--engine", "nowhere"], "engine must be a folder of chapters, got 'nowhere'"),
         (["spin", "--seconds", "-1"], "--seconds must be positive and finite, got -1.0"),
         (["spin", "--set", "spin=3"], "spin has no parameter spin"),
@@ -113,7 +113,7 @@ def test_what_cannot_be_played_is_a_clear_sentence(arguments: list[str], words: 
 
 @pytest.fixture
 def window(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
-    """Play a scene in a window that nobody sees, with these keys and clicks on points."""
+    """Return a function that plays a scene in an invisible window with given keys and clicks."""
 
     def played(scene: Scene, *events: str | tuple[float, float]) -> Scene:
         def happen() -> None:
@@ -140,7 +140,7 @@ def test_keys_and_clicks_reach_the_scene(window: Any) -> None:
     walked = window(load("spring-bridge")(), "right", "right", "left")
     assert walked.x == pytest.approx(0.5 + walked.PACE)
     aimed = window(load("throw")(), (4.0, 6.0))
-    # The hand is at (0, 2): the throw starts toward the point that was clicked.
+    # The hand is at (1, 2), and the ball starts toward the point that was clicked.
     vx, vy, _ = aimed.thrown.start.velocity
     assert vy / vx == pytest.approx((6.0 - aimed.HAND[1]) / (4.0 - aimed.HAND[0]), rel=1e-6)
 

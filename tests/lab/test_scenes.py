@@ -1,4 +1,4 @@
-"""Every scene of the lab: what it draws and says, its parameters, its question and its peers."""
+"""Check every scene of the lab: drawing, descriptions, parameters, question and peers."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from lab.pen import COLORS, Pen
 from lab.scene import Scene, parameters_of
 
 SCENES = [entry.name for entry in entries()]
-RESERVED = {" ", ".", "r", "?"}  # keys of the page
+RESERVED = {" ", ".", "r", "?"}  # keys that the page uses itself
 
 
 def told(error: BaseException) -> str:
@@ -22,7 +22,7 @@ def told(error: BaseException) -> str:
 
 
 def frames(name: str, peer: str = "", seconds: float = 1.0, **values: object) -> list[Any]:
-    """Return the frames of a scene on the reference, as its page gets them."""
+    """Return the frames of a scene on the reference, as the page receives them."""
     host = Host(told)
     answers = host.receive({"kind": "load", "scene": name, "values": values, "peer": peer})
     assert [answer["kind"] for answer in answers] == ["scene", "frame"]
@@ -34,7 +34,7 @@ def frames(name: str, peer: str = "", seconds: float = 1.0, **values: object) ->
 
 
 def inside(view: tuple[float, float, float, float], item: list[Any]) -> bool:
-    """Return whether the first point of what is drawn is in the view."""
+    """Return whether the first point of a drawn item is in the view."""
     kind, _, *values = item
     if kind == "ground":
         return True
@@ -74,7 +74,7 @@ def test_a_scene_draws_charts_and_tells_what_happens(name: str) -> None:
 
 
 def ends() -> list[tuple[str, str, object]]:
-    """Return the extreme values of all parameters: scene, parameter, value."""
+    """Return the extreme values of all parameters as tuples (scene, parameter, value)."""
     found: list[tuple[str, str, object]] = []
     for name in SCENES:
         for parameter in parameters_of(load(name)).values():
@@ -90,7 +90,7 @@ def ends() -> list[tuple[str, str, object]]:
 def test_a_scene_takes_the_extremes_of_its_parameters(
     name: str, parameter: str, value: object
 ) -> None:
-    """It may explode there, and then says so; nothing else is raised."""
+    """A scene may explode at an extreme value, but then it must report the explosion."""
     host = Host(lambda error: f"{type(error).__name__}: {error}")
     host.receive({"kind": "load", "scene": name, "values": {parameter: value}, "peer": ""})
     (last,) = host.receive({"kind": "run", "frames": 15})
@@ -108,10 +108,10 @@ def test_a_question_has_one_answer_that_a_run_confirms(name: str) -> None:
         run.advance()
     run.draw(Pen())
     assert question.answer(run) in range(len(question.options))
-    assert before in (None, question.answer(run)), "the answer is that of theory"
+    assert before in (None, question.answer(run)), "the run contradicts the answer from theory"
 
 
-# Scenes whose question asks for what the run itself has shown.
+# Scenes whose question is about the result of the run itself.
 MEASURED = {"bounce", "stack", "bridge", "cube", "trebuchet", "orientations"}
 
 
@@ -119,12 +119,12 @@ MEASURED = {"bounce", "stack", "bridge", "cube", "trebuchet", "orientations"}
     ("name", "peer", "most"),
     [
         ("one-spring", "exact", 1e-12),
-        # Both steps are of order 1, and pymunk's takes the force at other places of the step: a
-        # tenth of the amplitude is more than the error of either after a second.
+        # Both methods have order 1, but pymunk evaluates the force at another point of the step.
+        # After one second, a tenth of the amplitude is more than the error of either method.
         ("one-spring", "pymunk", 0.1),
-        # One step of a fall of 6.3 m/s, for each of both bounces.
+        # One step of a fall at 6.3 m/s, for each of the two bounces.
         ("bounce", "pymunk", 2.0 * 6.3 / 60.0),
-        # The spokes' pull turns by 3 rad/s / 60 Hz a step: 5 % of 3 rad/s.
+        # The pull of the spokes turns by 3 rad/s / 60 Hz per step, which is 5 % of 3 rad/s.
         ("wheel", "pymunk", 0.15),
     ],
 )

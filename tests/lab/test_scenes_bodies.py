@@ -1,4 +1,4 @@
-"""The physics of the scenes of chapters 7 to 9, beside closed forms and invariants."""
+"""Compare the physics of the scenes of chapters 7 to 9 with closed forms and invariants."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ G = 9.81
 
 
 def after(name: str, seconds: float, keys: tuple[str, ...] = (), **values: object) -> Any:
-    """Return a scene after these keys and this time."""
+    """Return a scene after pressing these keys and running for this time."""
     scene: Scene = load(name)(**values)
     for key in keys:
         scene.press(key)
@@ -40,7 +40,7 @@ def answer(scene: Scene) -> int:
 def test_only_time_division_bounces_back_to_the_same_height(
     method: str, rate: int, seen: int
 ) -> None:
-    """Explicit Euler gains g h per step and bounce; time division finds the impact itself."""
+    """Explicit Euler gains energy in every bounce. Time division finds the time of impact."""
     scene = after("bounce", 10.0, method=method, rate=rate)
     assert answer(scene) == seen
     if method == "time division":
@@ -48,7 +48,7 @@ def test_only_time_division_bounces_back_to_the_same_height(
 
 
 def test_a_ball_that_loses_speed_comes_to_rest_at_the_time_of_the_sum() -> None:
-    """A geometric series: t (1 + c) / (1 - c) with the time t of the fall."""
+    """The impact times form a geometric series: t (1 + c) / (1 - c), with the fall time t."""
     scene = after("bounce", 3.0, method="time division", restitution=0.5)
     end = math.sqrt(2.0 * scene.HEIGHT / G) * 3.0
     assert end < 3.0
@@ -64,7 +64,7 @@ def test_a_tall_stack_needs_more_iterations(count: int, per_contact: int, stands
 
 
 def test_the_overlay_shows_the_weight_of_the_stack() -> None:
-    """At rest the ground gives the lowest sphere the weight of all in each step: N g h, in N s."""
+    """At rest the ground's impulse on the lowest sphere is the total weight times h: N g h."""
     scene = after("stack", 4.0, count=3, per_contact=16)
     given = sum(impulse.y for _, impulse in scene.view_of_contacts.impulses)
     assert given == pytest.approx(3.0 * G / 60.0, rel=0.05)
@@ -72,9 +72,9 @@ def test_the_overlay_shows_the_weight_of_the_stack() -> None:
 
 
 def test_one_rope_of_rods_stretches_and_another_does_not() -> None:
-    """A rod a frame passes a pull on by a link a frame; one solve for all rods leaves no such lag.
+    """With one step per frame, a pull travels one link per frame. A direct solve has no such lag.
 
-    The lower limit is a tenth of a link, the upper one a millionth of the rope.
+    The lower limit is 1 cm, and the upper limit is a millionth of the rope's length.
     """
     scene = after("ropes", 2.0, angle=60.0)
     by_frame, by_substeps, solved = scene.state()
@@ -89,14 +89,14 @@ def test_too_few_iterations_let_the_bridge_sag(iterations: int, too_long: int) -
 
 
 def test_late_frames_are_dropped_beyond_the_most_steps() -> None:
-    """Of each half second 6 steps of 1 / 60 s are made; the rest, 0.4 s, is dropped."""
+    """Each late frame of 0.5 s makes 6 steps of 1 / 60 s and drops the other 0.4 s."""
     scene = after("bridge", 3.0, frames="every 60th late")
     assert scene.clock.dropped == pytest.approx(3 * 0.4, abs=0.02)
 
 
 @pytest.mark.parametrize(("x", "lower"), [(-1.0, 0), (-0.25, 1)])
 def test_the_side_with_the_larger_torque_goes_down(x: float, lower: int) -> None:
-    """2 kg at each end turn it by 2 * 4 - 2 * 3 = 2 kg m; 4 kg balance them at x = -0.5 m."""
+    """2 kg at each end have a torque of 2 * 4 - 2 * 3 = 2 kg m. 4 kg at -0.5 m balance them."""
     scene = after("platform", 2.0, x=x)
     assert answer(scene) == lower
     assert (scene.platform.tilt() > 0.0) == (lower == 0), "positive if the right end is higher"
@@ -111,7 +111,7 @@ def test_the_pivot_can_be_freed_and_the_weight_dragged() -> None:
 
 @pytest.mark.parametrize(("cables", "whole"), [("none", False), ("along each bond", True)])
 def test_cables_keep_a_blob_together(cables: str, whole: bool) -> None:
-    """A bond breaks at twice its length, and a cable does not let it get there."""
+    """A bond breaks at twice its length, and a cable keeps it from getting that long."""
     scene = after("blob", 1.0, cables=cables, push=20.0)
     fewest = len(scene.blob.bonds)
     for key in ("up", "down", "down"):
@@ -128,9 +128,10 @@ def test_cables_keep_a_blob_together(cables: str, whole: bool) -> None:
 
 
 def test_a_wheel_first_gains_what_a_rigid_one_does() -> None:
-    """Torque / moment of inertia = 8 F r / (8 m r^2) = 1 rad/s^2, less what each step loses.
+    """Torque / moment of inertia = 8 F r / (8 m r^2) = 1 rad/s^2, minus the losses of the steps.
 
-    A step takes the speed along the rods: about the share (w h)^2 of the spin, 1e-4 at 0.5 rad/s.
+    A step removes the speed along the rods. That is a fraction of about (w h)^2 of the spin, or
+    1e-4 at 0.5 rad/s.
     """
     scene = after("wheel", 0.5)
     assert scene.spin() == pytest.approx(0.5, rel=0.01)
@@ -146,7 +147,7 @@ def test_a_trebuchet_gives_less_than_it_takes() -> None:
     scene = after("trebuchet", 4.0)
     assert scene.engine.flies
     assert 0.0 < scene.gained < scene.lost
-    # Without drag the range is that of the parabola from the point of release.
+    # Without drag, the flight is the parabola from the point of release.
     end = after("trebuchet", 7.0)
     x, y = end.way[0]
     assert (x, y) == pytest.approx(scene.way[0])
@@ -162,7 +163,7 @@ def test_only_a_spin_about_the_middle_axis_turns_over(
     assert (scene.turned_over > 0) == turns
     assert answer(scene) == int(turns)
     energy, *momentum = scene.state()
-    # A splitting of order 2, with steps of a sixtieth of a turn: (2 pi / 60)^2 is 1 %.
+    # A splitting of order 2 with sixty steps per turn: (2 pi / 60)^2 is about 1 %.
     assert energy == pytest.approx(scene.first[0], rel=0.01)
     assert momentum == pytest.approx(scene.first[1:], rel=1e-9, abs=1e-12)
 
@@ -172,12 +173,12 @@ def test_euler_angles_break_near_the_lock_and_a_quaternion_does_not() -> None:
     matrix, quaternion, angles = scene.errors()
     assert quaternion < 1e-9
     assert angles > matrix
-    about_x = after("orientations", 4.0, tilt=90.0)  # one angle alone: no coupling
+    about_x = after("orientations", 4.0, tilt=90.0)  # only one angle changes
     assert about_x.errors()[2] < 1e-9
 
 
 def test_a_matrix_that_is_not_repaired_grows() -> None:
-    """Each step adds a move at a right angle: the length grows by sqrt(1 + (w h)^2)."""
+    """Each step adds a perpendicular move, so that the length grows by sqrt(1 + (w h)^2)."""
     scene = after("orientations", 4.0, repair="no", tilt=90.0, speed=180.0)
     grown = (1.0 + (math.pi / 60.0) ** 2) ** (0.5 * 240)
     assert scene.columns[1].magnitude() == pytest.approx(grown, rel=1e-9)
@@ -185,7 +186,7 @@ def test_a_matrix_that_is_not_repaired_grows() -> None:
 
 @pytest.mark.parametrize("rate", [10, 30])
 def test_normalizing_does_not_repair_the_angle(rate: int) -> None:
-    """A step moves q by w h / 2 along the tangent, so that it turns by 2 atan(w h / 2)."""
+    """A step moves q by w h / 2 along the tangent, so the rotation is only 2 atan(w h / 2)."""
     scene = after("first-order", 2.0, rate=rate)
     turned = 2.0 * rate * 2.0 * math.atan(math.pi / rate)
     assert scene.angle == pytest.approx(turned, rel=1e-9)

@@ -1,4 +1,4 @@
-"""The physics of the scenes of chapters 2 to 6, beside closed forms."""
+"""Compare the physics of the scenes of chapters 2 to 6 with closed forms."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ G = 9.81
 
 
 def after(name: str, seconds: float, keys: tuple[str, ...] = (), **values: object) -> Any:
-    """Return a scene after these keys and this time."""
+    """Return a scene after pressing these keys and running for this time."""
     scene: Scene = load(name)(**values)
     for key in keys:
         scene.press(key)
@@ -39,13 +39,13 @@ def test_dragged_vectors_have_the_shadow_and_the_product_of_the_formula() -> Non
 
 @pytest.mark.parametrize("rate", [5, 10, 30])
 def test_a_throw_is_too_high_by_what_each_step_leaves_out(rate: int) -> None:
-    """Without the term a h^2 / 2 of each step, n steps of h end n g h^2 / 2 too high."""
+    """Each step lacks the term a h^2 / 2, so n steps of length h end n g h^2 / 2 too high."""
     scene = after("frame-rates", 1.0, rate=rate)
     assert scene.off(0) == pytest.approx(G / rate / 2.0, rel=1e-6)
 
 
 def test_damping_per_step_brakes_more_at_more_steps() -> None:
-    """The sum of a geometric series: v h q (1 - q^n) / (1 - q), with the factor q of each step."""
+    """The distance is a geometric series, v h q (1 - q^n) / (1 - q), with q for each step."""
     scene = after("damping-forms", 3.0, rate=240, kept=0.5)
     q, h = 0.5 ** (1.0 / 60.0), 1.0 / 240.0
     slid = scene.SPEED * h * (1.0 - q ** (3 * 240)) / (1.0 - q)
@@ -60,7 +60,7 @@ def test_keys_and_clicks_aim_the_ball() -> None:
     velocity = scene.thrown.start.velocity
     assert math.degrees(math.atan2(velocity[1], velocity[0])) == pytest.approx(57.0)
     scene = after("throw", 0.0)
-    scene.click(4.0, 6.0)  # twice the distance from the hand at (1, 2), per second
+    scene.click(4.0, 6.0)  # the speed is twice the distance from the hand at (1, 2)
     assert scene.thrown.start.velocity == pytest.approx((6.0, 8.0, 0.0))
 
 
@@ -101,29 +101,29 @@ def test_keys_choose_aim_and_fire() -> None:
     scene = after("ballistics", 0.0, ("2", "up", "left", "f", "5", "f"))
     assert [shot.type for shot in scene.range.shots] == ["artillery", "grenade"]
     artillery = scene.range.shots[0].particle.velocity
-    assert artillery.x > 0.0  # left of one who looks along Z
+    assert artillery.x > 0.0  # to the left when looking along Z
     assert artillery.y > SHOT_TYPES["artillery"].velocity[1]
 
 
 def test_clicks_and_keys_play_the_fireworks() -> None:
     scene = after("fireworks", 0.0, ("2", "6"))
-    scene.click(28.0, 30.0)  # into the dark
+    scene.click(28.0, 30.0)  # where there is no rocket
     assert scene.display.misses == 1
     types = [firework.type for firework in scene.display.show.fireworks]
-    assert (types.count(2), types.count(6)) == (1, 2)  # one of type 6 begins the game
+    assert (types.count(2), types.count(6)) == (1, 2)  # a firework of type 6 begins the game
 
 
 def test_balls_land_at_the_times_of_the_closed_form() -> None:
     scene = after("fall-in-air", 8.0, left_mass=4.0, left_drag=0.02, right_drag=0.0, rate=240)
-    speed = math.sqrt(4.0 * G / 0.02)  # terminal; y = v^2 / g ln cosh(g t / v)
+    speed = math.sqrt(4.0 * G / 0.02)  # terminal speed; y = v^2 / g ln cosh(g t / v)
     drag = speed / G * math.acosh(math.exp(G * scene.TOP / speed**2))
-    # A step, and the 1 / 2 step that the book's step is late in the whole fall.
+    # One step, plus the half step by which the book's integrator is late in the whole fall.
     assert scene.landed[0] == pytest.approx(drag, abs=2.0 / 240.0)
     assert scene.landed[1] == pytest.approx(math.sqrt(2.0 * scene.TOP / G), abs=2.0 / 240.0)
 
 
 def test_an_orbit_closes_only_with_the_velocity_first() -> None:
-    """Its energy is v^2 / 2 - mu / r per kg; semi-implicit Euler keeps it within its order, h."""
+    """The energy per kg is v^2 / 2 - mu / r. Semi-implicit Euler keeps it up to order h."""
     drift = {}
     for order in load("orbit").order.options:
         scene = load("orbit")(order=order)
@@ -138,14 +138,14 @@ def test_the_rifle_shoots_where_the_scope_is_clicked() -> None:
     scene = after("sniper", 0.0)
     scene.click(13.0, 10.0)
     velocity = scene.range.bullet.velocity
-    # A frame of wind and gravity turns it by less than 0.5 mrad; +x in the scope is to the right.
+    # In one frame, wind and gravity turn the bullet by less than 0.5 mrad. Scope +x is right.
     assert -1000.0 * velocity.x / velocity.z == pytest.approx(13.0, abs=0.5)
     assert 1000.0 * velocity.y / velocity.z == pytest.approx(10.0, abs=0.5)
     assert scene.range.shots_left == 9
 
 
 def test_each_integrator_gains_or_loses_what_theory_says() -> None:
-    """Explicit Euler multiplies the energy by 1 + k h^2 / m a step, backward Euler divides it."""
+    """Explicit Euler multiplies the energy by 1 + k h^2 / m per step; backward Euler divides."""
     scene = after("integrator-race", 1.0, stiffness=40.0, rate=30.0)
     factor = (1.0 + 40.0 / 900.0) ** 30
     energy = {name: math.hypot(*scene.phase(ball)) ** 2 for name, ball in scene.balls.items()}
@@ -157,9 +157,9 @@ def test_each_integrator_gains_or_loses_what_theory_says() -> None:
 
 @pytest.mark.parametrize(("share", "explodes"), [(0.9, False), (1.1, True)])
 def test_the_bridge_explodes_beyond_its_limit(share: float, explodes: bool) -> None:
-    """The limit is that of an endless row; for nine planks, 4 becomes 4 sin^2(8 pi / 18): 3 % more.
+    """The limit holds for an endless row. With nine planks, 4 becomes 4 sin^2(8 pi / 18), 3 % more.
 
-    At 60 Hz a bridge just above the limit only shakes, because its springs then lie slanted.
+    At 60 Hz a bridge just above the limit only shakes, because its springs are then slanted.
     """
 
     def told(error: BaseException) -> str:

@@ -1,4 +1,4 @@
-"""The server answers its own page alone, and survives what a student's code does."""
+"""The server answers only its own page and survives the faults of a student's code."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def address() -> Iterator[str]:
 
 
 def get(address: str, **headers: str) -> HTTPResponse:
-    """Fetch a page; a refusal is a response as well."""
+    """Fetch a page. An error status is returned as a response, too."""
 
     async def fetch() -> HTTPResponse:
         request = HTTPRequest(address, headers=headers)
@@ -38,7 +38,10 @@ def get(address: str, **headers: str) -> HTTPResponse:
 
 
 def talk(address: str, *messages: dict[str, Any], engine: str = "yours") -> list[dict[str, Any]]:
-    """Send messages through a socket; return all answers. A frame or an end answers a message."""
+    """Send messages through a socket and return all answers.
+
+    A message may have several answers. Every answer except "scene" is the last one.
+    """
 
     async def ask() -> list[dict[str, Any]]:
         url = f"{address.replace('http', 'ws', 1)}engine?engine={engine}"
@@ -106,7 +109,7 @@ def test_stubs_name_their_exercise() -> None:
 
 
 ENDINGS = {
-    "while True: pass": "forces.py, line",  # where it did not end
+    "while True: pass": "forces.py, line",  # the position of the loop
     "import os; os._exit(3)": "ended by itself",
     "raise ValueError('no force today')": "no force today",
 }
@@ -114,7 +117,7 @@ ENDINGS = {
 
 @pytest.mark.parametrize(("body", "words"), ENDINGS.items(), ids=ENDINGS.keys())
 def test_code_that_hangs_or_dies_ends_itself_alone(body: str, words: str, tmp_path: Path) -> None:
-    """Within three seconds the page knows, and the same socket serves the next scene."""
+    """The page gets an answer within three seconds, and the socket can load the next scene."""
     chapter = next(chapter for chapter in load_chapters() if chapter.name == "ch05_forces")
     copy_tree(ROOT / "solutions", tmp_path)
     wrong = Wrong("forces.ForceRegistry.update_forces", "", "", body=body)
@@ -122,7 +125,7 @@ def test_code_that_hangs_or_dies_ends_itself_alone(body: str, words: str, tmp_pa
     with served(engine=str(tmp_path)) as address:
         started = time.monotonic()
         _, _, stopped = talk(address, LOAD, {"kind": "run", "frames": 1})
-        assert time.monotonic() - started < 6.0  # of which three to start the engine, at most
+        assert time.monotonic() - started < 6.0  # including up to three to start the engine
         assert stopped["kind"] == "stopped"
         assert words in stopped["why"]
         assert talk(address, LOAD, engine="reference")[-1]["kind"] == "frame"

@@ -1,4 +1,4 @@
-"""The numbers of chapter 3's lesson, by the reference."""
+"""Compute the numbers of chapter 3's lesson with the reference."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ch03_laws_of_motion.particle import Particle
 
 
 def pushed(mass: float) -> float:
-    """Return the speed that 6 N give a mass in half a second."""
+    """Return the speed that 6 N give to a mass in half a second."""
     particle = Particle(acceleration=Vector3(6) * Particle(mass=mass).inverse_mass)
     particle.kick(0.5)
     return particle.velocity.x
@@ -75,7 +75,7 @@ def error(acceleration: float, rate: float, steps: int) -> float:
 
 def errors() -> dict[str, float]:
     p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
-    rate = 9.81 / 0.01  # steps per second, for an error of 9.81 * 2 * h / 2 = 0.01 m
+    rate = 9.81 / 0.01  # steps per second for an error of 9.81 * 2 * h / 2 = 0.01 m
     return {
         "1.4": 1000 * error(9.81, 60, 1),  # mm
         "5": stepping_error(p, v, a, 1, 5).x,

@@ -1,4 +1,4 @@
-"""The numbers of chapter 5's lesson, by the reference."""
+"""Compute the numbers of chapter 5's lesson with the reference."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ch05_forces.particle import Particle
 
 
 def accelerated(mass: float, *forces: Vector3) -> Vector3:
-    """Return the acceleration that forces cause in a step of 1 s."""
+    """Return the acceleration that forces cause, as the change in velocity in a step of 1 s."""
     particle = Particle(mass=mass)
     for force in forces:
         particle.add_force(force)

@@ -1,4 +1,4 @@
-"""The numbers of chapter 6's lesson, by the reference."""
+"""Compute the numbers of chapter 6's lesson with the reference."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def truth() -> dict[str, float]:
 
 
 def run(integrator: Integrator, steps: int, h: float = H) -> tuple[float, float, float]:
-    """Return position, velocity and energy of a ball of 1 kg on a spring of 36 N/m."""
+    """Return the final position, velocity and energy of a 1 kg ball on a spring of 36 N/m."""
     ball = Particle(Vector3(1))
     registry = ForceRegistry()
     registry.add(ball, AnchoredSpring(Vector3(), K, 0))

@@ -1,4 +1,4 @@
-"""The numbers of chapter 8's lesson, by the reference."""
+"""Compute the numbers of chapter 8's lesson with the reference."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Read a lesson: its sections, its commands, and the numbers in it."""
+"""Read a lesson: its sections, its commands and its numbers."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from pathlib import Path
 
 from autograder.manifest import ROOT
 
-# What a section is about, as numbers that it may name, and the numbers that the reference computes.
+# The numbers that a section may use, and a function that computes others with the reference.
 Section = tuple[str, Callable[[], dict[str, float]]]
 
 NUMBER = re.compile(r"(?<![\w.,])\d+(?:,\d{3})*(?:\.\d+)?(?:e-?\d+)?(?!\.?\d)(?![A-Za-z_])")
-ALWAYS = {"0", "1", "2", "3", "4"}  # small numbers are words
-# Numbers that name something: exercises, sections, chapters, equations, errata.
+ALWAYS = {"0", "1", "2", "3", "4"}  # always allowed, because they are used like words
+# Numbers in the names of exercises, sections, chapters, equations and errata.
 NAMES = re.compile(
     r"(?:[Ee]xercises?|[Ss]ections?|[Cc]hapters?|Eq\.|E-|[BGP]|CH=|EX=)"
     r"[\s(]*\d[\d.]*[a-d]?(?:(?:,| and| to|,? or) [BGP]?\d[\d.]*[a-d]?)*"
@@ -26,13 +26,13 @@ def lesson_of(chapter: str) -> str:
 
 
 def sections_of(text: str) -> dict[str, str]:
-    """Return the parts of a lesson below its headings of the second level."""
+    """Return the parts of a lesson below its second-level headings."""
     parts = re.split(r"(?m)^## (.+)\n", text)
     return dict(zip(parts[1::2], parts[2::2], strict=True))
 
 
 def numbers_in(section: str) -> list[str]:
-    """Return the numbers that a reader sees, without those in code, links and names."""
+    """Return the numbers that a reader sees, except for those in code, links and names."""
     text = re.sub(r"(?ms)^```.*?^```", " ", section)
     text = re.sub(r"`[^`]*`|\]\([^)]*\)|(?m:^\*\*Your turn\*\*.*$)", " ", text)
     text = NAMES.sub(" ", text)
@@ -40,7 +40,7 @@ def numbers_in(section: str) -> list[str]:
 
 
 def agrees(token: str, value: float) -> bool:
-    """Say whether a number as it is printed is a value, rounded to the digits that it has."""
+    """Return whether a printed number is a value rounded to the printed digits."""
     digits = token.replace(",", "")
     mantissa, _, exponent = digits.partition("e")
     decimals = len(mantissa.partition(".")[2])
@@ -49,12 +49,12 @@ def agrees(token: str, value: float) -> bool:
 
 
 def turns_of(text: str) -> list[tuple[str, str, str]]:
-    """Return minutes, words and commands of each *your turn*."""
+    """Return the minutes, words and commands of each *your turn*."""
     return re.findall(r"(?ms)^\*\*Your turn\*\* \((\d+) minutes\): (.+?)^```sh\n(.+?)^```", text)
 
 
 def minutes_of(text: str) -> list[tuple[str, float]]:
-    """Return the time for each exercise, as its *your turn* estimates it."""
+    """Return the estimated time for each exercise, from its *your turn*."""
     times: list[tuple[str, float]] = []
     for minutes, _, commands in turns_of(text):
         ids = re.findall(r"(?m)^make check EX=(\S+)", commands)
@@ -63,7 +63,7 @@ def minutes_of(text: str) -> list[tuple[str, float]]:
 
 
 def lab_commands(text: str) -> list[tuple[str, dict[str, str]]]:
-    """Return the scene and the settings of each `make lab SCENE=...` in a text."""
+    """Return the scene and the settings of each `make lab SCENE=...` command in a text."""
     found = re.findall(r'make lab SCENE=([\w-]+)(?: SET="([^"]*)")?', text)
     return [(s, dict(word.split("=", 1) for word in settings.split())) for s, settings in found]
 

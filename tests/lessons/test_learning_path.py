@@ -1,4 +1,4 @@
-"""The learning path names every exercise once, and its spine is short and complete."""
+"""The learning path lists every exercise once, and its spine is short and complete."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def ids(cell: str) -> list[str]:
 
 
 def rows(table: str) -> list[list[str]]:
-    """Return the cells of the rows that begin with a link to a chapter."""
+    """Return the cells of the rows that begin with a link to a chapter, without that link."""
     lines = re.findall(r"(?m)^\| \[\d\]\(.+?\) \| (.+) \|$", table)
     return [[cell.strip() for cell in line.split("|")] for line in lines]
 

@@ -1,4 +1,4 @@
-"""Each lesson is complete, and every number, command and link in it is right."""
+"""Each lesson is complete, and all of its numbers, commands and links are correct."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_each_exercise_has_its_turn_a_command_and_a_time(chapter: Chapter) -> No
         assert re.search(rf"(?<![\w.]){re.escape(exercise.id)}(?![\w])", told), exercise.id
     hours = re.search(r"\*\*Time:\*\* about (\d+) hours", text)
     assert hours
-    reading = 1.3  # an estimate of ours, in hours
+    reading = 1.3  # hours, an estimate
     total = sum(int(minutes) for minutes, _, _ in turns) / 60 + reading
     assert abs(int(hours[1]) - total) <= 0.6, total
 
@@ -88,7 +88,7 @@ def test_questions_have_folded_answers(chapter: Chapter) -> None:
 
 @by_chapter
 def test_every_number_of_a_lesson_is_given_or_computed(chapter: Chapter) -> None:
-    """A number that a section neither declares as given nor computes by the reference is a slip."""
+    """A section must declare each of its numbers as given, or compute it with the reference."""
     sections = sections_of(lesson_of(chapter.name))
     known = facts(chapter.name).SECTIONS
     wrong = [f"there is no section {heading!r}" for heading in known.keys() - sections.keys()]

@@ -1,4 +1,4 @@
-"""hypothesis draws the same examples in every run, and no shared machine is too slow for it."""
+"""Make hypothesis draw the same examples in every run, without a time limit per example."""
 
 from hypothesis import settings
 

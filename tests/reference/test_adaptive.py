@@ -1,4 +1,4 @@
-"""The integrator that chooses its own steps, compared with SciPy and with closed forms."""
+"""The adaptive integrator, compared with SciPy and with closed forms."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.world import ParticleWorld
 
 FRAME = 1.0 / 60.0
-LOOSE = 1e6  # a tolerance that every step meets: a call is one step
-KEPLER = numpy.linspace(0.0, 2.0 * math.pi, 61)[1:]  # 60 frames of one revolution
+LOOSE = 1e6  # a tolerance that every step meets, so that a call makes a single step
+KEPLER = numpy.linspace(0.0, 2.0 * math.pi, 61)[1:]  # the ends of 60 frames in one revolution
 
 
 def acted(particle: Particle, *generators: ForceGenerator) -> ApplyForces:
@@ -33,7 +33,7 @@ def acted(particle: Particle, *generators: ForceGenerator) -> ApplyForces:
 
 
 def swinging(damping: float = 4.0) -> tuple[Particle, ApplyForces]:
-    """Return 2 kg that swing in the plane on a damped spring of 1 m: no linear problem."""
+    """Return 2 kg that swing in the plane on a damped spring of 1 m, which is not linear."""
     particle = Particle(Vector3(1.4, 0.2), Vector3(-0.5, 2.0), Vector3(0.0, -3.0), mass=2.0)
     return particle, acted(particle, AnchoredSpring(Vector3(), 30.0, 1.0, damping))
 
@@ -56,7 +56,7 @@ def comet(e: float = 0.9) -> tuple[Particle, ApplyForces]:
 
 
 def comet_at(time: float, e: float = 0.9) -> tuple[float, float]:
-    low, high = time - e, time + e  # Kepler's equation t = E - e sin E, by bisection
+    low, high = time - e, time + e  # solve Kepler's equation t = E - e sin E by bisection
     for _ in range(60):
         middle = 0.5 * (low + high)
         low, high = (low, middle) if middle - e * math.sin(middle) > time else (middle, high)
@@ -64,7 +64,7 @@ def comet_at(time: float, e: float = 0.9) -> tuple[float, float]:
 
 
 def error_of_comet(step: Integrator, steps: int = 1) -> float:
-    """Return the largest error of a coordinate at any of the 60 frames of a revolution."""
+    """Return the largest error of a coordinate in any of the 60 frames of a revolution."""
     particle, apply_forces = comet()
     worst = 0.0
     for time in KEPLER:
@@ -75,7 +75,7 @@ def error_of_comet(step: Integrator, steps: int = 1) -> float:
     return worst
 
 
-# Beside SciPy and closed forms
+# Comparison with SciPy and closed forms
 
 
 def test_a_comet_needs_a_tenth_of_the_evaluations_of_runge_kutta_4() -> None:
@@ -88,20 +88,20 @@ def test_a_comet_needs_a_tenth_of_the_evaluations_of_runge_kutta_4() -> None:
 
 @pytest.mark.parametrize("h", [0.01, 0.2])
 def test_one_step_is_that_of_scipy(h: float) -> None:
-    """SciPy's RK45 is the same pair. One step of it has no choice but h."""
+    """SciPy's RK45 is the same pair of methods. If it makes a single step, the step is h."""
     particle, apply_forces = swinging()
     adaptive(LOOSE)([particle], apply_forces, h)
     start = [1.4, 0.2, -0.5, 2.0]
     theirs = solve_ivp(swinging_rates, (0.0, h), start, first_step=h, rtol=1.0, atol=LOOSE)
     assert theirs.t.tolist() == [0.0, h]
-    assert state(particle) == pytest.approx(theirs.y[:, -1], abs=1e-14)  # roundings of 2 m/s
+    assert state(particle) == pytest.approx(theirs.y[:, -1], abs=1e-14)  # rounding of 2 m/s
 
 
 def test_one_long_call_needs_as_many_evaluations_as_scipy() -> None:
-    """A revolution in one call has no frames to land on, so only the choice of steps differs.
+    """A revolution in one call is not cut into frames, so only the choice of steps differs.
 
-    SciPy's norm is the root of the mean square of four errors, and ours is the largest one, which
-    is up to twice as large: 2^(1/5) - 1 or 15 % more steps, and a few are rejected at the start.
+    SciPy's norm is the root mean square of four errors. Ours is the largest error, which is up to
+    twice as large. This gives 2^(1/5) - 1 or 15 % more steps, and a few rejections at the start.
     """
     particle, apply_forces = comet()
     step = adaptive(1e-9)
@@ -125,7 +125,7 @@ def test_a_damped_spring_moves_as_the_exponential_of_its_matrix(c: float) -> Non
     for frame in range(1, 121):
         step([particle], apply_forces, FRAME)
         x, v = expm(matrix * (frame * FRAME)) @ [1.0, 0.0]
-        # 120 frames of at most 1e-10 m and 1e-10 m/s, each as estimated.
+        # 120 frames, each with an estimated error of at most 1e-10 m and 1e-10 m/s.
         assert particle.position.x == pytest.approx(x, abs=1.2e-8)
         assert particle.velocity.x == pytest.approx(v, abs=1.2e-8)
 
@@ -138,14 +138,14 @@ def test_a_fall_with_quadratic_drag_follows_its_closed_form() -> None:
     for second in (1.0, 2.0, 3.0):
         step([particle], apply_forces, 1.0)
         falls = 9.81 * second / u
-        # Some tens of steps of 1e-10.
+        # Some tens of steps with an error of 1e-10 each.
         depth = u * u / 9.81 * math.log(math.cosh(falls))
         assert particle.velocity.y == pytest.approx(-u * math.tanh(falls), abs=1e-8)
         assert particle.position.y == pytest.approx(-depth, abs=1e-8)
 
 
 def test_halved_frames_show_order_5_where_forces_depend_on_the_velocity() -> None:
-    """Differences between ends after 1 s, in steps h, h / 2 and h / 4: their ratio is 2^5."""
+    """Differences between the states after 1 s with steps h, h / 2 and h / 4 have ratio 2^5."""
     ends = []
     for frames in (40, 80, 160):
         particle, apply_forces = swinging()
@@ -155,7 +155,7 @@ def test_halved_frames_show_order_5_where_forces_depend_on_the_velocity() -> Non
         ends.append(state(particle))
         assert step.evaluations == 7 * frames
     first, second = (numpy.linalg.norm(ends[i] - ends[i + 1]) for i in (0, 1))
-    assert second > 1e-11  # far from what roundings do
+    assert second > 1e-11  # far above rounding
     assert math.log2(first / second) == pytest.approx(5.0, abs=0.2)
 
 
@@ -165,16 +165,16 @@ def test_the_error_is_in_proportion_to_the_tolerance_over_eight_decades() -> Non
     errors, tolerances = [], [10.0**-n for n in range(3, 12)]
     for tolerance in tolerances:
         particle, apply_forces = swinging()
-        adaptive(tolerance)([particle], apply_forces, 3.0)  # no frames to land on
+        adaptive(tolerance)([particle], apply_forces, 3.0)  # one call, without frames
         errors.append(float(abs(state(particle) - truth).max()))
     slope = numpy.polyfit(numpy.log(tolerances), numpy.log(errors), 1)[0]
-    assert slope == pytest.approx(1.0, abs=0.15)  # 1 for an estimate of order 4 and a step of 5
-    # Some tens of steps, of an error of at most the tolerance each.
+    assert slope == pytest.approx(1.0, abs=0.15)  # the estimate has order 4, and the step order 5
+    # Some tens of steps, each with an error of at most the tolerance.
     assert max(e / t for e, t in zip(errors, tolerances, strict=True)) < 100.0
 
 
 def test_irregular_frames_end_at_their_times() -> None:
-    """After every frame the particle is where the closed form has it at the sum of durations."""
+    """After each frame the particle agrees with the closed form at the sum of the durations."""
     random.seed(1)
     matrix = numpy.array([[0.0, 1.0], [-100.0, -2.0]])
     particle, end = Particle(Vector3(1.0)), numpy.array([1.0, 0.0])
@@ -185,12 +185,12 @@ def test_irregular_frames_end_at_their_times() -> None:
         step([particle], apply_forces, duration)
         end = expm(matrix * duration) @ end
         worst = max(worst, abs(particle.position.x - end[0]), abs(particle.velocity.x - end[1]))
-    # The motion dies out, and so do errors: those of some tens of steps. A frame that ended off
-    # by a share of 1e-9 of a second would show, as the speed is up to 10 m/s.
+    # The motion decays, and so do the errors of some tens of steps. If a frame were wrong by 1e-9
+    # s, the error would be visible, because the speed is up to 10 m/s.
     assert worst < 1e-9
 
 
-# What it does as every step does
+# What it has in common with other integrators
 
 
 def test_it_counts_its_evaluations_and_gives_each_the_duration_of_the_call() -> None:
@@ -205,7 +205,7 @@ def test_it_counts_its_evaluations_and_gives_each_the_duration_of_the_call() -> 
     for _ in range(20):
         before = step.evaluations
         step([particle], counted, 0.05)
-        assert (step.evaluations - before) % 6 == 1  # one, and six for each step
+        assert (step.evaluations - before) % 6 == 1  # one, plus six per step
         assert step.evaluations > before + 7
     assert durations == [0.05] * step.evaluations
 
@@ -217,7 +217,7 @@ def test_a_force_by_hand_lasts_all_of_one_call() -> None:
         particle.position, particle.velocity = Vector3(), Vector3(2.0)
         particle.add_force(Vector3(12.0))
         step([particle], lambda _: None, 0.5)
-        # a + f / m is 4 m/s^2. Some roundings.
+        # a + f / m is 4 m/s^2. The tolerance allows for some roundings.
         assert particle.velocity.x == pytest.approx(4.0, abs=1e-14)
         assert particle.position.x == pytest.approx(1.5, abs=1e-14)
         assert particle.last_acceleration.x == pytest.approx(4.0, abs=1e-14)
@@ -225,7 +225,7 @@ def test_a_force_by_hand_lasts_all_of_one_call() -> None:
 
 
 def test_a_force_by_hand_acts_beside_a_spring_in_every_step_of_the_call() -> None:
-    """A constant force f moves the rest of a spring by f / k: x = f / k (1 - cos(w t))."""
+    """A constant force f shifts a spring's rest position by f / k: x = f / k (1 - cos(w t))."""
     particle = Particle()
     particle.add_force(Vector3(50.0))
     step = adaptive(1e-10)
@@ -235,7 +235,7 @@ def test_a_force_by_hand_acts_beside_a_spring_in_every_step_of_the_call() -> Non
 
 
 def test_damping_multiplies_the_velocity_once_a_call() -> None:
-    """The very same call without damping, and then d^h: whatever steps it has made."""
+    """The result equals that of the same call without damping, multiplied by d^h."""
     ends = []
     for damping in (1.0, 0.3):
         particle, apply_forces = swinging()
@@ -253,7 +253,7 @@ def test_the_last_acceleration_is_the_mean_one_of_the_call() -> None:
         before = particle.velocity.copy()
         step([particle], apply_forces, 0.05)
         mean = (particle.velocity - before) / 0.05
-        # A rounding of 3 m/s over 0.05 s.
+        # The tolerance is the rounding of 3 m/s, divided by 0.05 s.
         assert tuple(particle.last_acceleration) == pytest.approx(tuple(mean), abs=1e-13)
 
 
@@ -268,7 +268,7 @@ def test_an_immovable_particle_stays_and_only_others_are_stepped() -> None:
     assert tuple(state(wall)) == (1.0, 2.0, 3.0, 0.0)
     assert tuple(wall.force_accumulator) == (0.0, 0.0, 0.0)
     assert ball.position.x == pytest.approx(1.0 + math.cos(1.0), abs=1e-8)
-    step([wall], registry.update_forces, 0.1)  # nothing that moves at all
+    step([wall], registry.update_forces, 0.1)  # without any movable particle
     assert tuple(state(wall)) == (1.0, 2.0, 3.0, 0.0)
 
 
@@ -280,9 +280,9 @@ def test_a_connected_pair_keeps_its_momentum_and_swings_as_its_reduced_mass() ->
     for _ in range(240):
         step([a, b], registry.update_forces, FRAME)
         total = a.momentum() + b.momentum()
-        # 240 calls, a rounding of 1 kg m/s in each.
+        # 240 calls, each with a rounding of 1 kg m/s.
         assert tuple(total) == pytest.approx((0.0, 1.0, 0.0), abs=1e-13)
-    # Both at rest: w^2 = k / mu, with mu = 3/4 kg.
+    # Both start at rest. With mu = 3/4 kg, w^2 = k / mu.
     a, b = Particle(), Particle(Vector3(1.5), mass=3.0)
     registry = ForceRegistry()
     connect(registry, a, b, 5.0, 1.0)
@@ -306,16 +306,16 @@ def test_a_world_can_use_it_and_what_lies_on_the_ground_stays() -> None:
     world = ParticleWorld([ball], [ground], integrator=watched(adaptive(1e-6), 100.0))
     for _ in range(100):
         world.step(FRAME)
-    # The contact stops what a frame of gravity does: g h^2 / 2 below the ground at the worst.
+    # The contact stops what gravity adds in a frame, so the ball is at most g h^2 / 2 too low.
     assert ball.position.y == pytest.approx(0.0, abs=0.5 * 9.81 * FRAME**2 + 1e-9)
     assert ball.velocity.y == pytest.approx(0.0, abs=1e-12)
 
 
-# What it keeps between calls, and what it does not
+# State between calls
 
 
 def test_it_keeps_the_length_of_its_step() -> None:
-    """A new one for every frame has to look for it again, and so needs more evaluations."""
+    """A new integrator in every frame must find its step again, and needs more evaluations."""
     particle = Particle(Vector3(1.0))
     apply_forces = acted(particle, AnchoredSpring(Vector3(), 1e4, 0.0))
     kept, anew = adaptive(1e-6), 0
@@ -324,12 +324,12 @@ def test_it_keeps_the_length_of_its_step() -> None:
         fresh([copy], acted(copy, AnchoredSpring(Vector3(), 1e4, 0.0)), FRAME)
         anew += fresh.evaluations
         kept([particle], apply_forces, FRAME)
-    # Ten times too long at first: two steps that are repeated, or 12 evaluations a frame.
+    # The first step is ten times too long. Repeating two steps costs 12 evaluations per frame.
     assert kept.evaluations < anew - 300
 
 
 def test_what_is_changed_by_hand_between_calls_counts() -> None:
-    """Position, velocity, mass and spring change; each time the motion is the new closed form."""
+    """After a change of position, velocity, mass or spring, the new closed form holds."""
     particle, spring = Particle(Vector3(1.0)), AnchoredSpring(Vector3(), 1.0, 0.0)
     apply_forces = acted(particle, spring)
     step = adaptive(1e-10)
@@ -344,7 +344,7 @@ def test_what_is_changed_by_hand_between_calls_counts() -> None:
 
 
 def test_one_step_serves_two_groups_of_particles_in_turn() -> None:
-    """Both as near as alone, though they need steps that differ by a hundred times."""
+    """Both groups are as accurate as alone, although their steps differ by a factor of 100."""
     step, worst = adaptive(1e-10), 0.0
     soft, stiff = Particle(Vector3(1.0)), Particle(Vector3(1.0))
     pull = acted(soft, AnchoredSpring(Vector3(), 1.0, 0.0))
@@ -354,7 +354,7 @@ def test_one_step_serves_two_groups_of_particles_in_turn() -> None:
         step([stiff], stiff_pull, FRAME)
         worst = max(worst, abs(soft.position.x - math.cos(frame * FRAME)))
         worst = max(worst, abs(stiff.position.x - math.cos(100.0 * frame * FRAME)))
-    assert worst < 1e-8  # as of the tolerance: a thousand steps of the stiff one
+    assert worst < 1e-8  # a thousand steps of the stiff spring, within the tolerance
 
 
 def test_it_is_deterministic() -> None:

@@ -1,7 +1,7 @@
-"""What ends a call of the integrator that chooses its own steps, and what does not.
+"""Which conditions end a call of the adaptive integrator, and which do not.
 
-Stiff springs do not explode. A singularity, forces that fail and forces that are not numbers end
-in an error that names them, and never in an endless loop.
+Stiff springs do not explode. A singularity, forces that fail and forces that are not numbers cause
+an error with a clear message, and never an endless loop.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ FRAME = 1.0 / 60.0
 
 
 def sprung(k: float) -> tuple[Particle, ApplyForces]:
-    """Return 1 kg that is let go 1 m from the anchor of a spring whose rest length is 0."""
+    """Return 1 kg that is released 1 m from the anchor of a spring with rest length 0."""
     particle, registry = Particle(Vector3(1.0)), ForceRegistry()
     registry.add(particle, AnchoredSpring(Vector3(), k, 0.0))
     return particle, registry.update_forces
@@ -35,13 +35,13 @@ def test_a_stiff_spring_explodes_nothing(k: float) -> None:
     for _ in range(600 if k == 1e4 else 6):
         step([particle], apply_forces, FRAME)
         energy = particle.velocity.x**2 / k + particle.position.x**2
-        # It loses some by every step, and gains none but what the tolerance allows.
+        # Each step loses some energy, and gains at most what the tolerance allows.
         assert energy < 1.0 + 1e-3
     assert energy > 0.5
 
 
 def test_a_fall_into_a_center_stops_with_a_clear_error() -> None:
-    """From rest at 1 m it takes pi / sqrt(8) s: a singularity that no step comes over."""
+    """From rest at 1 m, the fall takes pi / sqrt(8) s and ends in a singularity."""
     particle, registry = Particle(Vector3(1.0)), ForceRegistry()
     registry.add(particle, InverseSquareGravity(Vector3(), 1.0))
     step = adaptive(1e-6)
@@ -50,10 +50,10 @@ def test_a_fall_into_a_center_stops_with_a_clear_error() -> None:
         step([particle], registry.update_forces, 2.0)
     reached = float(str(raised.value).split(" s at ")[1].split()[0])
     assert reached == pytest.approx(math.pi / math.sqrt(8.0), abs=1e-4)
-    assert 0.0 < particle.position.magnitude() < 1e-3  # where the last good step has left it
+    assert 0.0 < particle.position.magnitude() < 1e-3  # the position after the last good step
     assert tuple(particle.force_accumulator) == (0.0, 0.0, 0.0)
     assert step.evaluations < 6 * module.MOST_STEPS
-    # It may be used again, and does not insist on what was the last step's length.
+    # It can be used again, and does not keep the length of its last step.
     particle.position, particle.velocity, step.evaluations = Vector3(1.0), Vector3(0.0, 1.0), 0
     step([particle], registry.update_forces, 0.01)
     assert step.evaluations == 7
@@ -89,13 +89,13 @@ def test_forces_that_fail_where_the_motion_has_to_go_are_named() -> None:
         adaptive(1e-6)([particle], wall, 1.0)
     assert particle.position.x == pytest.approx(0.5, abs=1e-13)
     particle.position.x = 0.6
-    with pytest.raises(ValueError, match="there is no force"):  # at the start of a call: as it is
+    with pytest.raises(ValueError, match="there is no force"):  # at the start of the call
         adaptive(1e-6)([particle], wall, 1.0)
     assert (particle.position.x, particle.velocity.x) == (0.6, 1.0)
 
 
 class Unchecked(Particle):
-    """A particle that takes any force, as one does whose add_force looks at nothing."""
+    """A particle that accepts any force, like one whose add_force checks nothing."""
 
     @property
     def force_accumulator(self) -> Vector3:

@@ -1,4 +1,4 @@
-"""Chains by their angles, and rods as forces: normal modes, SciPy, and a conical pendulum."""
+"""Chains by their angles, and rods as forces, against normal modes, SciPy, and a pendulum."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ G = 9.81
 NAN, INF = math.nan, math.inf
 Chain = AngleChain | DoublePendulum
 
-# Unlike lengths and masses, wide angles, and a start in motion: nothing cancels.
+# Different lengths and masses, wide angles, and initial motion, so that no errors cancel.
 TWO = ([1.0, 0.7], [1.0, 2.5], [1.0, -0.6], [0.5, 2.0])
 FOUR = ([1.0, 0.7, 0.6, 0.9], [1.0, 2.5, 1.5, 4.0], [1.0, -0.6, 0.2, 0.8], [0.5, 2.0, -1.0, 0.0])
-TIME = 0.3  # s: the rods turn by about a radian
+TIME = 0.3  # s, in which the rods turn by about a radian
 
 
 def lagrange(start: tuple[list[float], ...], time: float) -> list[float]:
-    """Return the angles after a time by SciPy, from the equations of Lagrange with a mass matrix.
+    """Return the angles after a time, solved by SciPy from Lagrange's equations.
 
-    With M the sum of the masses from the further one of two rods to the tip, the equations are
-    sum_j M L_j (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i, without tensions.
+    M is the sum of the masses from the farther one of two rods to the tip. The equations
+    sum_j M L_j (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i need no tensions.
     """
     lengths, masses, angles, speeds = (numpy.array(part) for part in start)
     count = len(lengths)
@@ -86,8 +86,9 @@ def seen(particles: list[Particle]) -> list[float]:
 
 @pytest.mark.parametrize("count", [1, 2, 5])
 def test_small_swings_are_the_normal_modes_of_a_hanging_chain(count: int) -> None:
-    """Equal beads: w^2 l / g is a root of the Laguerre polynomial L_n, and bead k from the tip is
-    displaced by L_k of that root. For two beads the roots are 2 -+ sqrt 2.
+    """For equal beads, w^2 l / g is a root of the Laguerre polynomial L_n.
+
+    Bead k from the tip is displaced by L_k of that root. For two beads the roots are 2 -+ sqrt 2.
     """
     length, amplitude = 0.5, 1e-5
     for root in laguerre.lagroots([0.0] * count + [1.0]):
@@ -101,8 +102,8 @@ def test_small_swings_are_the_normal_modes_of_a_hanging_chain(count: int) -> Non
             for _ in range(500):
                 chain.step(0.002)
             now = math.cos(math.sqrt(G * root / length))
-            # What is not linear is a fraction of the square of the amplitude, for each of some ten
-            # radians. The step is off by (w h)^4 / 120 for each radian, and w h is 0.03 at most.
+            # The nonlinear part is a fraction of the amplitude squared, for each of about ten
+            # radians. The step's error is (w h)^4 / 120 per radian, where w h is at most 0.03.
             for angle, first in zip(chain.angles, start, strict=True):
                 assert angle == pytest.approx(now * first, abs=1e-6 * amplitude)
 
@@ -121,7 +122,7 @@ def test_chains_by_angles_are_those_of_lagrange_at_the_fourth_order(
             chain.step(TIME / count)
         errors.append(math.dist(chain.angles, true))
     assert errors[-1] < 1e-7
-    assert slope(counts, errors) == pytest.approx(-4.0, abs=0.15)  # the fifth is a tenth of it
+    assert slope(counts, errors) == pytest.approx(-4.0, abs=0.15)  # the next order adds a tenth
 
 
 def test_positions_are_those_of_the_angles() -> None:
@@ -135,7 +136,7 @@ def test_positions_are_those_of_the_angles() -> None:
     [
         (explicit_euler, 1),
         (semi_implicit_euler, 1),
-        (leapfrog, 1),  # tensions depend on velocities
+        (leapfrog, 1),  # because tensions depend on velocities
         (velocity_verlet, 2),
         (runge_kutta_4, 4),
     ],
@@ -156,7 +157,7 @@ def test_tensions_let_an_integrator_step_rods_at_its_own_order(
 
 
 def test_a_conical_pendulum_goes_round_in_its_circle() -> None:
-    """In three dimensions: w^2 = g / (l cos a), and the tension is m g / cos a."""
+    """In three dimensions, w^2 = g / (l cos a), and the tension is m g / cos a."""
     length, angle, mass = 2.0, 0.8, 3.0
     radius, turn = length * math.sin(angle), math.sqrt(G / (length * math.cos(angle)))
     place = Vector3(radius, -length * math.cos(angle), 0.0)
@@ -177,7 +178,7 @@ def test_a_conical_pendulum_goes_round_in_its_circle() -> None:
         runge_kutta_4([bob], apply_forces, 0.002)
     found = [bob.position.x, bob.position.y, bob.position.z]
     true = [radius * math.cos(2.0 * turn), place.y, radius * math.sin(2.0 * turn)]
-    # w h is 0.005: its fourth power, 8e-10, for each of the 5 rad that it goes through is too much.
+    # w h is 0.005. Its fourth power, 8e-10, for each of 5 rad is more than enough.
     assert found == pytest.approx(true, abs=1e-9)
 
 
@@ -191,7 +192,7 @@ def test_tensions_carry_what_hangs_below() -> None:
 
 
 def test_forces_on_a_chain_count() -> None:
-    """Drag k1 on a small swing makes it a damped oscillator: a'' = -g a / l - k1 a' / m."""
+    """Drag k1 turns a small swing into a damped oscillator: a'' = -g a / l - k1 a' / m."""
     length, k1, mass, amplitude = 1.0, 1.5, 2.0, 1e-5
     (bob,) = particles_of(([length], [mass], [amplitude], [0.0]))
     rods, registry = RodTensions([bob], Vector3()), ForceRegistry()
@@ -206,7 +207,7 @@ def test_forces_on_a_chain_count() -> None:
     fade = 0.5 * k1 / mass
     swing = math.sqrt(G / length - fade**2)
     wanted = math.exp(-fade) * (math.cos(swing) + fade / swing * math.sin(swing))
-    # What is not linear is a fraction of the square of the amplitude.
+    # The nonlinear part is a fraction of the amplitude squared.
     assert bob.position.x == pytest.approx(amplitude * wanted, abs=1e-8 * amplitude)
 
 
@@ -220,16 +221,16 @@ def test_the_correction_keeps_rods_at_their_lengths_for_a_minute() -> None:
         ends = [Vector3(), *(particle.position for particle in particles)]
         found = [(b - a).magnitude() for a, b in pairwise(ends)]
         wrong[correction] = max(abs(a - b) for a, b in zip(found, TWO[0], strict=True))
-    # Each step is off by some 1e-7 m: 0.1 m in a minute, or in the 0.2 s of the correction 3e-6 m.
+    # A step has an error of about 1e-7 m: 0.1 m per minute, or 3e-6 m in the correction's 0.2 s.
     assert wrong[5.0] < 3e-5
     assert wrong[0.0] > 1e-3
 
 
 @pytest.mark.parametrize("speed", [0.0, 3.0])
 def test_a_chain_may_have_an_immovable_other_end(speed: float) -> None:
-    """Two rods of sqrt 0.5 m hold 1 kg at a right angle: each pulls with m g / sqrt 2.
+    """Two rods of sqrt 0.5 m hold 1 kg at a right angle, and each pulls with m g / sqrt 2.
 
-    A velocity that was given to the immovable end moves nothing, and so changes nothing.
+    A velocity of the immovable end moves nothing, so it makes no difference.
     """
     low = Particle(Vector3(0.5, -0.5), acceleration=Vector3(0.0, -G))
     end = Particle(Vector3(1.0, 0.0), Vector3(speed, speed), mass=INF)

@@ -1,4 +1,4 @@
-"""A bad duration is refused by name wherever it enters, and all is then as it was."""
+"""Each entry point rejects a bad duration with a clear message, and changes nothing."""
 
 from __future__ import annotations
 
@@ -43,11 +43,11 @@ from ch08_mass_aggregate.world import ParticleWorld
 FRAME = 1.0 / 60.0
 NO_TIME = (math.nan, math.inf, -math.inf, 10**400, "1", None, [1.0], 1j)
 
-Entry = tuple[object, Callable[[Any], object]]  # what may change, and what takes a duration
+Entry = tuple[object, Callable[[Any], object]]  # the state, and a function of the duration
 
 
 def body(kind: type[PlainParticle] = Particle) -> Any:
-    """Return a particle that moves, on which a force acts by hand if its kind knows forces."""
+    """Return a moving particle, with a force added by hand if its kind supports forces."""
     one = kind(Vector3(0.5, 0.1), Vector3(1.0, -2.0, 3.0), Vector3(0.0, -9.81), damping=0.9)
     if isinstance(one, Particle):
         one.add_force(Vector3(3.0, 2.0, 1.0))
@@ -149,7 +149,7 @@ def by_angles(make: Callable[[], Any]) -> Entry:
 def lax(
     particles: Sequence[Particle], apply_forces: integrators.ApplyForces, duration: float
 ) -> None:
-    """Step as a user may have written it: it refuses nothing, and moves before it asks."""
+    """Step as a user might write it: without any checks, and moving before evaluating forces."""
     for particle in particles:
         particle.position.add_scaled(particle.velocity, duration)
     apply_forces(duration)
@@ -158,7 +158,7 @@ def lax(
 
 
 def world(method: str, integrator: integrators.Integrator, kind: type[ParticleWorld]) -> Entry:
-    """Return a world in which one particle lies at rest, which may sleep, and one flies."""
+    """Return a world with one particle at rest, which may sleep, and one that flies."""
     bodies = [Particle(), body()]
     bodies[1].position = Vector3(2.0, 5.0)
     found = kind(bodies, [GroundPlane(bodies)], integrator=integrator)
@@ -258,7 +258,7 @@ NAMES = [name for name, _, _ in CASES]
 def test_it_is_refused_by_name_and_changes_nothing(
     make: Callable[[], Entry], wrong: Sequence[Any]
 ) -> None:
-    """The state is compared as pickle writes it: every number that can be reached."""
+    """The state is compared by pickling it, which includes every reachable number."""
     state, call = make()
     before = pickle.dumps(state)
     for duration in wrong:
@@ -270,6 +270,6 @@ def test_it_is_refused_by_name_and_changes_nothing(
 
 @pytest.mark.parametrize("make", [case[1] for case in CASES], ids=NAMES)
 def test_what_is_right_is_not_refused(make: Callable[[], Entry]) -> None:
-    """So an entry that refuses everything fails here."""
+    """An entry that rejects everything would fail here."""
     _, call = make()
     call(FRAME)

@@ -1,4 +1,4 @@
-"""The ballistic range against closed forms, known figures and pymunk, and what it refuses."""
+"""The ballistic range against closed forms, known figures and pymunk, and its errors."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)
 
 
 def flight(name: str, h: float, frames: int) -> list[tuple[tuple[float, ...], tuple[float, ...]]]:
-    """Return places and velocities of a shot, with x along the range, frame by frame."""
+    """Return positions and velocities of a shot, with x along the range, for each frame."""
     at = BallisticRange()
     at.fire(name)
     p = at.shots[0].particle
@@ -48,12 +48,12 @@ def flight(name: str, h: float, frames: int) -> list[tuple[tuple[float, ...], tu
 def test_shots_are_pymunk_bodies_in_the_vertical_plane_but_for_the_order_of_damping(
     name: str, h: float
 ) -> None:
-    """pymunk damps before it adds the acceleration (Eq. 3.6), the engine after (E-16).
+    """Pymunk damps before it adds the acceleration (Eq. 3.6), and the engine after it (E-16).
 
-    So pymunk's velocity is ahead by a h (1 - D^n) and its place by the sum of that, D = d^h.
+    With D = d^h, pymunk's velocity is ahead by a h (1 - D^n), and its position by the sum of that.
     """
     type = SHOT_TYPES[name]
-    frames = round(1.5 / h)  # before any of them is dropped or bounces
+    frames = round(1.5 / h)  # before any shot is removed or bounces
     ours = flight(name, h, frames)
     theirs = with_pymunk(flight_of(type, 1.5), h, frames)[1:]
     kept = type.damping**h
@@ -61,7 +61,7 @@ def test_shots_are_pymunk_bodies_in_the_vertical_plane_but_for_the_order_of_damp
     for n, ((place, velocity), body) in enumerate(zip(ours, theirs, strict=True), 1):
         ahead = a * h * (1.0 - kept**n)
         gone = a * h * h * (n - (1.0 - kept**n) / (1.0 - kept))
-        # 360 roundings of numbers up to 150, twice.
+        # The tolerance allows for 360 roundings of numbers up to 150, twice.
         assert body.velocity[0] == pytest.approx(velocity[0], abs=1e-10)
         assert body.velocity[1] == pytest.approx(velocity[1] + ahead, abs=1e-10)
         assert body.position[0] == pytest.approx(place[0], abs=1e-10)
@@ -73,7 +73,7 @@ def test_the_error_of_a_shot_is_of_first_order(name: str) -> None:
     counts = (200, 400, 800)
     exact = flight_of(SHOT_TYPES[name], 1.0).exact(1.0).position[:2]
     errors = [math.dist(flight(name, 1.0 / n, n)[-1][0], exact) for n in counts]
-    # The next order, h / t of the first, bends the line by less than a hundredth.
+    # The next order is h / t of the first, and changes the slope by less than a hundredth.
     assert slope(counts, errors) == pytest.approx(-1.0, abs=0.01)
 
 
@@ -98,7 +98,7 @@ def test_flight_time_and_range_reach_the_known_figures(
         share = before[1] / (before[1] - p.position.y)
         landings.append((before[0] + share * h, before[2] + share * (p.position.z - before[2])))
     coarse, fine = landings
-    # Of first order: twice the finer minus the coarser leaves an error of h^2, some 1e-6 of 120.
+    # With order 1, twice the finer result minus the coarser one has an error of h^2: 1e-6 of 120.
     assert 2.0 * fine[0] - coarse[0] == pytest.approx(time, abs=2e-6)
     assert 2.0 * fine[1] - coarse[1] == pytest.approx(reach, abs=1e-4)
 
@@ -120,12 +120,12 @@ def test_every_shot_leaves_the_range_in_the_end() -> None:
     st.floats(0.0, 1e3),
 )
 def test_aiming_keeps_the_speed(azimuth: float, elevation: float, speed: float) -> None:
-    # A dozen roundings.
+    # The tolerance allows for a dozen roundings.
     assert aim(speed, azimuth, elevation).magnitude() == pytest.approx(speed, rel=1e-14)
 
 
 def test_a_slowed_bullet_keeps_energy_and_arc() -> None:
-    """5 g at 500 m/s, shown 20 times slower: 625 J, and 0.2 m of fall over 100 m, both ways."""
+    """5 g at 500 m/s, slowed 20 times, has 625 J and falls 0.2 m in 100 m, both ways."""
     mass, speed, gravity, factor = 0.005, 500.0, 10.0, 20.0
     slow = speed / factor
     heavy = scaling.slowed_mass(mass, factor)
@@ -143,12 +143,12 @@ point = st.tuples(*[st.floats(-10.0, 10.0)] * 3)
 def test_the_first_touch_of_a_block_is_that_of_its_faces(
     start: Any, end: Any, middle: Any, size: Any
 ) -> None:
-    """Against a way of its own: of the points where a face's plane is crossed, those on the box."""
+    """Another method finds the crossings of the faces' planes that are on the box."""
     block = TargetBlock(Vector3(*middle), size, mass=1.0)
     got = hit_fraction(Vector3(*start), Vector3(*end), block)
 
     def outside(share: float) -> float:
-        """Return by how much the point at this share of the way is outside the box, in m."""
+        """Return the distance in m of the point at this fraction of the path from the box."""
         return max(
             abs(s + (e - s) * share - m) - side / 2.0
             for s, e, m, side in zip(start, end, middle, size, strict=True)
@@ -158,7 +158,7 @@ def test_the_first_touch_of_a_block_is_that_of_its_faces(
     for s, e, m, side in zip(start, end, middle, size, strict=True):
         if abs(e - s) > 1e-9:
             shares += [(m + sign * side / 2.0 - s) / (e - s) for sign in (-1.0, 1.0)]
-    # 1e-9 m is far above rounding, and far below what another face would be off.
+    # 1e-9 m is far above rounding, and far below the distance of any other face.
     touching = sorted(t for t in shares if 0.0 <= t <= 1.0 and outside(t) <= 1e-9)
     if got is not None:
         assert outside(got) <= 1e-9
@@ -169,7 +169,7 @@ def test_the_first_touch_of_a_block_is_that_of_its_faces(
 
 
 def test_no_frame_is_too_long_for_a_thin_block() -> None:
-    """A laser at 1 Hz moves 100 m a frame, and a wall of 1 mm stops it."""
+    """At 1 Hz a laser moves 100 m per frame, but a wall of 1 mm stops it."""
     for h in (1.0, 1.0 / 3.0, 1.0 / 60.0):
         wall = TargetBlock(Vector3(0, 1.5, 57.3), (2.0, 2.0, 0.001), mass=INF)
         at = BallisticRange([wall])
@@ -199,7 +199,7 @@ def test_a_grenade_never_gains_energy_by_its_bounces() -> None:
     for _ in range(round(FUSE * 60) - 2):
         at.update(1.0 / 60.0)
         energies.append(p.kinetic_energy() + p.mass * 10.0 * p.position.y)
-    # Explicit Euler adds (g h)^2 / 2 a kilogram in a step; damping and bounces take more.
+    # Explicit Euler adds (g h)^2 / 2 per kilogram and step. Damping and bounces remove more.
     assert all(b <= a + 1e-12 for a, b in itertools.pairwise(energies))
 
 
@@ -207,14 +207,14 @@ def test_a_burst_adds_the_energy_of_its_fragments_and_nothing_else() -> None:
     p = Particle(Vector3(1, 2, 3), Vector3(4, -5, 6), Vector3(0, -10, 0), mass=0.6)
     pieces = fragments(p)
     energy = math.fsum(piece.kinetic_energy() for piece in pieces)
-    # König's theorem: that of the whole plus that of the motion about it, m 15^2 / 2.
+    # König's theorem: the energy of the whole plus that of the relative motion, m 15^2 / 2.
     assert energy == pytest.approx(p.kinetic_energy() + 0.5 * 0.6 * 15.0**2, rel=1e-14)
     closest = min(
         math.dist(tuple(a.velocity), tuple(b.velocity))
         for i, a in enumerate(pieces)
         for b in pieces[:i]
     )
-    # The corners of an icosahedron are 1.0515 radii apart.
+    # Neighboring corners of an icosahedron are 1.0515 radii apart.
     assert closest == pytest.approx(15.0 * 1.0514622, rel=1e-7)
 
 
@@ -290,7 +290,7 @@ def test_a_lifetime_ends_just_past_its_limit(limit: str) -> None:
 
 
 def test_a_bounce_is_no_trap() -> None:
-    """Bouncing again and again ends on the ground, at rest along Y, and not below it."""
+    """Repeated bounces end at rest along Y on the ground, and not below it."""
     p = Particle(Vector3(0, 1, 0), Vector3(1, 0, 0), Vector3(0, -10, 0))
     for _ in range(2000):
         p.integrate(1.0 / 60.0)

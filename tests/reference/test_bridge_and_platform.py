@@ -1,6 +1,6 @@
-"""The rope bridge and the tilting platform: energy, rest, torques, and pymunk beside them.
+"""The rope bridge and the tilting platform: energy, rest, torques, and comparison with pymunk.
 
-Half a minute at each rate is most of the time of these tests.
+The runs of half a minute at each rate take most of the time of these tests.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ GRAVITY = Vector3(0.0, -G, 0.0)
 
 
 def run(scene: Bridge | TiltingPlatform, seconds: float, rate: int = 60) -> list[float]:
-    """Let it run, and return the mechanical energy after each frame."""
+    """Run a scene, and return the mechanical energy after each frame."""
     energies = []
     for _ in range(round(seconds * rate)):
         scene.step(1.0 / rate)
@@ -41,14 +41,14 @@ def spread_of(energies: Sequence[float]) -> float:
     return (max(energies) - min(energies)) / abs(energies[-1])
 
 
-# Half a minute
+# Runs of half a minute
 
 
 @cache
 def half_a_minute(rate: int) -> tuple[Bridge, list[float]]:
-    """Return a bridge with its ball after 30 s, and its energies: the first one that it had.
+    """Return a bridge with its ball after 30 s, and its energies including the initial one.
 
-    At other rates than 60 Hz it runs for 12 s, after which it has come to rest as well.
+    At other rates than 60 Hz it runs for 12 s, which is enough for it to come to rest.
     """
     bridge = Bridge()
     start = mechanical_energy(bridge.world.particles)
@@ -57,10 +57,10 @@ def half_a_minute(rate: int) -> tuple[Bridge, list[float]]:
 
 @pytest.mark.parametrize("rate", [30, 60, 120])
 def test_a_bridge_comes_to_rest_and_never_has_more_energy_than_at_first(rate: int) -> None:
-    """Measured of 425 J in the last 5 s: 0.004, 0.009 and 0.002 %; stretched: 0.15 % at most."""
+    """In the last 5 s, 0.004, 0.009 and 0.002 % of 425 J were measured, and 0.15 % stretch."""
     bridge, (start, *energies) = half_a_minute(rate)
     assert all(map(math.isfinite, energies))
-    # The first frame falls already: no rounding is to be allowed for.
+    # The first frame already loses energy, so no rounding has to be allowed for.
     assert max(energies) < start
     assert spread_of(energies[-5 * rate :]) < 1e-3
     for link in bridge.links:
@@ -80,7 +80,7 @@ def test_a_bridge_comes_to_rest_and_never_has_more_energy_than_at_first(rate: in
 def test_a_platform_comes_to_rest_and_never_has_more_energy_than_at_first(
     rate: int, mass: float
 ) -> None:
-    """Without a weight, and tipped by one. Measured: 0.024, 0.009 and 0.002 %."""
+    """Test it without a weight and tipped by a weight. Measured: 0.024, 0.009 and 0.002 %."""
     platform = TiltingPlatform()
     platform.put_weight(mass, -3.0)
     start = mechanical_energy(platform.particles)
@@ -90,14 +90,14 @@ def test_a_platform_comes_to_rest_and_never_has_more_energy_than_at_first(
     assert spread_of(energies[-5 * rate :]) < 1e-3
     for rod in platform.rods:
         length = (rod.b.position - rod.a.position).magnitude()
-        assert length == pytest.approx(rod.length, rel=1e-4)  # measured: 1e-5 at 30 a second
+        assert length == pytest.approx(rod.length, rel=1e-4)  # 1e-5 was measured at 30 Hz
 
 
-# Where a bridge hangs
+# The position of the bridge
 
-# The minimum of potential energy of one side of the bridge, with the cables' lengths as limits:
-# SciPy, minimize, SLSQP, ftol 1e-13, the best of 20 starts. All 11 cables are taut there. The
-# cables go 0.2 m sideways as well, from z 1 to z 0.8.
+# The minimum of the potential energy of one side of the bridge, limited by the cables' lengths. It
+# was found with SciPy's minimize, SLSQP, ftol 1e-13, as the best of 20 starts. All 11 cables are
+# taut there. The cables also go 0.2 m sideways, from z 1 to z 0.8.
 HANGS = [(0.95, 2.007820), (2.772244, 2.545803), (4.572245, 3.154078)]
 WITH_ONE_SIDE_LOADED = [
     (-4.609204, 3.142294),
@@ -110,7 +110,7 @@ WITH_ONE_SIDE_LOADED = [
 
 
 def pymunk_bridge(loads: Sequence[float]) -> list[tuple[float, float]]:
-    """Return where one side of the bridge hangs in pymunk, seen from the side, after a minute."""
+    """Return the positions of one side of pymunk's bridge after a minute, seen from the side."""
     space = pymunk.Space()
     space.gravity, space.damping, space.iterations = (0.0, -G), 0.6, 50
     planks = []
@@ -129,11 +129,11 @@ def pymunk_bridge(loads: Sequence[float]) -> list[tuple[float, float]]:
 
 
 def test_pymunk_s_bridge_hangs_at_the_minimum_of_potential_energy() -> None:
-    """Its joints give by less than 0.1 mm: two ways to know where ours should hang."""
+    """Pymunk's joints give less than 0.1 mm, so two methods agree on the expected positions."""
     wanted = [(-x, y) for x, y in reversed(HANGS)] + HANGS
     for loads, places in (
         ([0.0] * 6, wanted),
-        ([0.0, 0.0, 1.25, 1.25, 0.0, 0.0], wanted),  # on the same cables, all taut
+        ([0.0, 0.0, 1.25, 1.25, 0.0, 0.0], wanted),  # on the same cables, which are all taut
         ([0.0, 0.0, 2.5, 0.0, 0.0, 0.0], WITH_ONE_SIDE_LOADED),
     ):
         for got, place in zip(pymunk_bridge(loads), places, strict=True):
@@ -142,9 +142,9 @@ def test_pymunk_s_bridge_hangs_at_the_minimum_of_potential_energy() -> None:
 
 @pytest.mark.parametrize(("rate", "off"), [(60, 1e-3), (120, 3e-4)])
 def test_an_empty_bridge_hangs_at_the_minimum_of_potential_energy(rate: int, off: float) -> None:
-    """The ball lies on the ground, beside it. In a frame what hangs falls g h^2, 2.7 and 0.7 mm.
+    """The ball lies on the ground beside it. In a frame the ends fall by g h^2, 2.7 and 0.7 mm.
 
-    That is resolved, but for a part; what is left was measured as 0.5 and 0.13 mm.
+    Most of that is resolved. A rest of 0.5 and 0.13 mm was measured.
     """
     bridge = Bridge(x=20.0)
     run(bridge, 8.0, rate)
@@ -158,37 +158,37 @@ def test_an_empty_bridge_hangs_at_the_minimum_of_potential_energy(rate: int, off
 
 
 def test_a_bridge_with_its_ball_sags_as_pymunk_s_does() -> None:
-    """5 kg in the middle: half of it on each row, and half of that on each end.
+    """5 kg are in the middle, half of it on each row, and half of that on each end.
 
-    Along X the bridge sways freely, and heights follow by a third of it: what a frame leaves
-    undone, mostly at the row that bears the ball in it, shifts it by 15 mm. In the middle the
-    deck is level, and there the height is what gravity decides.
+    The bridge sways freely along X, and a third of that changes the heights. The row with the ball
+    keeps a small error in each frame, which shifts the bridge by 15 mm. In the middle the deck is
+    level, and gravity alone determines the height.
     """
     bridge, _ = half_a_minute(60)
     theirs = pymunk_bridge([0.0, 0.0, 1.25, 1.25, 0.0, 0.0])
     for (a, b), (x, y) in zip(bridge.rows, theirs, strict=True):
         middle = (a.position + b.position) * 0.5
-        assert middle.y == pytest.approx(y, abs=7.5e-3)  # 5.5 mm measured, at the ends
+        assert middle.y == pytest.approx(y, abs=7.5e-3)  # 5.5 mm were measured at the ends
         assert middle.x == pytest.approx(x, abs=0.03)
     assert bridge.ball.position.y == pytest.approx(theirs[2][1] + 0.5, abs=2e-3)
 
 
-# The platform by torques
+# The platform and its torques
 
 
 @pytest.mark.parametrize(("share", "tilt"), [(0.98, -1.0), (1.02, 1.0)])
 def test_a_platform_tips_at_the_mass_that_torques_say(share: float, tilt: float) -> None:
-    """Two of 1 kg at -3 m and two at 4 m: 2/3 kg at -3 m balance them. 4 s, from level."""
+    """2/3 kg at -3 m balance two times 1 kg at -3 m and at 4 m. It runs for 4 s from level."""
     assert balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0) == pytest.approx(2.0 / 3.0)
     platform = TiltingPlatform()
     platform.put_weight(share * 2.0 / 3.0, -3.0)
     run(platform, 4.0)
-    # The torque is 0.4 N m, on 77 kg m^2: 0.005 rad / s^2, and growing as it tips.
+    # The torque is 0.4 N m on 77 kg m^2. This gives 0.005 rad/s^2, which grows as it tips.
     assert platform.tilt() * tilt > 0.02
 
 
 def test_a_tipped_platform_lies_where_geometry_says() -> None:
-    """An end 4.47 m from the pivot lies on the ground; the other one is 2.36 rad further round."""
+    """One end, 4.47 m from the pivot, lies on the ground, and the other is 2.36 rad around."""
     for mass, end, length in ((0.0, 4, math.hypot(4.0, 2.0)), (3.0, 2, math.hypot(3.0, 2.0))):
         platform = TiltingPlatform()
         platform.put_weight(mass, -3.0)
@@ -197,7 +197,7 @@ def test_a_tipped_platform_lies_where_geometry_says() -> None:
         other, far = (2, math.hypot(3.0, 2.0)) if end == 4 else (4, math.hypot(4.0, 2.0))
         side = 1.0 if end == 4 else -1.0
         lying, up = platform.particles[end].position, platform.particles[other].position
-        # What lies there bounces by up to g h^2 = 2.7 mm, on its lever.
+        # The end on the ground bounces by up to g h^2 = 2.7 mm at its lever arm.
         assert (lying.x, lying.y) == pytest.approx((side * length, 0.0), abs=3e-3)
         wanted = (side * far * math.cos(between), far * math.sin(between))
         assert (up.x, up.y) == pytest.approx(wanted, abs=3e-3)
@@ -205,11 +205,12 @@ def test_a_tipped_platform_lies_where_geometry_says() -> None:
 
 @pytest.mark.parametrize("share", [0.98, 1.02])
 def test_a_weight_lifts_a_platform_that_lies_on_its_other_end(share: float) -> None:
-    """2 kg at 4.472 m, and 2 kg and the weight at -1.789 m: it takes 3 kg.
+    """It takes 3 kg, because 2 kg are at 4.472 m, and 2 kg and the weight at -1.789 m.
 
-    With 2 % less it lies, but could balance 0.007 rad higher: the left end moves outwards as it
-    falls. What lies there bounces, by 23 mm/s at 120 frames a second. At 60 it is twice as much,
-    37 mm/s are enough to get there, and 2 % less than 3 kg tips it too: a frame's fall is no rest.
+    With 2 % less the platform stays down, although it could balance 0.007 rad higher, because the
+    left end moves outward as it falls. The end on the ground bounces with 23 mm/s at 120 Hz. At
+    60 Hz it is twice as much, which exceeds the 37 mm/s that are needed to get there. Then even
+    2 % less than 3 kg tips the platform.
     """
     arm = math.hypot(4.0, 2.0)
     left = math.hypot(3.0, 2.0) * math.cos(math.atan2(2.0, -3.0) - math.atan2(2.0, 4.0))
@@ -228,7 +229,7 @@ def test_a_weight_lifts_a_platform_that_lies_on_its_other_end(share: float) -> N
 
 @pytest.mark.parametrize(("mass", "x"), [(0.0, 0.0), (3.0, -3.0), (1.0, 2.0)])
 def test_a_free_platform_s_center_of_mass_falls_straight_down(mass: float, x: float) -> None:
-    """There is no friction: what pushes it is upright, and so its center keeps its x and z."""
+    """Without friction only vertical forces act, so the center of mass keeps its x and z."""
     platform = TiltingPlatform()
     platform.put_weight(mass, x)
     platform.free_pivot()
@@ -244,7 +245,7 @@ def test_a_free_platform_s_center_of_mass_falls_straight_down(mass: float, x: fl
     for _ in range(600):
         platform.step(FRAME)
         now = center()
-        # 600 frames of 200 moves, each rounded at 4 m: on the average far less than at worst.
+        # 600 frames of 200 moves, each rounded at 4 m. On average the sum is far below the worst.
         assert (now[0], now[2]) == pytest.approx((start[0], start[2]), abs=1e-11)
         lowest = min(lowest, *(p.position.y for p in platform.particles))
     assert now[1] < start[1] - 0.1
@@ -256,7 +257,7 @@ def test_a_free_platform_s_center_of_mass_falls_straight_down(mass: float, x: fl
 
 
 def test_an_even_weight_turns_nothing_about_itself() -> None:
-    """Masses and center of mass of both ends, for a weight at any place between them."""
+    """Both ends have the right mass and center of mass for a weight at any position between."""
     platform = TiltingPlatform()
     for mass, x in ((2.0, -3.0), (5.0, 4.0), (7.0, 0.5), (0.0, 1.0)):
         platform.put_weight(mass, x)
@@ -268,7 +269,7 @@ def test_an_even_weight_turns_nothing_about_itself() -> None:
         assert masses[2] == masses[3]
 
 
-# Chains and stacks in pymunk
+# Chains and stacks compared with pymunk
 
 
 def pymunk_chain(rate: int, time: float) -> list[tuple[float, float]]:
@@ -302,10 +303,10 @@ def chain(rate: int, time: float, how: str) -> list[tuple[float, float]]:
 
 
 def test_a_swinging_chain_is_where_pymunk_s_pin_joints_have_it() -> None:
-    """Four links of 0.5 m let go 37 degrees from upright, after 1 s: on the other side.
+    """Four links of 0.5 m, released at 37 degrees, are on the other side after 1 s.
 
-    DirectChain is of the second order, and so the truth at 4000 frames; the other two are of the
-    first: at 960 and 3840 a second they come four times nearer to it.
+    DirectChain has order 2, so 4000 frames give the exact position. The other two have order 1, so
+    their error at 3840 Hz is a quarter of the error at 960 Hz.
     """
     truth = chain(4000, 1.0, "direct")
     assert truth[-1][0] < -0.3
@@ -320,14 +321,14 @@ def test_a_swinging_chain_is_where_pymunk_s_pin_joints_have_it() -> None:
 
 @pytest.mark.parametrize("n", [1, 3, 5])
 def test_a_stack_rests_at_the_heights_of_its_radii_and_pymunk_s_does_too(n: int) -> None:
-    """Spheres of 0.5 m radius, let fall one by one: 0.5, 1.5, 2.5 m and so on."""
+    """Spheres of 0.5 m radius that fall one by one come to rest at 0.5, 1.5, 2.5 m and so on."""
     wanted = [0.5 + i for i in range(n)]
     balls = [Particle(Vector3(0.0, 0.6 + 1.1 * i), acceleration=GRAVITY) for i in range(n)]
     grounds = [GroundPlane(balls, radius=0.5), ParticlePairs(balls, 0.5)]
     world = ParticleWorld(balls, grounds, iterations=200)
     for _ in range(300):
         world.step(FRAME)
-    # What falls for a frame is g h^2, 2.7 mm, deep; and then it is resolved, whenever that is.
+    # A fall of one frame is g h^2 = 2.7 mm deep until it is resolved.
     assert [ball.position.y for ball in balls] == pytest.approx(wanted, abs=G * FRAME**2 * n)
     space = pymunk.Space()
     space.gravity, space.iterations, space.collision_slop = (0.0, -G), 50, 1e-4
@@ -341,5 +342,5 @@ def test_a_stack_rests_at_the_heights_of_its_radii_and_pymunk_s_does_too(n: int)
         theirs.append(body)
     for _ in range(600):
         space.step(FRAME)
-    # Its slop of 0.1 mm for each that is below.
+    # Pymunk allows an overlap of 0.1 mm for each sphere below.
     assert [body.position.y for body in theirs] == pytest.approx(wanted, abs=2e-4 * n)

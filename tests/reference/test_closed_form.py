@@ -1,4 +1,4 @@
-"""The closed form against decimals of 80 digits, and against the flights' own exact paths."""
+"""The closed form compared with decimals of 80 digits and with the exact paths of flights."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from studies.drag_flight import DRAG_FLIGHTS, DragFlight, make_particle
 
 
 def in_decimals(damping: float, time: float) -> tuple[float, float, float]:
-    """Return the factors from the formulas as they stand, with 80 digits to lose."""
+    """Return the factors, computed directly from the formulas with 80 digits."""
     with localcontext() as context:
         context.prec = 80
         d, t = Decimal(damping), Decimal(time)
@@ -29,7 +29,8 @@ def in_decimals(damping: float, time: float) -> tuple[float, float, float]:
 
 
 def expect_factors(damping: float, time: float) -> None:
-    # A few roundings. kept is e^(-kt): the rounding of ln d counts kt times in it.
+    # The tolerance allows for a few roundings. kept is e^(-kt), so the rounding of ln d counts kt
+    # times.
     kt = abs(math.log(damping) * time)
     for got, wanted in zip(drag_factors(damping, time), in_decimals(damping, time), strict=True):
         assert got == pytest.approx(wanted, rel=1e-15 * (8.0 + kt), abs=1e-300)
@@ -60,7 +61,7 @@ def test_a_flight_s_exact_path_is_found(flight: DragFlight) -> None:
         time = flight.duration * i / 10.0
         position, velocity = state_after(start, time)
         exact = flight.exact(time)
-        # Two ways to write one formula: a few roundings of numbers up to 130.
+        # Two forms of the same formula differ by a few roundings of numbers up to 130.
         assert tuple(position) == pytest.approx(exact.position, abs=1e-12)
         assert tuple(velocity) == pytest.approx(exact.velocity, abs=1e-12)
 
@@ -86,7 +87,7 @@ def test_what_fits_in_no_float_is_refused_and_no_nan() -> None:
     for damping, time in ((1.0, 1e200), (1.0, 1e155), (2.0, 2000.0)):
         with pytest.raises(OverflowError):
             state_after(Particle(damping=damping), time)
-    # With drag a long time is no trouble: all has stopped, or falls at its terminal speed.
+    # With drag a long time is possible, because motion ends or reaches the terminal speed.
     kept, gone, fallen = drag_factors(0.5, 1e300)
     assert (kept, gone) == (0.0, pytest.approx(1.0 / math.log(2.0), rel=1e-15))
     assert fallen == pytest.approx(1e300 / math.log(2.0), rel=1e-15)

@@ -1,4 +1,4 @@
-"""Collisions against their closed forms, and what lies on the ground against lying still."""
+"""Collisions agree with their closed forms, and bodies at rest on the ground stay at rest."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ velocities = st.builds(Vector3, *[st.floats(-50.0, 50.0)] * 3)
 restitutions = st.sampled_from([0.0, 0.5, 1.0]) | st.floats(0.0, 1.0)
 
 
-# What is refused
+# Rejected arguments
 
 
 @pytest.mark.parametrize("off", [-1.0, -1.1e-6, 1.1e-6, 1.0])
@@ -88,7 +88,7 @@ def test_a_frame_that_is_none_is_refused_before_anything_moves(value: float) -> 
         contact.resolve(value)
     with pytest.raises(ValueError, match="duration"):
         ContactResolver().resolve_contacts([contact], value)
-    if value != 0.0:  # which is an impact at a point of time
+    if value != 0.0:  # 0 means an instantaneous impact
         with pytest.raises(ValueError, match="duration"):
             contact.resolve_velocity(value)
     assert (ball.position, ball.velocity.y, contact.penetration) == (Vector3(), -1.0, 0.1)
@@ -98,11 +98,11 @@ def test_a_frame_that_is_none_is_refused_before_anything_moves(value: float) -> 
 
 
 def test_the_sample_of_a_collision() -> None:
-    """1 and 2 kg, 3 and -1 m/s, c 0.5: -1 and 1 m/s, and mu (1 - c^2) dv^2 / 2 = 4 J are lost."""
+    """1 and 2 kg at 3 and -1 m/s with c = 0.5 end at -1 and 1 m/s and lose 4 J."""
     a, b = Particle(velocity=Vector3(3.0)), Particle(Vector3(1.0), Vector3(-1.0), mass=2.0)
     before = a.kinetic_energy() + b.kinetic_energy()
     Contact(a, b, Vector3(-1.0), 0.5).resolve_velocity()
-    # One rounding of 1 / (1 + 1 / 2): 6 m/s times two roundings.
+    # 1 / (1 + 1 / 2) has one rounding, so 6 m/s has two.
     assert (a.velocity.x, b.velocity.x) == pytest.approx((-1.0, 1.0), abs=2e-15)
     assert before - a.kinetic_energy() - b.kinetic_energy() == pytest.approx(4.0, abs=1e-14)
 
@@ -118,25 +118,25 @@ def test_any_collision_keeps_momentum_and_loses_what_the_closed_form_says(
     if closing >= 0.0:
         assert (a.velocity, b.velocity) == (va, vb)
         return
-    # Each velocity is the sum of two numbers of at most 300 m/s, which are right to some 8
-    # roundings; times its mass, that is what the momentum may be off.
+    # Each velocity is the sum of two numbers of at most 300 m/s with about 8 roundings. Multiplied
+    # by the mass, this is the allowed error of the momentum.
     heavy = (m + n) * 300.0 * 8.0 * ROUNDING
     for axis in range(3):
         kept = m * tuple(va)[axis] + n * tuple(vb)[axis]
         now = m * tuple(a.velocity)[axis] + n * tuple(b.velocity)[axis]
         assert now == pytest.approx(kept, abs=heavy)
-    # The differences of velocities of 300 m/s, with as many roundings, and a normal of 1 to two.
+    # Velocity differences of 300 m/s have as many roundings, and so has the normal.
     slip = 300.0 * 24.0 * ROUNDING
     apart = a.velocity - b.velocity
     assert apart.dot(normal) == pytest.approx(-c * closing, abs=slip)
     for particle, first in ((a, va), (b, vb)):
         change = particle.velocity - first
         along = change.dot(normal)
-        assert (change - normal * along).magnitude() <= slip  # nothing along the surface
+        assert (change - normal * along).magnitude() <= slip  # no change along the surface
     reduced = m * n / (m + n)
     lost = before - a.kinetic_energy() - b.kinetic_energy()
     wanted = 0.5 * reduced * (1.0 - c * c) * closing**2
-    # Energies are right to m v times what the velocities are off.
+    # The error of an energy is m v times that of the velocity.
     assert lost == pytest.approx(wanted, abs=(m + n) * 300.0 * slip)
 
 
@@ -145,13 +145,13 @@ def test_what_is_immovable_gives_all_of_the_change_to_its_partner(
     m: float, v: Vector3, normal: Vector3, c: float, wall: str
 ) -> None:
     ball, fixed = Particle(velocity=v, mass=m), Particle(mass=math.inf)
-    if wall == "particle":  # seen from the ball the normal leads back
+    if wall == "particle":  # seen from the ball, the normal is reversed
         Contact(fixed, ball, -normal, c).resolve_velocity()
     else:
         Contact(ball, fixed if wall == "other" else None, normal, c).resolve_velocity()
     closing = min(0.0, v.dot(normal))
     wanted = v - normal * ((1.0 + c) * closing)
-    # Some roundings of at most 87 m/s times two, on each axis.
+    # The tolerance allows for some roundings of at most 87 m/s times two, on each axis.
     assert tuple(ball.velocity) == pytest.approx(tuple(wanted), abs=170.0 * 16.0 * ROUNDING)
     assert tuple(fixed.velocity) == (0.0, 0.0, 0.0)
 
@@ -162,19 +162,19 @@ def test_a_moving_wall_throws_twice_its_speed_back_and_is_not_slowed() -> None:
     assert (ball.velocity.x, wall.velocity.x) == (2.0 * 2.0 + 3.0, 2.0)
 
 
-# Out of each other
+# Resolving penetrations
 
 
 @given(masses, masses, normals, st.floats(1e-6, 10.0))
 def test_the_depth_is_shared_by_inverse_mass(
     m: float, n: float, normal: Vector3, depth: float
 ) -> None:
-    """They part by the depth, their center of mass stays, and what is returned is what moved."""
+    """The particles separate by the depth, their center stays, and the moves are returned."""
     a, b = Particle(Vector3(1.0, 2.0, 3.0), mass=m), Particle(mass=n)
     contact = Contact(a, b, normal, 0.5, depth)
     moves = contact.resolve_penetration()
     assert contact.penetration == 0.0
-    off = (10.0 + 4.0) * 16.0 * ROUNDING  # of depths up to 10 m, and places of 4 m
+    off = (10.0 + 4.0) * 16.0 * ROUNDING  # for depths up to 10 m and positions up to 4 m
     for particle, place, move, share in (
         (a, Vector3(1.0, 2.0, 3.0), moves[0], n / (m + n)),
         (b, Vector3(), moves[1], -m / (m + n)),
@@ -212,31 +212,31 @@ def test_the_one_that_can_be_moved_is_moved_all_the_way(m: float, n: float) -> N
 def test_what_the_frame_itself_has_built_up_gets_no_bounce(
     c: float, share: float, bounces: float
 ) -> None:
-    """A frame of 10 m/s^2 explains 10 h: only what is above that bounces, and never below 0."""
+    """A frame of 10 m/s^2 explains 10 h. Only the speed above that bounces, and never below 0."""
     ball = Particle(velocity=Vector3(0.0, -10.0 * FRAME * share), acceleration=UP * -10.0)
     contact = Contact(ball, None, UP, c)
-    # Two roundings of half a meter a second.
+    # Two roundings of half a meter per second.
     assert contact.velocity_after(FRAME) == pytest.approx(c * bounces * 10.0 * FRAME, abs=1e-16)
-    assert contact.velocity_after() == c * -ball.velocity.y  # an impact: no frame
-    ball.acceleration.y = 10.0  # away from the ground: that has not made it close
+    assert contact.velocity_after() == c * -ball.velocity.y  # an impact without a frame
+    ball.acceleration.y = 10.0  # away from the ground, so it did not cause the closing speed
     assert contact.velocity_after(FRAME) == c * -ball.velocity.y
 
 
 @pytest.mark.parametrize("first", [True, False])
 def test_an_acceleration_of_what_is_immovable_counts_none(first: bool) -> None:
-    """A ball at 3 m/s, 10 m/s^2 for 0.1 s: 0.5 (3 - 1) = 1. The wall's would take that 1 away."""
+    """A ball at 3 m/s and 10 m/s^2 for 0.1 s gives 0.5 (3 - 1) = 1. The wall's must not count."""
     ball = Particle(velocity=Vector3(0.0, -3.0), acceleration=UP * -10.0)
     wall = Particle(acceleration=UP * -10.0, mass=math.inf)
     contact = Contact(ball, wall, UP, 0.5) if first else Contact(wall, ball, -UP, 0.5)
     assert contact.velocity_after(0.1) == pytest.approx(1.0, abs=1e-15)  # a rounding or two
-    wall.mass = 1.0  # now it falls as the ball does, and the frame has built up nothing
+    wall.mass = 1.0  # it now falls like the ball, so the frame has built up nothing
     assert contact.velocity_after(0.1) == 1.5
 
 
 def fall(
     step: Integrator, height: float, c: float, frames: int, *, built_in: bool, g: float = 9.81
 ) -> list[float]:
-    """Return the height after every frame of a ball over level ground."""
+    """Return the height of a ball over level ground after every frame."""
     ball = Particle(Vector3(0.0, height), acceleration=UP * (-g if built_in else 0.0))
     registry, resolver = ForceRegistry(), ContactResolver()
     if not built_in:
@@ -255,45 +255,45 @@ def fall(
 def test_what_rests_moves_less_than_a_millimeter_in_a_minute(
     c: float, height: float, built_in: bool
 ) -> None:
-    """The first frame closes with g h and no more, so it is stopped, put right, and stays."""
+    """The first frame closes with g h at most, so the ball is stopped, corrected, and stays."""
     heights = fall(semi_implicit_euler, height, c, 3600, built_in=built_in)
-    # The depth of each frame is put right to a rounding of g h^2 = 3 mm.
+    # Each frame corrects the depth, with an error of one rounding of g h^2 = 3 mm.
     assert max(abs(y) for y in heights) <= 1e-18
     assert max(abs(y - height) for y in heights) < 1e-3
 
 
 @pytest.mark.parametrize(("c", "left"), [(0.5, 1.36e-3), (0.9, 2.70e-3)])
 def test_the_book_s_step_leaves_a_jitter_of_millimeters(c: float, left: float) -> None:
-    """Released 1e-6 m above the ground, under 9.81 m/s^2: g h^2 c, and its first bounces.
+    """Released 1e-6 m above the ground, the first bounces reach g h^2 c with g = 9.81 m/s^2.
 
-    Explicit Euler lets the first frame pass, so the ball arrives with two frames' worth of speed,
-    and the rule takes off one.
+    Explicit Euler misses the contact in the first frame, so the ball arrives with the speed of two
+    frames, and the rule removes the speed of one.
     """
     heights = fall(explicit_euler, 1e-6, c, 3600, built_in=True)
     assert max(heights) == pytest.approx(left, rel=0.01)  # three digits are known
-    # c bounces of one frame each: it leaves with c g h, is back within two, and so on for ever.
+    # The ball leaves with c g h and is back within two frames, again and again.
     assert max(heights[-600:]) > 0.3 * left
-    assert max(fall(explicit_euler, 0.0, c, 600, built_in=True)) == 0.0  # placed exactly, it rests
+    assert max(fall(explicit_euler, 0.0, c, 600, built_in=True)) == 0.0  # exactly on the ground
 
 
 def test_a_ball_that_falls_from_a_height_comes_to_rest() -> None:
-    """The other side of the rule: above a millimeter it bounces, by about c^2 of the height."""
+    """Above a millimeter the rule lets the ball bounce, to about c^2 of the height."""
     heights = fall(semi_implicit_euler, 1.0, 0.5, 600, built_in=False)
     low = heights.index(min(heights[:40]))
-    # It leaves with c (v - g h), a part in 27 less: 8 % of the height. The step, velocity first,
-    # takes another v h / 2 off it, 18 mm of 250.
+    # The ball leaves with c (v - g h), which is 1/27 less and costs 8 % of the height. The step,
+    # velocity first, costs another v h / 2, or 18 mm of 250.
     assert max(heights[low:]) == pytest.approx(0.25, rel=0.16)
     assert max(map(abs, heights[-300:])) < 1e-15
 
 
 def test_two_balls_at_rest_on_each_other_stay() -> None:
-    """Four iterations do not end what goes to and fro between both contacts, but nearly so."""
+    """Four iterations almost end the exchange of velocities between the two contacts."""
     balls = [Particle(Vector3(0.0, y), acceleration=UP * -9.81) for y in (0.5, 1.5)]
     ground, pairs = GroundPlane(balls, radius=0.5), ParticlePairs(balls, 0.5)
     resolver = ContactResolver()
     for _ in range(3600):
         semi_implicit_euler(balls, lambda _: None, FRAME)
         resolver.resolve_contacts(ground.contacts() + pairs.contacts(), FRAME)
-        # Twice the fall of one frame, which is 2.7 mm.
+        # Twice the fall in a frame, which is 2.7 mm.
         wanted = pytest.approx([0.5, 1.5], abs=2.0 * 9.81 * FRAME**2)
         assert [ball.position.y for ball in balls] == wanted

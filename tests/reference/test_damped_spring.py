@@ -1,4 +1,4 @@
-"""The closed form of a damped spring, against the exponential of its matrix with 120 digits."""
+"""The closed form of a damped spring compared with a matrix exponential of 120 digits."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Row = tuple[Decimal, Decimal]
 Matrix = tuple[Row, Row]
 
 start = st.floats(-10.0, 10.0)
-share = st.floats(0.0, 4.0)  # of the critical damping: all three regimes
+share = st.floats(0.0, 4.0)  # fraction of critical damping, for all three regimes
 rate = st.floats(-2.0, 3.0).map(lambda power: 10.0**power)
 mass = st.floats(-2.0, 3.0).map(lambda power: 10.0**power)
 
@@ -30,10 +30,10 @@ def product(a: Matrix, b: Matrix) -> Matrix:
 def in_decimals(
     x0: float, v0: float, k: float, c: float, m: float, time: float
 ) -> tuple[Decimal, Decimal]:
-    """Return the state from the series of e^(A t), with no word of regimes.
+    """Return the state from the series of e^(A t), without distinguishing regimes.
 
-    A is ((0, 1), (-k / m, -c / m)). The series is that of a time 2^n times as short, for which 60
-    terms are more than enough; its sum is squared n times.
+    A is ((0, 1), (-k / m, -c / m)). The series is evaluated for a time that is 2^n times shorter,
+    where 60 terms are more than enough. Its sum is squared n times.
     """
     with localcontext() as context:
         context.prec = 120
@@ -67,8 +67,8 @@ def test_the_state_is_that_of_the_matrix_in_every_regime(
     v0, k, c, time = v * chi, chi * chi * m, share * critical(chi, m), turns / chi
     got = damped_spring_state(x0, v0, k, c, m, time)
     x, velocity = in_decimals(x0, v0, k, c, m, time)
-    # The roundings of chi t and (c / 2 m) t, up to 20 and 80, and, next to the critical damping,
-    # of their difference: all of the largest that there is, x0 or v0 / chi.
+    # The tolerance allows for roundings of chi t and (c / 2 m) t, up to 20 and 80, and of their
+    # difference near critical damping. They are relative to the largest value, x0 or v0 / chi.
     size = abs(x0) + abs(v)
     assert got[0] == pytest.approx(float(x), abs=4e-14 * size)
     assert got[1] / chi == pytest.approx(float(velocity) / chi, abs=4e-14 * size)
@@ -82,7 +82,7 @@ def test_the_known_figures_of_the_three_regimes(c: float, x: float) -> None:
 
 @pytest.mark.parametrize("side", [-1e-3, -1e-6, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-6, 1e-3])
 def test_the_regimes_meet_at_the_critical_damping(side: float) -> None:
-    """How far from the critical state is what the exact derivative explains, digit for digit."""
+    """The exact derivative explains the difference from the critical state in all digits."""
     for time in (0.01, 0.1, 0.5, 1.0):
         at, beside = (
             damped_spring_state(1.0, 3.0, 100.0, c, 1.0, time) for c in (20.0, 20.0 * (1.0 + side))
@@ -91,7 +91,7 @@ def test_the_regimes_meet_at_the_critical_damping(side: float) -> None:
         exact = in_decimals(1.0, 3.0, 100.0, 20.0 * (1.0 + side), 1.0, time)
         for i, scale in ((0, 1.0), (1, 10.0)):
             wanted = float(exact[i] - exact_at[i])
-            # Some roundings of 1 m and of 10 m/s: a ten-thousandth of what 1e-9 makes of it.
+            # Some roundings of 1 m and of 10 m/s, a ten-thousandth of the effect of 1e-9.
             assert beside[i] - at[i] == pytest.approx(wanted, abs=4e-15 * scale)
 
 
@@ -102,7 +102,7 @@ def test_one_time_after_another_is_both_at_once(
     spring = (9.0, share * critical(3.0, 1.0), 1.0)
     halfway = damped_spring_state(x0, v0, *spring, t1)
     got = damped_spring_state(*halfway, *spring, t2)
-    # Roundings of chi t, of 18, of at most 20 m.
+    # Roundings of chi t = 18, for at most 20 m.
     wanted = damped_spring_state(x0, v0, *spring, t1 + t2)
     assert got == pytest.approx(wanted, abs=1e-12)
 
@@ -111,24 +111,24 @@ def test_one_time_after_another_is_both_at_once(
 def test_what_comes_out_solves_the_equation(
     x0: float, v0: float, share: float, time: float
 ) -> None:
-    """m x'' = -k x - c x', x'' being the slope of the velocity, over 2e-5 s."""
+    """m x'' = -k x - c x', where x'' is the slope of the velocity over 2e-5 s."""
     k, c, m = 18.0, share * critical(3.0, 2.0), 2.0
     before, (x, v), after = (
         damped_spring_state(x0, v0, k, c, m, time + shift) for shift in (-1e-5, 0.0, 1e-5)
     )
-    # The slope errs by h^2 / 6 of v'''', at most (24)^3 of 60 m/s, and by a rounding over 2e-5 s.
+    # The slope's error is h^2 / 6 of v'''', at most (24)^3 of 60 m/s, plus a rounding over 2e-5 s.
     assert (after[0] - before[0]) / 2e-5 == pytest.approx(v, abs=1e-6)
     assert m * (after[1] - before[1]) / 2e-5 == pytest.approx(-k * x - c * v, abs=1e-4)
 
 
 def test_a_creep_keeps_its_digits() -> None:
-    """c a thousand times critical: the slow rate is k / c, which a plain difference would lose."""
+    """With c far above critical, the slow rate is k / c, which a plain difference would lose."""
     for c in (2e3, 2e6, 2e8):
         time = c / 50.0
         x, v = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, time)
         slow = 100.0 / c  # the rate is slow (1 + slow / c + ...)
         wanted = math.exp(-slow * (1.0 + slow / c) * time) * (1.0 + slow / c)
-        # (slow / c)^2 and less is dropped, 1e-9 of it at the most, and a rounding of the exponent.
+        # Terms of (slow / c)^2, 1e-9 at most, are dropped, and the exponent has a rounding.
         assert x == pytest.approx(wanted, rel=1e-14 + 4.0 * (slow / c) ** 2)
         assert v == pytest.approx(-slow * x, rel=2.0 * slow / c + 1e-14)
 
@@ -138,7 +138,7 @@ def test_it_starts_where_it_starts_and_a_spring_without_stiffness_coasts() -> No
         assert damped_spring_state(2.0, -3.0, k, c, 1.0, 0.0) == pytest.approx((2.0, -3.0))
     assert damped_spring_state(2.0, -3.0, 0.0, 0.0, 1.0, 7.0) == pytest.approx((-19.0, -3.0))
     x, v = damped_spring_state(2.0, -3.0, 0.0, 1.5, 3.0, 2.0)
-    # dv/dt = -v / 2: a coasting body. A rounding or two.
+    # A body that slows down by dv/dt = -v / 2, with a rounding or two.
     assert x == pytest.approx(2.0 - 3.0 * 2.0 * (1.0 - math.exp(-1.0)), rel=1e-14)
     assert v == pytest.approx(-3.0 * math.exp(-1.0), rel=1e-14)
 
@@ -150,7 +150,7 @@ def test_extremes_end_in_numbers(k: float, c: float) -> None:
         for time in (1e-300, 1e-9, 1.0, 1e9, 1e150):
             x, v = damped_spring_state(1.0, 0.0, k, c, m, time)
             assert math.isfinite(v)
-            # It is let go from rest, so it never swings further than 1 m; a few roundings.
+            # Released from rest, it never swings beyond 1 m, apart from a few roundings.
             assert abs(x) <= 1.0 + 1e-12
 
 

@@ -1,4 +1,4 @@
-"""Detectors against looking at every pair, their work, and stacks that stand or sink."""
+"""Detectors compared with a test of every pair, their work, and stacks that stand or sink."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ UP = Vector3(0.0, 1.0, 0.0)
 
 @pytest.mark.parametrize("radius", [0.0, 0.5])
 def test_the_ground_finds_what_touches_it_and_what_is_below(radius: float) -> None:
-    """At 2 m: touching to the last bit, one bit above, deep in it, and an immovable one."""
+    """Test at 2 m: exactly touching, one bit above, deep in the ground, and immovable."""
     level = 2.0 + radius
     heights = [level, math.nextafter(level, 9.0), level - 0.75, -1e6]
     particles = [Particle(Vector3(3.0, y, -4.0)) for y in heights]
@@ -51,7 +51,7 @@ def test_what_comes_at_1000_m_s_is_never_found_below_after_its_frame(radius: flo
         contacts = ground.contacts()
         hits += len(contacts)
         resolver.resolve_contacts(contacts, FRAME)
-        # Its depth of 17 m, and that added to its place: two roundings.
+        # Two roundings: of the depth of 17 m, and of its addition to the position.
         assert min(ball.position.y for ball in balls) >= radius - 1e-14
     assert hits >= 50
 
@@ -60,7 +60,7 @@ def test_what_comes_at_1000_m_s_is_never_found_below_after_its_frame(radius: flo
 
 
 def touching(particles: list[Particle], radius: float) -> list[tuple[int, int, float]]:
-    """Return the places of the pairs that touch, and their depths: all of them looked at."""
+    """Return the indices and depths of all touching pairs, by testing every pair."""
     found = []
     for i, j in combinations(range(len(particles)), 2):
         a, b = particles[i], particles[j]
@@ -79,7 +79,7 @@ def cloud(draw: random.Random, n: int, size: float, flat: int = 0) -> list[Parti
 
 
 def lattice(draw: random.Random, n: int, radius: float) -> list[Particle]:
-    """Return neighbors on a grid about the origin that touch exactly, in any order."""
+    """Return neighbors on a grid around the origin that touch exactly, in random order."""
     places = [
         Vector3(*(2.0 * radius * i for i in cell))
         for cell in ((x, y, z) for x in range(-n, n) for y in range(-n, n) for z in range(-n, n))
@@ -92,7 +92,7 @@ def lattice(draw: random.Random, n: int, radius: float) -> list[Particle]:
 def test_pairs_are_what_looking_at_every_pair_finds_in_their_order(seed: int) -> None:
     draw = random.Random(f"pairs {seed}")
     radius = draw.choice([0.5, 0.1, 3.0, 1e-3, 40.0])
-    size = radius * draw.choice([0.1, 2.0, 6.0, 12.0])  # all in a cell, crowded, or spread
+    size = radius * draw.choice([0.1, 2.0, 6.0, 12.0])  # all in one cell, crowded, or spread out
     particles = cloud(draw, 150, size, seed % 3)
     found = ParticlePairs(particles, radius, 0.3).contacts()
     wanted = touching(particles, radius)
@@ -109,7 +109,7 @@ def test_pairs_are_what_looking_at_every_pair_finds_in_their_order(seed: int) ->
 
 @pytest.mark.parametrize("radius", [0.5, 0.25, 1.0, 0.1, 0.3])
 def test_what_touches_exactly_is_found_also_across_cells_and_below_zero(radius: float) -> None:
-    """A grid of 6 by 6 by 6 has 3 * 5 * 36 pairs of neighbors; the first radii are exact."""
+    """A grid of 6 by 6 by 6 has 3 * 5 * 36 pairs of neighbors. The first radii are exact."""
     particles = lattice(random.Random(75), 3, radius)
     found = ParticlePairs(particles, radius).contacts()
     assert len(found) == len(touching(particles, radius))
@@ -127,9 +127,9 @@ def test_two_at_one_place_part_upwards() -> None:
 def test_the_work_grows_with_the_number_of_particles_and_not_with_its_square(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Counted are the pairs that are looked at. At one density they go with the number: x 10.
+    """The work is the number of pairs tested. At one density it grows with the number: 10 times.
 
-    15 leaves room for the edge of the cloud, where a particle has fewer neighbors, and for chance.
+    15 allows for chance and for the edge of the cloud, where a particle has fewer neighbors.
     """
     looked: list[int] = []
     near = ParticlePairs._near_pairs
@@ -142,12 +142,12 @@ def test_the_work_grows_with_the_number_of_particles_and_not_with_its_square(
     monkeypatch.setattr(ParticlePairs, "_near_pairs", counted)
     for n in (100, 1000):
         side = n ** (1.0 / 3.0)
-        particles = cloud(random.Random(76), n, side)  # 1 in 8 m^3
+        particles = cloud(random.Random(76), n, side)  # one per 8 m^3
         assert len(ParticlePairs(particles, 0.5).contacts()) == len(touching(particles, 0.5))
     few, many = looked
     assert few >= 20
     assert many <= 15 * few
-    assert many < 1000 * 999 / 2 / 20  # all pairs, of which it leaves out 19 in 20
+    assert many < 1000 * 999 / 2 / 20  # 19 in 20 of all pairs are not tested
 
 
 def test_contacts_are_made_for_what_touches_alone(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -167,7 +167,7 @@ def test_contacts_are_made_for_what_touches_alone(monkeypatch: pytest.MonkeyPatc
 
 
 def settle(n: int, iterations: int | None, *, per_contact: bool = False) -> tuple[list[float], Any]:
-    """Return the heights of balls of 1 m after 10 s that were laid on each other, touching."""
+    """Return the heights after 10 s of balls of 1 m that were stacked so that they touch."""
     balls = [Particle(Vector3(0.0, 0.5 + i), acceleration=UP * -9.81) for i in range(n)]
     both = Detectors(GroundPlane(balls, 0.0, 0.5), ParticlePairs(balls, 0.5))
     worst = 0.0
@@ -198,13 +198,13 @@ def test_ten_on_each_other_want_fifty_iterations_a_contact() -> None:
 
 
 def test_ten_on_each_other_sink_with_the_default_number_of_iterations() -> None:
-    """The other side: two iterations a contact do not carry the weight of ten."""
+    """The default of two iterations per contact does not carry the weight of ten balls."""
     heights, worst = settle(10, None)
     assert worst > 0.5
-    assert heights[-1] < 8.5  # measured 8.27: more than one of ten diameters is gone
+    assert heights[-1] < 8.5  # 8.27 was measured, so more than one diameter in ten is lost
 
 
-# What is refused
+# Rejected arguments
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""A frame of DirectChain against the same equations in matrices, and what it does at its ends."""
+"""A frame of DirectChain compared with the same equations in matrices, and immovable ends."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ H = 1.0 / 240.0  # s
 
 
 class MatrixChain:
-    """The frames of a DirectChain by NumPy: all pulls from one dense system of equations.
+    """The frames of a DirectChain in NumPy, with all pulls from one dense system of equations.
 
-    Row i of ``ends`` takes the far end of rod i minus its near end; the anchor is at the origin.
+    Row i of ``ends`` is the far end of rod i minus its near end. The anchor is at the origin.
     """
 
     def __init__(self, bodies: list[Particle]) -> None:
@@ -35,7 +35,7 @@ class MatrixChain:
         self.pulls = numpy.zeros(count)
 
     def step(self, forces: Array, time: float) -> None:
-        """Make a frame of H that accelerates for a time."""
+        """Make a frame of H with acceleration for the given time."""
         moving = (self.gravity + forces * self.inverse) * (self.inverse > 0.0)
         kicked = (self.velocities + moving * time) * self.damping**time
         rods = self.ends @ self.places
@@ -59,7 +59,7 @@ class MatrixChain:
     [(1, False), (2, False), (3, False), (12, False), (2, True), (3, True), (12, True)],
 )
 def test_frames_solve_the_equations_as_numpy_solves_them(count: int, held: bool) -> None:
-    """Any masses, damping, forces and velocities, the last particle free or immovable."""
+    """Test random masses, damping, forces and velocities, and a free or immovable last particle."""
     draw = random.Random(74)
 
     def vector(size: float) -> Vector3:
@@ -79,8 +79,8 @@ def test_frames_solve_the_equations_as_numpy_solves_them(count: int, held: bool)
             body.add_force(force)
         chain.step(H)
         matrices.step(numpy.array([[*force] for force in forces]), time)
-        # Roundings of 10 m over H are 4e-13 m/s, and over H^2 they are 1e-10 N/m; a solve of 12
-        # rods makes some tens of that.
+        # Roundings of 10 m over H are 4e-13 m/s, and over H^2 they are 1e-10 N/m. Solving for 12
+        # rods multiplies them by some tens.
         places = [[*body.position] for body in bodies]
         assert numpy.abs(numpy.array(places) - matrices.places).max() < 1e-12
         velocities = [[*body.velocity] for body in bodies]
@@ -90,7 +90,7 @@ def test_frames_solve_the_equations_as_numpy_solves_them(count: int, held: bool)
 
 
 def test_an_immovable_end_is_at_rest_whatever_its_velocity_is() -> None:
-    """Immovable particles stay where they are, so the rods must not count on a move of theirs."""
+    """Immovable particles do not move, so the rods must not depend on their velocities."""
     found = []
     for velocity in (Vector3(), Vector3(50.0, 20.0, -10.0)):
         middle = Particle(Vector3(1.0, -1.0), acceleration=Vector3(0.0, -10.0))

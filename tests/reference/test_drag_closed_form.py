@@ -1,4 +1,4 @@
-"""The closed forms of drag, against fine steps of a method of the fourth order."""
+"""The closed forms of drag compared with fine steps of a method of order 4."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def runge_kutta(change: Callable[[float], float], v: float, time: float) -> tupl
 @given(st.floats(0.1, 50.0), st.floats(0.5, 20.0), coefficient, st.floats(0.01, 3.0))
 def test_a_quadratic_fall_solves_its_equation(m: float, g: float, k2: float, time: float) -> None:
     wanted = runge_kutta(lambda v: g - k2 * v * v / m, 0.0, time)
-    # Steps of at most a twentieth of the time in which the speed changes, to the fourth power.
+    # A step is at most a twentieth of the time in which the speed changes, to the fourth power.
     assert quadratic_fall(m, g, k2, time) == pytest.approx(wanted, rel=1e-7)
 
 
@@ -51,7 +51,7 @@ def test_the_terminal_speed_is_where_a_fall_no_longer_changes(
 ) -> None:
     v = terminal_speed(w, k1, k2)
     assert k1 * v + k2 * v * v == pytest.approx(w, rel=1e-14)
-    # The step stands still there: what it finds is no approximation.
+    # A step does not change this speed, so it is not an approximation.
     particle = Particle(velocity=Vector3(0.0, -v, 0.0), acceleration=Vector3(0.0, -w, 0.0))
     frame = drag_limits(k1, k2, 1.0, v)[0] / 4.0
     for _ in range(3):
@@ -62,18 +62,18 @@ def test_the_terminal_speed_is_where_a_fall_no_longer_changes(
 
 def test_the_known_figures() -> None:
     assert terminal_speed(2.0 * 9.81, 0.3, 0.05) == pytest.approx(17.0349694, abs=5e-8)
-    # Worked out with 40 digits.
+    # Computed with 40 digits.
     wanted = (17.878238350449884, 33.699945475035044)
     assert quadratic_fall(2.0, 9.81, 0.05, 3.0) == pytest.approx(wanted, rel=1e-15)
 
 
 def test_the_two_forms_of_the_distance_meet() -> None:
-    """On either side of x = 40, where the formula changes over, the distance goes on."""
+    """The distance is continuous at x = 40, where the formula changes."""
     u = math.sqrt(200.0)
     distances = [
         quadratic_fall(1.0, 10.0, 0.05, 40.0 * u / 10.0 * share)[1] for share in (1.0 - 1e-9, 1.0)
     ]
-    # u a second, for 4e-9 of the time; what is left is a rounding of 790.
+    # The fall is u per second for 4e-9 of the time. The rest is a rounding of 790.
     assert distances[1] - distances[0] == pytest.approx(u * 40.0 * u / 10.0 * 1e-9, abs=1e-12)
 
 

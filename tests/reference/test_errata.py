@@ -1,7 +1,7 @@
-"""The errata that can run: the printed form fails next to the correct one.
+"""Errata that can be run: the printed form fails, and the correct form next to it does not.
 
-The name of each test starts with the number of its entry in errata.md. The page says which entries
-are certain, and which are only advice because our scan may have lost a mark.
+The name of each test starts with the number of its entry in errata.md. That page says which entries
+are certain, and which are only advice because a mark may be missing in our scan.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def test_e15_the_printed_part_at_right_angles_needs_a_unit_vector() -> None:
     a, b = Vector3(1.0, 0.0, 0.0), Vector3(4.0, 3.0, 0.0)  # |a| = 1, |b| = 5, a . b = 4
     assert a.cross(b).magnitude() == 3.0
     with pytest.raises(ValueError, match=r"math domain|nonnegative"):
-        math.sqrt(1.0 - a.dot(b) ** 2)  # printed, for any b
+        math.sqrt(1.0 - a.dot(b) ** 2)  # printed for any b
     assert math.sqrt(b.squared_magnitude() - a.dot(b) ** 2) == 3.0
 
 
@@ -57,7 +57,7 @@ def test_e1_the_printed_second_law_makes_the_heavier_particle_the_faster_one() -
         particle = Particle(acceleration=force / mass, mass=mass)
         particle.integrate(1.0)
         speeds.append(particle.velocity.magnitude())
-        printed.append((force * mass).magnitude())  # in proportion to force and mass, for 1 s
+        printed.append((force * mass).magnitude())  # proportional to force and mass, for 1 s
     assert printed[0] / printed[1] == 2.0
     assert speeds[0] / speeds[1] == 0.5
     assert speed_ratio(2.0, 1.0) == 0.5
@@ -66,21 +66,21 @@ def test_e1_the_printed_second_law_makes_the_heavier_particle_the_faster_one() -
 def test_e16_the_equation_and_the_listing_reach_two_terminal_speeds() -> None:
     gravity, damping, h = Vector3(0.0, -9.81, 0.0), 0.9, 1.0 / 60.0
     particle, by_equation = Particle(acceleration=gravity, damping=damping), Vector3()
-    for _ in range(400 * 60):  # 400 s: what is missing of the terminal speed is 0.9^400 of it
+    for _ in range(400 * 60):  # after 400 s, 0.9^400 of the terminal speed is missing
         particle.integrate(h)
         by_equation = damp_per_second(by_equation, gravity, damping, h)
     assert -by_equation.y == pytest.approx(93.191, abs=5e-4)
     assert -particle.velocity.y == pytest.approx(93.027, abs=5e-4)
-    exact = 9.81 / -math.log(damping)  # dv/dt = g - k v = 0
+    exact = 9.81 / -math.log(damping)  # from dv/dt = g - k v = 0
     assert exact == pytest.approx(93.109, abs=5e-4)
     middle = (-by_equation.y - particle.velocity.y) / 2.0
-    assert middle == pytest.approx(exact, abs=1e-4)  # to first order in h they err alike
+    assert middle == pytest.approx(exact, abs=1e-4)  # to first order, the errors are opposite
 
 
 def test_e17_the_printed_order_of_updates_is_explicit_euler() -> None:
-    stiffness, h, steps = 100.0, 1.0 / 60.0, 600  # a spring, 1 kg, 10 s
+    stiffness, h, steps = 100.0, 1.0 / 60.0, 600  # a spring with 1 kg, for 10 s
     explicit = Particle(Vector3(1.0, 0.0, 0.0))
-    x, v = 1.0, 0.0  # the other order, which the printed name could be taken for
+    x, v = 1.0, 0.0  # the other order, which the printed name could mean
     for _ in range(steps):
         explicit.acceleration = explicit.position * -stiffness
         explicit.integrate(h)
@@ -91,7 +91,7 @@ def test_e17_the_printed_order_of_updates_is_explicit_euler() -> None:
         return 0.5 * v * v + 0.5 * stiffness * x * x
 
     grown = energy(explicit.position.x, explicit.velocity.x) / energy(1.0, 0.0)
-    # Explicit Euler multiplies the energy by 1 + k h^2 / m in every step; 600 roundings.
+    # Explicit Euler multiplies the energy by 1 + k h^2 / m in every step, with 600 roundings.
     assert grown == pytest.approx((1.0 + stiffness * h * h) ** steps, rel=1e-11)
     assert grown == pytest.approx(1.38e7, rel=2e-3)
     assert energy(x, v) / energy(1.0, 0.0) == pytest.approx(1.06, abs=5e-3)
@@ -127,7 +127,7 @@ def test_e19_only_one_of_the_two_ratios_keeps_the_energy() -> None:
 
 def test_e20_a_ring_overwrites_what_still_burns() -> None:
     rules = [FireworkRule(i, 9, 9, (0, 9, 0), (0, 9, 0), 1.0) for i in range(1, 6)]
-    ring: list[int] = [0, 0, 0]  # the listing: the next slot, whoever has it
+    ring: list[int] = [0, 0, 0]  # the listing uses the next slot, even if it is in use
     for i in range(5):
         ring[i % 3] = i + 1
     seen = []
@@ -151,12 +151,12 @@ def test_e34_the_text_and_the_listing_end_two_ranges() -> None:
         frames += 1
         if laser.position.z <= 100.0:
             frames_past_100 = frames + 1
-    assert (frames_past_100, frames) == (61, 122)  # 1.0 s and 2.0 s, and damping adds 1 %
+    assert (frames_past_100, frames) == (61, 122)  # 1.0 s and 2.0 s; damping adds 1 %
 
 
 def test_e3_the_printed_spring_pulls_what_is_compressed() -> None:
     k, rest, length = 10.0, 2.0, 1.0
-    printed = -(abs(length - rest) * k)  # along the offset: towards the other end
+    printed = -(abs(length - rest) * k)  # along the offset, toward the other end
     particle = ForcedParticle(Vector3(length))
     AnchoredSpring(Vector3(), k, rest).update_force(particle, FRAME)
     assert printed == -10.0
@@ -173,9 +173,9 @@ def test_e4_the_printed_bungee_pushes_what_it_should_pull() -> None:
 
 
 def test_e5_the_printed_lift_pulls_a_float_under() -> None:
-    density, volume, s, water, y = 1000.0, 0.001, 0.1, 0.0, 0.0  # half under
+    density, volume, s, water, y = 1000.0, 0.001, 0.1, 0.0, 0.0  # half submerged
     share = (y - water - s) / (2.0 * s)  # the formula
-    listing = density * volume * (y - s - water) / 2.0 * s  # no brackets, and no g
+    listing = density * volume * (y - s - water) / 2.0 * s  # without parentheses and g
     particle = ForcedParticle(Vector3(0.0, y, 0.0))
     Buoyancy(s, volume, water, density, 10.0).update_force(particle, FRAME)
     assert share == -0.5
@@ -185,7 +185,7 @@ def test_e5_the_printed_lift_pulls_a_float_under() -> None:
 
 def test_e6_the_printed_force_of_a_faked_spring_lands_nowhere() -> None:
     k, h = 400.0, FRAME
-    target = math.cos(20.0 * h)  # from 1 m, at rest, with 1 kg: chi is 20
+    target = math.cos(20.0 * h)  # from rest at 1 m with 1 kg, where chi is 20
     listing = (target - 1.0) * (1.0 / h * h) - 0.0 * h
     particle = ForcedParticle(Vector3(1.0))
     registry = ForceRegistry()
@@ -196,8 +196,8 @@ def test_e6_the_printed_force_of_a_faked_spring_lands_nowhere() -> None:
     particle.clear_forces()
     semi_implicit_euler([particle], registry.update_forces, h)
     assert particle.position.x == pytest.approx(target, abs=1e-15)  # a rounding or two of 1 m
-    # In the second step the particle moves. With v in place of v / h, as Eq. 6.5 looks in our copy,
-    # it overshoots.
+    # In the second step the particle moves. With v in place of v / h, as in our copy of Eq. 6.5, it
+    # overshoots.
     speed = particle.velocity.x
     target, _ = damped_spring_state(target, speed, k, 0.0, 1.0, h)
     undivided = (target - particle.position.x) / h**2 - speed
@@ -231,19 +231,19 @@ def test_e23_the_printed_form_has_the_under_damped_spring_alone() -> None:
     critical, _ = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 2.0)
     creep, fast = 5.0 - math.sqrt(24.0), 5.0 + math.sqrt(24.0)
     wanted = (fast * math.exp(-2.0 * creep) - creep * math.exp(-2.0 * fast)) / (fast - creep)
-    assert over == pytest.approx(wanted, rel=1e-13)  # the difference of the rates loses two digits
+    assert over == pytest.approx(wanted, rel=1e-13)  # subtracting the rates loses two digits
     assert critical == pytest.approx(3.0 * math.exp(-2.0), rel=1e-15)
     particle = ForcedParticle(Vector3(1.0))
     FakeStiffSpring(Vector3(), 1.0, 2.0).update_force(particle, FRAME)
-    # About half of -k x: the push lasts all of the frame. The difference loses four digits.
+    # About half of -k x, because the push lasts the whole frame. The difference loses four digits.
     wanted = ((1.0 + FRAME) * math.exp(-FRAME) - 1.0) / FRAME**2
     assert particle.force_accumulator.x == pytest.approx(wanted, rel=1e-11)
 
 
 def test_e21_a_liter_is_lifted_by_newtons_not_kilonewtons() -> None:
     lifts = []
-    for y in (-1.0, 0.0):  # all of it under water, and half
+    for y in (-1.0, 0.0):  # fully and half submerged
         particle = ForcedParticle(Vector3(0.0, y, 0.0))
         Buoyancy(0.1, 0.001, 0.0, gravity=10.0).update_force(particle, FRAME)
         lifts.append(particle.force_accumulator.y)
-    assert lifts == [10.0, 5.0]  # printed: 10 kN and 5 kN
+    assert lifts == [10.0, 5.0]  # 10 kN and 5 kN with the printed form

@@ -1,7 +1,7 @@
-"""The errata of chapter 7: the printed form fails next to the correct one.
+"""The errata of chapter 7: the printed form fails, and the correct form next to it does not.
 
 The name of each test starts with the number of its entry in errata.md. The page says which entries
-are certain, and which are only advice because our scan may have lost a mark.
+are certain, and which are only advice because a mark may be missing in our scan.
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ def test_e7_momentum_is_kept_at_any_restitution_and_energy_at_1_alone() -> None:
     for c, lost in ((0.0, 16.0 / 3.0), (0.5, 4.0), (1.0, 0.0)):
         a, b = Particle(velocity=Vector3(3.0)), Particle(velocity=Vector3(-1.0), mass=2.0)
         Contact(a, b, Vector3(-1.0), c).resolve_velocity()
-        # A few roundings of some m/s, and of some J.
+        # A few roundings of some m/s and some J.
         assert a.momentum().x + b.momentum().x == pytest.approx(1.0, abs=4e-15)
         assert 5.5 - a.kinetic_energy() - b.kinetic_energy() == pytest.approx(lost, abs=2e-14)
 
 
 def test_e8_the_printed_resolver_moves_a_contact_out_again_and_again() -> None:
-    """One contact, 0.1 m deep, two iterations: as its depth is not updated, it ends 0.1 m up."""
+    """After two iterations, a contact of 0.1 m ends 0.1 m up, if its depth is not updated."""
     for printed, end in ((True, 0.1), (False, 0.0)):
         ball = Particle(Vector3(0.0, -0.1))
         contact = Contact(ball, None, UP, 0.0, 0.1)
         if printed:
-            for _ in range(2):  # worst by separating velocity, both parts at once
+            for _ in range(2):  # worst separating velocity first, both parts at once
                 contact.resolve_velocity(FRAME)
                 ball.position.add_scaled(contact.normal, contact.penetration)
         else:
@@ -53,19 +53,19 @@ def test_e9_one_contact_holds_a_rod_to_a_rounding(anchored: bool) -> None:
     for _ in range(600):
         semi_implicit_euler([bob], lambda _: None, FRAME)
         contacts = rod.contacts()
-        assert len(contacts) <= 1  # printed: always two
+        assert len(contacts) <= 1  # always two in the printed form
         resolver.resolve_contacts(contacts, FRAME)
         worst = max(worst, abs(bob.position.magnitude() - 1.0))
-    # 1 m to the roundings of two coordinates, of the length and of the move.
+    # 1 m, with the roundings of two coordinates, of the length and of the move.
     assert worst <= 2.0**-52 * 1.5
-    for length in (0.7, 1.3):  # too short is put right by one as well
+    for length in (0.7, 1.3):  # one contact also corrects a rod that is too short
         bob.position = Vector3(0.6, 0.8, 0.0) * length
         resolver.resolve_contacts(rod.contacts(), FRAME)
         assert bob.position.magnitude() == pytest.approx(1.0, abs=4e-16)
 
 
 def test_e10_without_the_root_a_ball_bounces_too_low() -> None:
-    """Dropped from 1 m, a ball with c = 0.25 rises 6.25 cm, and one with c = 0.5 rises 25 cm."""
+    """Dropped from 1 m, a ball with c = 0.25 rises 6.25 cm, and a ball with c = 0.5 25 cm."""
     heights = []
     for c in (0.25 / 1.0, restitution_of_drop(1.0, 0.25)):
         ball = Particle(velocity=UP * -math.sqrt(20.0))
@@ -75,11 +75,11 @@ def test_e10_without_the_root_a_ball_bounces_too_low() -> None:
 
 
 def test_e24_an_impulse_changes_velocities_by_its_share_of_the_mass() -> None:
-    """4 N s: printed as a change of velocity it is 4 m/s for both, and makes momentum."""
+    """If 4 N s is printed as a change in velocity, both get 4 m/s, which creates momentum."""
     a, b = Particle(velocity=Vector3(3.0), mass=2.0), Particle(velocity=Vector3(-3.0), mass=1.0)
     Contact(a, b, Vector3(-1.0), 0.0).resolve_velocity()
-    impulse = 2.0 / 3.0 * 6.0  # reduced mass, and closing speed
-    # Roundings of thirds.
+    impulse = 2.0 / 3.0 * 6.0  # reduced mass times closing speed
+    # The tolerance allows for roundings of thirds.
     assert (a.velocity.x, b.velocity.x) == pytest.approx((3.0 - impulse / 2.0, -3.0 + impulse))
     assert a.momentum().x + b.momentum().x == pytest.approx(3.0, abs=1e-14)
     printed = 2.0 * (3.0 - impulse) + (-3.0 + impulse)
@@ -90,14 +90,14 @@ def test_e25_without_the_minus_a_ball_moves_on_into_the_ground() -> None:
     ball = Particle(velocity=Vector3(0.0, -4.0))
     contact = Contact(ball, None, UP, 0.5)
     without_minus = 0.5 * contact.separating_velocity()
-    assert without_minus == -2.0  # still closing
+    assert without_minus == -2.0  # the contact is still closing
     assert contact.velocity_after() == 2.0
 
 
 def highest(*, printed: bool, built_in: bool) -> float:
-    """Return the highest place in 5 s that follow 5 s on the ground, c 0.9, g 10, the book's step.
+    """Return the largest height in the 5 s that follow 5 s on the ground, with the book's step.
 
-    The ball is released a hundredth of a millimeter above it.
+    The ball is released 0.01 mm above the ground, with c = 0.9 and g = 10 m/s^2.
     """
     ball = Particle(Vector3(0.0, 1e-5), acceleration=UP * (-10.0 if built_in else 0.0))
     registry, top = ForceRegistry(), 0.0
@@ -123,18 +123,18 @@ def highest(*, printed: bool, built_in: bool) -> float:
 
 
 def test_e26_the_printed_rule_for_rest_shakes_what_a_generator_pulls_down() -> None:
-    """After 5 s: 2.6 mm under built-in gravity, and 198 mm under a generator's."""
+    """After 5 s it is 2.6 mm with built-in gravity and 198 mm with a generator's gravity."""
     assert highest(printed=True, built_in=True) == pytest.approx(2.6e-3, abs=5e-5)
     assert highest(printed=True, built_in=False) == pytest.approx(0.198, abs=5e-4)
-    for built_in in (True, False):  # all of the acceleration: the two are one
+    for built_in in (True, False):  # with all of the acceleration, both are the same
         assert highest(printed=False, built_in=built_in) == pytest.approx(2.6e-3, abs=5e-5)
 
 
 def test_e27_a_move_that_is_not_cleared_is_counted_twice() -> None:
-    """A contact that was moved, and is then asked again while it only touches.
+    """Resolve a contact that was moved before, and now only touches.
 
-    The printed member keeps the first frame's 0.3 m, and takes it off the depth of the contact
-    beside it once more: that one then seems to be apart, and its ball stays in the ball.
+    The printed member keeps the move of 0.3 m of the first frame, and subtracts it from the depth
+    of the neighboring contact again. That contact then seems to be apart, and its balls overlap.
     """
     for printed in (True, False):
         ball, under = Particle(Vector3(0.0, -0.3)), Particle(Vector3(0.0, 0.9))
@@ -142,7 +142,7 @@ def test_e27_a_move_that_is_not_cleared_is_counted_twice() -> None:
         kept, _ = first.resolve_penetration()
         beside.penetration += kept.y
         assert beside.penetration == pytest.approx(0.1, abs=1e-16)  # 0.9 m apart, of 1 m
-        move, other_move = first.resolve_penetration()  # it touches: nothing moves
+        move, other_move = first.resolve_penetration()  # it only touches, so nothing moves
         assert (move, other_move) == (Vector3(), Vector3())
         beside.penetration += (kept if printed else move).y
         apart = under.position.y - ball.position.y

@@ -1,6 +1,6 @@
-"""Where chapter 9 of the printed book is wrong: the printed form, shown failing.
+"""The errata of chapter 9: the printed form fails, and the correct form next to it does not.
 
-Each test has the number of the erratum in errata.md in its name.
+The name of each test contains the number of its entry in errata.md.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from ch09_rotations.quaternion import Quaternion
 
 QUARTER = math.pi / 2.0
 X, Z = Vector3(1.0, 0.0, 0.0), Vector3(0.0, 0.0, 1.0)
-# Rows (2, 1, 1), (0, 1, 3), (1, 0, 2) and a translation; the determinant is 4 + 3 - 1 = 6.
+# The rows (2, 1, 1), (0, 1, 3), (1, 0, 2) and a translation. The determinant is 4 + 3 - 1 = 6.
 MATRIX = Matrix4(2, 1, 1, 5, 0, 1, 3, -4, 1, 0, 2, 6)
 IDENTITY = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0)
 
@@ -61,7 +61,7 @@ def test_e11_the_printed_matrix_of_an_axis_and_an_angle_is_no_rotation() -> None
     assert not printed.is_rotation()
     assert farthest(tuple(mended.transpose()), tuple(right)) < 1e-15  # a few roundings of 1
     assert printed[2, 2] - right[2, 2] == pytest.approx(x - c, abs=1e-15)
-    # In a quarter about Z, x and c are both 0, and it does not show.
+    # In a quarter turn about Z, x and c are both 0, so the error does not show.
 
 
 def test_e12_the_printed_turn_by_a_vector_multiplies_by_no_turn_at_all() -> None:
@@ -75,16 +75,16 @@ def test_e12_the_printed_turn_by_a_vector_multiplies_by_no_turn_at_all() -> None
     first_order.add_scaled(vector, 1.0)
     first_order.normalize()
     assert printed == Quaternion(0.0, 0.0, 0.0, 0.1)
-    # As many digits as are known.
+    # All known digits.
     assert tuple(right) == pytest.approx((0.99875026, 0.0, 0.0, 0.04997917), abs=5.1e-9)
     assert tuple(first_order) == pytest.approx((0.99875234, 0.0, 0.0, 0.04993762), abs=5.1e-9)
     printed.normalize()
-    assert printed.to_axis_angle() == (Z, math.pi)  # a half-turn for 0.1
+    assert printed.to_axis_angle() == (Z, math.pi)  # half a turn in place of 0.1
     assert right.to_axis_angle()[1] == pytest.approx(0.1, rel=1e-15)  # two roundings
 
 
 def test_e12_the_printed_side_turns_about_an_axis_of_the_object() -> None:
-    """X lies on Y after a quarter about Z. About the world's X another quarter takes it to Z."""
+    """A quarter turn about Z takes X to Y, and another about the world's X takes it to Z."""
     start = Quaternion.from_axis_angle(Z, QUARTER)
     right = start.copy()
     right.rotate_by(X * QUARTER)
@@ -96,7 +96,7 @@ def test_e12_the_printed_side_turns_about_an_axis_of_the_object() -> None:
 def test_e13_the_printed_inverse_reads_a_sixteenth_number() -> None:
     e = MATRIX.entries
     with pytest.raises(IndexError):
-        (e[4] * e[9] * e[15] - e[5] * e[8]) / MATRIX.determinant()  # printed, of the third row
+        (e[4] * e[9] * e[15] - e[5] * e[8]) / MATRIX.determinant()  # printed for the third row
     dropped = (e[4] * e[9] - e[5] * e[8]) / MATRIX.determinant()
     assert MATRIX.inverse()[2, 0] == pytest.approx(dropped, rel=1e-15)  # one division
     assert dropped == -1.0 / 6.0
@@ -111,7 +111,7 @@ def test_e28_the_printed_determinant_begins_with_the_wrong_sign() -> None:
 
 
 def write_inverse(into: list[float], of: list[float], determinant: float) -> None:
-    """Write the inverse number by number, column by column: cofactors over the determinant."""
+    """Write the inverse one number at a time, column by column: cofactors over the determinant."""
     for column in range(3):
         c, d = 4 * ((column + 1) % 3), 4 * ((column + 2) % 3)
         for row in range(3):
@@ -122,14 +122,14 @@ def write_inverse(into: list[float], of: list[float], determinant: float) -> Non
 
 
 def error(inverse: Sequence[float]) -> float:
-    """Return the largest error of the nine numbers that turn, of the matrix times its inverse."""
+    """Return the largest error in the rotation part of the matrix times its inverse."""
     product = MATRIX @ Matrix4(*inverse)
     nine = [(row, column) for row in range(3) for column in range(3)]
     return max(abs(product[row, column] - (row == column)) for row, column in nine)
 
 
 def test_e29_the_printed_inverse_divides_by_the_determinant_of_another_matrix() -> None:
-    """What is to hold the inverse holds 1 before: its own determinant is 1, the argument's 6."""
+    """The matrix that will hold the inverse is the identity: its determinant is 1, not 6."""
     holder = list(IDENTITY)
     write_inverse(holder, [*MATRIX], Matrix4(*holder).determinant())
     assert error(holder) == 5.0  # six times too large
@@ -141,12 +141,12 @@ def test_e29_the_printed_inverse_divides_by_the_determinant_of_another_matrix() 
 def test_e30_the_printed_inverting_in_place_reads_what_it_has_written() -> None:
     numbers, kept = [*MATRIX], [*MATRIX]
     write_inverse(numbers, numbers, MATRIX.determinant())
-    write_inverse(kept, [*kept], MATRIX.determinant())  # a copy first
+    write_inverse(kept, [*kept], MATRIX.determinant())  # from a copy
     assert error(numbers) == pytest.approx(1.12, abs=5e-3)
     assert error(kept) < 1e-15  # as above
     before = MATRIX.entries
     assert error([*MATRIX.inverse()]) < 1e-15
-    assert MATRIX.entries == before  # no matrix is changed once it is made
+    assert MATRIX.entries == before  # a matrix never changes
 
 
 def test_e31_a_step_of_eq_95_does_not_keep_the_length() -> None:
@@ -154,33 +154,34 @@ def test_e31_a_step_of_eq_95_does_not_keep_the_length() -> None:
     for _ in range(60):
         by_eq_95.add_scaled(Z * math.tau, h)
         right.rotate_by(Z * (math.tau * h))
-    assert by_eq_95.magnitude() == pytest.approx(1.0856, abs=5e-5)  # as many digits as are known
+    assert by_eq_95.magnitude() == pytest.approx(1.0856, abs=5e-5)  # all known digits
     # A few roundings in each of 60 steps.
     assert by_eq_95.magnitude() == pytest.approx((1.0 + (math.pi * h) ** 2) ** 30, rel=1e-14)
     assert first_order_drift(math.tau, 1.0, 60)[0] == pytest.approx(by_eq_95.magnitude(), rel=1e-14)
     assert right.magnitude() == pytest.approx(1.0, abs=1e-14)
     product = Quaternion.from_axis_angle(X, 0.3) * Quaternion.from_axis_angle(Z, 0.4)
-    assert product.magnitude() == pytest.approx(1.0, abs=4e-16)  # products do keep it
+    assert product.magnitude() == pytest.approx(1.0, abs=4e-16)  # products conserve the length
 
 
 def test_e32_a_cut_through_the_center_of_mass_leaves_unequal_masses() -> None:
-    """A triangle cut into nine that are alike, each with its mass at its own centroid.
+    """A triangle is cut into nine equal triangles, each with its mass at its centroid.
 
-    The cut along their rows passes through the centroid of the whole: five lie below, four above.
+    The cut along their rows passes through the centroid of the whole. Five masses lie below it and
+    four above.
     """
     corners = (
-        [(x, y, 1) for y in range(3) for x in range(3 - y)]  # standing: one corner and two beside
-        + [(x + 1, y + 1, -1) for y in range(2) for x in range(2 - y)]  # the other way up
+        [(x, y, 1) for y in range(3) for x in range(3 - y)]  # upright triangles
+        + [(x + 1, y + 1, -1) for y in range(2) for x in range(2 - y)]  # inverted triangles
     )
     assert len(corners) == 9
     small = [("", 1.0, x + way / 3.0, y + way / 3.0) for x, y, way in corners]
     assert center_of_stones(small) == pytest.approx((1.0, 1.0), rel=1e-15)  # of (0,0) (3,0) (0,3)
-    # Along each of the sides: the corner opposite has the four.
+    # The cuts are parallel to the sides. The opposite corner always has four masses.
     for angle, masses in ((0.0, (4.0, 5.0)), (QUARTER, (5.0, 4.0)), (-math.pi / 4.0, (5.0, 4.0))):
         assert masses_beside(small, angle) == masses
         offset, c, s = balance_offset(small, angle), math.cos(angle), math.sin(angle)
         moment = math.fsum(c * y - s * x - offset for _, _, x, y in small)
-        assert moment == pytest.approx(0.0, abs=1e-14)  # it balances: some roundings of 3
+        assert moment == pytest.approx(0.0, abs=1e-14)  # balanced, apart from some roundings of 3
 
 
 def test_e33_three_angles_reach_every_orientation() -> None:
@@ -195,7 +196,7 @@ def test_e33_three_angles_reach_every_orientation() -> None:
         x = 0.0 if locked else math.atan2(m[2, 1], m[2, 2])
         z = math.atan2(-m[0, 1], m[1, 1]) if locked else math.atan2(m[1, 0], m[0, 0])
         reached = Matrix3.from_quaternion(euler_to_quaternion(x, y, z))
-        # Roundings of 1, which the angles of a small cosine share out between them.
+        # Roundings of 1, which are distributed over the angles if a cosine is small.
         assert farthest(tuple(reached), tuple(m)) < 1e-13
 
 
@@ -203,6 +204,6 @@ def test_e33_what_is_singular_is_the_map_of_the_rates() -> None:
     maps = [numpy.reshape([*rate_map(1.0, y, 0.3)], (3, 3)) for y in (1.0, QUARTER)]
     assert [numpy.linalg.matrix_rank(m) for m in maps] == [3, 2]
     one, other = (euler_to_quaternion(1.0 + d, QUARTER, 0.3 + d) for d in (0.0, 0.7))
-    assert farthest(tuple(one), tuple(other)) < 1e-15  # two angles change, and nothing turns
+    assert farthest(tuple(one), tuple(other)) < 1e-15  # two angles change without any rotation
     with pytest.raises(ValueError, match="y must not be a quarter turn"):
         euler_rates(1.0, QUARTER, 0.3, Vector3(1.0, 2.0, 3.0))

@@ -1,8 +1,8 @@
-"""E-27 in whole scenes: the listing, whose moves are not cleared, on platform and bridge.
+"""E-27 in whole scenes: the listing, which does not clear moves, on the platform and the bridge.
 
-The listing keeps the move of a contact in the contact, in an array that every frame fills anew.
-Where a contact is resolved that is not deep, nothing moves, and the move that was left there is
-taken off the depths of the contacts beside it once more.
+The listing stores the move of a contact in the contact, which is an element of an array that every
+frame fills again. If a contact without depth is resolved, nothing moves. The old move that is still
+stored is then subtracted from the depths of the neighboring contacts once more.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ FRAME = 1.0 / 60.0
 
 
 def place(contact: Contact) -> float:
-    """Return depth + (pa - pb) . n: no move changes it, if depths are kept up to date."""
+    """Return depth + (pa - pb) . n, which no move changes if depths are kept up to date."""
     apart = contact.particle.position
     if contact.other is not None:
         apart = apart - contact.other.position
@@ -31,11 +31,11 @@ def place(contact: Contact) -> float:
 
 
 class Listing:
-    """The published resolver, in one phase; ``wrong`` is by how much in m a depth ever was so."""
+    """The published resolver, in one phase. ``wrong`` is the largest error of a depth in m."""
 
     def __init__(self, clears: bool) -> None:
         self.clears, self.wrong = clears, 0.0
-        self.moves: dict[int, tuple[Vector3, Vector3]] = {}  # by the place in the array
+        self.moves: dict[int, tuple[Vector3, Vector3]] = {}  # by index in the array
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
         array = [*contacts]
@@ -57,7 +57,7 @@ class Listing:
         a, b, depth = contact.particle, contact.other, contact.penetration
         contact.resolve_velocity(duration)
         moves = contact.resolve_penetration()
-        contact.penetration = depth  # the loop below takes the move off this one too
+        contact.penetration = depth  # the loop below subtracts the move from this depth as well
         if depth <= 0.0 and not self.clears:
             moves = self.moves.get(worst, moves)
         self.moves[worst] = moves
@@ -74,9 +74,9 @@ class Listing:
 
 @pytest.mark.parametrize("scene", ["platform", "bridge"])
 def test_e27_moves_that_are_not_cleared_make_depths_wrong(scene: str) -> None:
-    """5 s in the book's step, with its rods of one side. Cleared: to some roundings of 5 m.
+    """Run 5 s of the book's step with one-sided rods. If cleared, errors are roundings of 5 m.
 
-    Measured: what is not cleared drifts from what is by up to 31 and 15 mm.
+    If moves are not cleared, the depths drift by up to 31 and 15 mm (measured).
     """
     ends = []
     for clears in (True, False):

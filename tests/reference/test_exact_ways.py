@@ -1,4 +1,4 @@
-"""Ways that need no small steps: frames that are exact, and a ball by its impacts alone."""
+"""Methods that need no small steps: exact frames, and a ball computed from its impacts alone."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def test_frames_are_on_the_exact_path(damping: float) -> None:
     for number, (x, y) in enumerate(places_in_frames(ball, 0.05, 40), 1):
         t = 0.05 * number
         gone = -math.expm1(-k * t) / k if k else t
-        # The series of (t - gone) / k, which loses its digits for a small k.
+        # The series of (t - gone) / k, because the formula loses digits for a small k.
         fallen = sum((-k) ** n * t ** (n + 2) / math.factorial(n + 2) for n in range(40))
         # 40 roundings of numbers up to 20.
         assert x == pytest.approx(1.0 + 3.0 * gone + 0.5 * fallen, abs=1e-12)
@@ -33,9 +33,9 @@ def test_what_cannot_be_moved_stays() -> None:
 
 
 def test_a_ball_comes_to_rest_when_all_its_bounces_are_over() -> None:
-    """Sqrt(2 h / g) (1 + e) / (1 - e) is 1.89736660 s for h = 2, g = 10, e = 0.5."""
+    """The end sqrt(2 h / g) (1 + e) / (1 - e) is 1.89736660 s for h = 2, g = 10 and e = 0.5."""
     heights = heights_in_frames(2.0, 0.0, 0.5, 1e-4, 18_980, gravity=10.0)
-    top = max(heights[13_000:15_000])  # of the second bounce: 0.5 of the speed, twice
+    top = max(heights[13_000:15_000])  # of the second bounce, with a quarter of the speed
     assert top == pytest.approx(2.0 / 16.0, abs=1e-7)
     assert heights[18_970 - 1] > 0.0
     assert heights[18_974:] == [0.0] * (18_980 - 18_974)
@@ -44,11 +44,11 @@ def test_a_ball_comes_to_rest_when_all_its_bounces_are_over() -> None:
 
 def test_a_ball_without_loss_bounces_on_and_one_with_all_lost_lies_still() -> None:
     first = math.sqrt(2.0 * 2.0 / 10.0)
-    # At the top again after each 2 first: twenty roundings of times up to 13 s, times the speed 0.
+    # At the top after each 2 * first. There are twenty roundings of times up to 13 s at speed 0.
     heights = heights_in_frames(2.0, 0.0, 1.0, 2.0 * first, 10, gravity=10.0)
     assert heights == pytest.approx([2.0] * 10, abs=1e-12)
     assert heights_in_frames(2.0, 0.0, 0.0, 1.0, 3) == [0.0] * 3
-    # Thrown down at 3 m/s from the ground it begins with its bounce, at 1.5 m/s.
+    # Thrown down at 3 m/s from the ground, it bounces at once and leaves at 1.5 m/s.
     assert heights_in_frames(0.0, -3.0, 0.5, 0.1, 1, gravity=10.0) == pytest.approx([0.1])
 
 

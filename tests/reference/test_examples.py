@@ -1,4 +1,4 @@
-"""The examples in the docstrings of solutions/, the book's own numbers among them, are true."""
+"""The examples in the docstrings of solutions/, including the book's own numbers, are correct."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The fireworks: what any show must keep to, what it refuses, and the types that come with it."""
+"""The fireworks: invariants of every show, rejected arguments, and the types of the chapter."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
 
 NAN, INF = math.nan, math.inf
 STILL = (0.0, 0.0, 0.0)
-BOOK = {  # the rules that the book's table has: ages, velocities, damping, payloads
+BOOK = {  # the rules in the book's table: ages, velocities, damping and payloads
     1: (0.5, 1.4, (-5, 25, -5), (5, 28, 5), 0.1, ((3, 5), (5, 5))),
     2: (0.5, 1.0, (-5, 10, -5), (5, 20, 5), 0.8, ((4, 2),)),
     3: (0.5, 1.5, (-5, -5, -5), (5, 5, 5), 0.1, ()),
@@ -61,7 +61,7 @@ def test_there_are_nine_types_and_two_more_and_every_show_with_them_ends() -> No
 @pytest.mark.parametrize("type", [1, 2, 6, 10])
 @pytest.mark.parametrize("seed", range(5))
 def test_the_count_of_all_sparks_follows_from_the_rules(type: int, seed: int) -> None:
-    """Each firework counts itself and what its payloads count; none burns for less than a frame."""
+    """A firework counts itself and the counts of its payloads. All burn for a frame or longer."""
     rules = {rule.type: rule for rule in (*FIREWORK_TYPES, *own_types())}
 
     def whole(type: int) -> int:
@@ -70,7 +70,7 @@ def test_the_count_of_all_sparks_follows_from_the_rules(type: int, seed: int) ->
     show = FireworksShow(rules.values(), 5000, seed)
     show.launch(type)
     seen = set()
-    kept = []  # so that no identity is used twice
+    kept = []  # keeps all objects alive, so that no id is reused
     for _ in range(2000):
         kept += [firework for firework in show.fireworks if id(firework) not in seen]
         seen |= {id(firework) for firework in show.fireworks}
@@ -139,7 +139,7 @@ def test_a_show_that_never_ends_says_so() -> None:
 
 
 def test_the_policies_look_different() -> None:
-    """A burst of long and short sparks into few slots: one keeps the old ones, one the new."""
+    """If long- and short-lived sparks fill a few slots, one policy keeps the old, one the new."""
     seen = []
     for when_full in ("keep_old", "drop_oldest"):
         show = FireworksShow([simple(1, 9.0), simple(2, 9.0)], 30, 1, when_full)
@@ -261,7 +261,7 @@ def test_what_means_nothing_is_refused_by_name(
 
 
 def test_the_sparks_of_a_wheel_do_not_depend_on_the_frames() -> None:
-    """However a second is cut into frames, as many sparks leave."""
+    """The same number of sparks leaves in a second, whatever its division into frames."""
     counts = []
     for frames in (1, 7, 60, 1000):
         show = FireworksShow([simple(1, 99.0)], 5000, 1)
@@ -269,7 +269,7 @@ def test_the_sparks_of_a_wheel_do_not_depend_on_the_frames() -> None:
         for _ in range(frames):
             wheel.update(1.0 / frames)
         counts.append((len(show.fireworks), wheel.thrown))
-        # The sum of the frames' lengths is rounded some thousand times.
+        # The sum of the frames' durations has some thousand roundings.
         assert wheel.angle == pytest.approx(6.0, rel=1e-12)
     assert counts == [(123, 123)] * 4
 
@@ -284,7 +284,7 @@ def test_the_nozzle_moves_as_its_velocity_says() -> None:
     after = wheel.nozzle()
     moved = (after.position - before.position) * (1.0 / h)
     middle = (before.velocity + after.velocity) * 0.5
-    # The difference over h has an error of h^2 v rate^2 / 24, and rounding some 1e-16 / h.
+    # The difference over h has an error of h^2 v rate^2 / 24, and a rounding of about 1e-16 / h.
     assert tuple(moved) == pytest.approx(tuple(middle), abs=1e-8)
 
 
@@ -309,9 +309,9 @@ def test_a_game_can_be_kept_alive_and_ends_when_nobody_clicks() -> None:
         tick(display, 1.0 / 60.0)
     assert is_over(display)
     assert display.misses == 0
-    assert display.score >= 9  # each click in the last 0.4 s scores 3, and 5 s have three rockets
+    assert display.score >= 9  # a click in the last 0.4 s scores 3; 5 s have three rockets
     assert 5.0 < display.time < 7.0
-    assert display.show.fireworks == []  # after its end, what burns burns out
+    assert display.show.fireworks == []  # the last fireworks burn out after the end
 
 
 def test_a_refused_frame_costs_a_game_no_time() -> None:

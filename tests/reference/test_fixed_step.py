@@ -1,4 +1,4 @@
-"""Frames of one length: the same run whatever the pictures take, and no time that is lost."""
+"""Fixed steps: the run does not depend on the frame times, and no time is lost."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 
 
 def pair() -> tuple[list[Particle], ParticleWorld]:
-    """Return two balls on a cable that bounce, which no two different steps take alike."""
+    """Return two bouncing balls on a cable. Different steps never give the same motion."""
     balls = [
         Particle(Vector3(0.0, 2.0), Vector3(1.0), GRAVITY, damping=0.9),
         Particle(Vector3(0.5, 3.0), Vector3(-3.0, 1.0), GRAVITY, mass=2.0, damping=0.9),
@@ -32,7 +32,7 @@ def pair() -> tuple[list[Particle], ParticleWorld]:
 
 
 def after(frames: list[float]) -> tuple[list[float], int, list[float]]:
-    """Return the last state, how many steps there were, and their durations."""
+    """Return the final state, the number of steps, and their durations."""
     balls, world = pair()
     durations: list[float] = []
 
@@ -46,7 +46,7 @@ def after(frames: list[float]) -> tuple[list[float], int, list[float]]:
 
 
 def uneven(seed: int) -> list[float]:
-    """Return the times of pictures that fill 5 s: 5 to 40 ms, and now and then half a second."""
+    """Return frame times that fill 5 s: 5 to 40 ms, and half a second from time to time."""
     draw, frames = random.Random(seed), [0.0]
     while sum(frames) < 4.4:
         frames.append(0.5 if draw.random() < 0.02 else draw.uniform(0.005, 0.04))
@@ -59,7 +59,7 @@ def test_uneven_frames_end_exactly_where_even_ones_do(seed: int) -> None:
     uneven_end, uneven_steps, durations = after(uneven(seed))
     assert steps == uneven_steps == 300
     assert set(durations) == {DURATION}
-    assert uneven_end == even  # to the last bit: the same steps
+    assert uneven_end == even  # to the last bit, because the steps are the same
     assert after([5.0])[0] == even
     assert after([0.001] * 5000)[0] == even
 
@@ -85,12 +85,12 @@ def test_no_time_is_lost(frames: list[float], duration: float, most: int | None)
         count = clock.advance(frame)
         steps += count
         assert most is None or count <= most
-        # Less than a step is left; and a step that is 1e-9 of itself early is owed as much.
+        # Less than a step is left. A step that is early by 1e-9 of itself is owed as much.
         assert -1.1e-9 * duration <= clock.left < duration
     assert made == [duration] * steps
     elapsed = sum(Fraction(frame) for frame in frames)
     known = steps * Fraction(duration) + Fraction(clock.left) + Fraction(clock.dropped)
-    # 80 s at the most, in 8000 steps of a rounding of 2 s each: 2^-53 of that.
+    # At most 80 s in 8000 steps, each with a rounding of 2 s, which is 2^-53 of that.
     assert abs(float(known - elapsed)) <= 8000 * 2.0 * 2.0**-53
     if most is None:
         assert clock.dropped == 0.0
@@ -98,7 +98,7 @@ def test_no_time_is_lost(frames: list[float], duration: float, most: int | None)
 
 @given(rate=st.integers(1, 1000), frames=st.integers(1, 300))
 def test_n_frames_of_a_step_each_are_n_steps(rate: int, frames: int) -> None:
-    """Though n / rate is seldom what n additions of 1 / rate come to."""
+    """n / rate is rarely equal to n additions of 1 / rate, but the number of steps is n."""
     made: list[float] = []
     clock = FixedStep(made.append, 1.0 / rate)
     assert clock.advance(frames / rate) == frames
@@ -108,10 +108,10 @@ def test_n_frames_of_a_step_each_are_n_steps(rate: int, frames: int) -> None:
 def test_what_is_too_much_for_one_picture_is_dropped_but_for_less_than_a_step() -> None:
     made: list[float] = []
     clock = FixedStep(made.append, 0.25, 3)
-    assert clock.advance(2.125) == 3  # 8 are due, and half a step
+    assert clock.advance(2.125) == 3  # 8 and a half steps are due
     assert (clock.left, clock.dropped, made) == (0.125, 1.25, [0.25] * 3)
     assert clock.advance(0.125) == 1
-    assert clock.advance(0.75) == 3  # just as many as there may be: nothing is dropped
+    assert clock.advance(0.75) == 3  # exactly the limit, so nothing is dropped
     assert (clock.left, clock.dropped) == (0.0, 1.25)
 
 

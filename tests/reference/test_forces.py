@@ -1,4 +1,4 @@
-"""Chapter 5's particle, registry and generators: laws, limits, refusals."""
+"""Chapter 5's particle, registry and generators: laws, limits and rejected arguments."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ NAN, INF = math.nan, math.inf
 UP = Vector3(0.0, 1.0, 0.0)
 component = st.floats(-1e6, 1e6)
 vector = st.tuples(component, component, component)
-# A part in 1e12 of it, three times over, is still an ordinary float.
+# 1e-12 of the value, applied three times, is still an ordinary float.
 ordinary = component.filter(lambda value: value == 0.0 or abs(value) > 1e-200)
 size = st.floats(-6.0, 6.0).map(lambda power: 10.0**power)
 
@@ -123,7 +123,7 @@ def test_the_sum_can_only_be_changed_by_adding() -> None:
 
 
 def test_forces_of_every_pattern_give_what_the_constant_acceleration_gives() -> None:
-    """With forces in some frames and none in others, the last acceleration is that of the frame."""
+    """The last acceleration belongs to the frame, even if only some frames have forces."""
     frames = [0.02, 0.01, 0.03]
     for pattern in itertools.product((0.0, 3.0), repeat=6):
         forced = Particle(velocity=UP, mass=2.0, damping=0.7)
@@ -135,7 +135,7 @@ def test_forces_of_every_pattern_give_what_the_constant_acceleration_gives() -> 
             forced.integrate(frame)
             built_in.integrate(frame)
             assert tuple(forced.last_acceleration) == tuple(built_in.acceleration)
-        # Six frames, a few roundings of numbers below 1 in each.
+        # Six frames, each with a few roundings of numbers below 1.
         assert tuple(forced.position) == pytest.approx(tuple(built_in.position), abs=1e-15)
         assert tuple(forced.velocity) == pytest.approx(tuple(built_in.velocity), abs=1e-15)
 
@@ -169,7 +169,7 @@ def test_an_airbrake_never_turns_any_motion_round(
 
 
 def test_an_airbrake_beyond_its_limit_is_where_drag_turns_round() -> None:
-    """Inside k h / m = 1 both leave as much; outside drag reverses, and the brake does not."""
+    """Up to k h / m = 1 both leave the same speed. Above it drag reverses, but a brake does not."""
     for share in (0.98, 1.02, 1.98, 2.02):
         left = []
         for generator in (Drag(share * 2.0 / 0.1, 0.0), Airbrake(share * 2.0 / 0.1)):
@@ -186,7 +186,7 @@ def test_an_airbrake_beyond_its_limit_is_where_drag_turns_round() -> None:
     ("share", "growth"), [(0.98, 0.02), (1.02, -0.02), (1.98, -0.98), (2.02, -1.02)]
 )
 def test_linear_drag_multiplies_the_velocity_by_its_factor(share: float, growth: float) -> None:
-    """Inside k1 h / m = 2 it dies away, outside it grows for ever: 2,000 steps of each."""
+    """Below k1 h / m = 2 the velocity decays, and above it grows, for 2,000 steps each."""
     particle = Particle(velocity=Vector3(1.0), mass=2.0)
     drag = Drag(4.0, 0.0)
     steps = 2000
@@ -206,12 +206,12 @@ def test_ten_orbits_by_the_book_s_step_gain_the_energy_that_they_are_known_to() 
         gravity.update_force(particle, 0.005)
         particle.integrate(0.005)
     energy = particle.kinetic_energy() - 1.0 / particle.position.magnitude()
-    # The known figure, -0.177, has three digits; the exact orbit has -0.5.
+    # The known figure, -0.177, has three digits. The exact orbit has -0.5.
     assert energy == pytest.approx(-0.177, abs=0.0005)
 
 
 def test_a_circle_in_point_gravity_goes_round_at_the_speed_of_its_radius() -> None:
-    """v^2 / r = g: after a turn of 2 pi r / v the gap is of the first order in the frame."""
+    """With v^2 / r = g, the gap after a turn of 2 pi r / v is of order 1 in the frame."""
     gaps = []
     for frames in (20_000, 40_000):
         particle = Particle(Vector3(5.0), Vector3(0.0, 0.0, 10.0))
@@ -252,7 +252,7 @@ def test_generators_leave_immovable_particles_where_they_are() -> None:
     )
     for generator in generators:
         registry.add(particle, generator)
-        generator.update_force(particle, 0.5)  # by hand too
+        generator.update_force(particle, 0.5)  # once more by hand
         particle.integrate(0.5)
         registry.update_forces(0.5)
         particle.integrate(0.5)
@@ -260,7 +260,7 @@ def test_generators_leave_immovable_particles_where_they_are() -> None:
         assert tuple(particle.velocity) == tuple(UP)
 
 
-# Refusals
+# Rejected arguments
 
 
 @pytest.mark.parametrize(
@@ -309,7 +309,7 @@ def test_the_center_is_refused_with_the_distance() -> None:
 
 
 def test_an_infinite_velocity_never_becomes_a_force() -> None:
-    """A component may be set by hand, and is then one's own; the drag of it is refused."""
+    """A component can be set by hand without a check, but the drag on it is rejected."""
     particle = Particle()
     particle.velocity.x = INF
     with pytest.raises(ValueError, match="force must have finite components"):

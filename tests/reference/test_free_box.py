@@ -1,4 +1,4 @@
-"""A box that turns freely: what it keeps, SciPy's solution, and which of its axes are steady."""
+"""A box that rotates freely: conserved quantities, SciPy's solution, and its stable axes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ch09_rotations.free_box import FreeBox
 from studies.drawing import slope
 
 NAN, INF = math.nan, math.inf
-SIDES = (0.2, 0.3, 0.1)  # the moments about X, Y and Z are in the proportion of 10, 5 and 13
+SIDES = (0.2, 0.3, 0.1)  # the moments about X, Y and Z have the ratio 10 : 5 : 13
 SPEED = 2.0 * math.pi
 STEP = 1.0 / 60.0
 
@@ -27,16 +27,16 @@ def thrown(x: float, y: float, z: float) -> FreeBox:
 
 
 def momentum(box: FreeBox) -> tuple[float, ...]:
-    """Return the angular momentum in axes of the world, by SciPy, from how the box turns now."""
+    """Return the angular momentum in world axes, by SciPy, from the current rotation."""
     q = box.orientation
     own = [i * w for i, w in zip(box.inertia, box.own_velocity(), strict=True)]
     return tuple(Rotation([q.i, q.j, q.k, q.r]).apply(own))
 
 
 def exact(box: FreeBox, duration: float) -> tuple[Any, Any]:
-    """Return own velocity and orientation (r, i, j, k) after a time, by SciPy, of a box as new.
+    """Return a new box's own velocity and orientation (r, i, j, k) after a time, by SciPy.
 
-    Euler's equations of the own velocity w, and q' = q (0, w) / 2.
+    The equations are Euler's for the own velocity w, and q' = q (0, w) / 2.
     """
     inertia = numpy.array([*box.inertia])
 
@@ -59,7 +59,7 @@ def test_moments_and_energy_are_those_of_a_cuboid() -> None:
 
 
 def test_energy_and_momentum_are_kept_for_100_000_steps() -> None:
-    """Nearly half an hour: the energy swings with each turning over, and no more at the end."""
+    """In almost half an hour, the energy oscillates with each flip, and not more at the end."""
     box = thrown(SPEED, 0.05 * SPEED, 0.0)
     start, wanted = box.energy(), momentum(box)
     worst = []
@@ -67,17 +67,17 @@ def test_energy_and_momentum_are_kept_for_100_000_steps() -> None:
         swing = 0.0
         for i in range(5000):
             box.step(STEP)
-            if i % 5 == 0:  # it takes half a second to turn over: six looks
+            if i % 5 == 0:  # a flip takes half a second, so this samples it six times
                 swing = max(swing, abs(box.energy() / start - 1.0))
         worst.append(swing)
-        # The roundings of two turns and of a length: however many steps there were.
+        # The roundings of two rotations and of a length, independent of the number of steps.
         assert math.dist(momentum(box), wanted) <= 1e-14 * math.hypot(*wanted)
-    assert max(worst) < 6e-4  # 5.3e-4: of second order, a twentieth of (speed times step)^2
+    assert max(worst) < 6e-4  # 5.3e-4, of order 2: a twentieth of (speed times step)^2
     assert max(worst) == pytest.approx(min(worst), rel=0.01)
 
 
 def swings(box: FreeBox, duration: float, count: int) -> float:
-    """Return by how much of itself the energy was off at the worst."""
+    """Return the largest relative error of the energy."""
     start, worst = box.energy(), 0.0
     for _ in range(count):
         box.step(duration / count)
@@ -88,7 +88,7 @@ def swings(box: FreeBox, duration: float, count: int) -> float:
 def test_the_swing_of_the_energy_is_of_second_order() -> None:
     counts = (360, 720, 1440)
     off = [swings(thrown(SPEED, 0.05 * SPEED, 0.0), 6.0, count) for count in counts]
-    # The next order is (w h)^2 of it, some 0.01 at most.
+    # The next order is smaller by a factor of (w h)^2, about 0.01 at most.
     assert slope(counts, off) == pytest.approx(-2.0, abs=0.02)
 
 
@@ -109,10 +109,10 @@ def test_velocity_and_orientation_come_to_scipys_with_the_second_order(
             box.step(2.0 / count)
         off.append(math.dist(box.own_velocity(), wanted))
         turned_off.append(math.dist(box.orientation, turn))
-    # The next order is a hundredth of it at the most.
+    # The next order is at most a hundredth.
     assert slope(counts, off) == pytest.approx(-2.0, abs=0.02)
     assert slope(counts, turned_off) == pytest.approx(-2.0, abs=0.02)
-    # 1.1e-3 rad/s and 9e-5 where it turns over, which is fastest.
+    # 1.1e-3 rad/s and 9e-5 during a flip, where the motion is fastest.
     assert off[-1] < 1.5e-3
     assert turned_off[-1] < 1.5e-4
 
@@ -124,14 +124,14 @@ def test_a_turn_about_one_axis_alone_is_exact_in_any_step(axis: int) -> None:
     box = thrown(*velocity)
     for step in (0.5, 0.1, 1.4):
         box.step(step)
-    wanted = [math.cos(3.0), *map(math.sin, velocity)]  # of half the angle, in 2 s
-    # Some 30 roundings of numbers up to 3; also about the middle axis, with nothing to disturb it.
+    wanted = [math.cos(3.0), *map(math.sin, velocity)]  # of half the angle after 2 s
+    # Some 30 roundings of numbers up to 3. Without a disturbance the middle axis is stable, too.
     assert [*box.orientation] == pytest.approx(wanted, abs=1e-14)
     assert [*box.own_velocity()] == pytest.approx(velocity, abs=1e-14)
 
 
 def turn_overs(box: FreeBox, axis: str, duration: float, step: float) -> list[float]:
-    """Return when the own velocity about an axis changed its sign, by a line between steps."""
+    """Return the times at which the own velocity about an axis changes sign, interpolated."""
     values = [getattr(box.own_velocity(), axis)]
     for _ in range(round(duration / step)):
         box.step(step)
@@ -142,12 +142,12 @@ def turn_overs(box: FreeBox, axis: str, duration: float, step: float) -> list[fl
 def time_to_turn_over(inertia: Vector3, velocity: Vector3) -> float:
     """Return half the period of the middle component of the own velocity: 2 K(m) / n.
 
-    The components are Jacobi's elliptic functions of n t, the middle one sn, whose period is 4 K.
+    The components are Jacobi's elliptic functions of n t. The middle one is sn with period 4 K.
     """
     a, b, c = sorted(inertia)
     energy = sum(i * w * w for i, w in zip(inertia, velocity, strict=True))  # twice
     squared = sum((i * w) ** 2 for i, w in zip(inertia, velocity, strict=True))
-    if squared < energy * b:  # it goes round the axis of the smallest moment, not the largest
+    if squared < energy * b:  # around the axis of the smallest moment, not the largest
         a, c = c, a
     n = math.sqrt((c - b) * (squared - energy * a) / (a * b * c))
     m = (b - a) * (energy * c - squared) / ((c - b) * (squared - energy * a))
@@ -165,7 +165,7 @@ def test_about_the_middle_axis_it_turns_over_as_often_as_elliptic_integrals_say(
         means.append((times[-1] - times[0]) / (len(times) - 1))
     coarse, fine = means
     wanted = time_to_turn_over(thrown(*velocity).inertia, velocity)
-    # Off by 0.6 to 0.8 % and by a quarter of that; the next order is a hundredth of it.
+    # The error is 0.6 to 0.8 %, and a quarter of that. The next order is a hundredth.
     assert coarse == pytest.approx(wanted, rel=0.01)
     assert (coarse - wanted) / (fine - wanted) == pytest.approx(4.0, rel=0.02)
 
@@ -175,10 +175,10 @@ def test_about_the_middle_axis_it_turns_over_as_often_as_elliptic_integrals_say(
 def test_about_the_other_two_axes_a_disturbance_stays_as_small_as_it_was(
     axis: int, grows: float, disturbance: float
 ) -> None:
-    """For an end moment I, L^2 - 2 E I is that of the other two: the sum of J (J - I) w^2 stays.
+    """For an end moment I, L^2 - 2 E I depends on the other two axes: J (J - I) w^2, summed.
 
-    So a disturbance grows by the root of the two factors' ratio at most: 104 / 50 about Y, whose
-    moment is the smallest, and 40 / 30 about Z.
+    It is conserved, so a disturbance grows at most by the root of the ratio of the two factors:
+    104 / 50 about Y, whose moment is the smallest, and 40 / 30 about Z.
     """
     for other in {0, 1, 2} - {axis}:
         velocity = [0.0, 0.0, 0.0]

@@ -1,4 +1,4 @@
-"""The steps: their orders, what the symplectic ones keep, and what the others are known to lose."""
+"""The integrators: their orders, conservation by symplectic steps, and known losses of others."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ SYMPLECTIC = (semi_implicit_euler, leapfrog, velocity_verlet)
 
 
 def swinging(damping: float = 0.0) -> tuple[Particle, ApplyForces]:
-    """Return 2 kg that swing in the plane on a spring of 1 m: no linear problem."""
+    """Return 2 kg that swing in the plane on a spring of 1 m, which is not linear."""
     particle = Particle(Vector3(1.4, 0.2), Vector3(-0.5, 2.0), Vector3(0.0, -3.0), mass=2.0)
     registry = ForceRegistry()
     registry.add(particle, AnchoredSpring(Vector3(), 30.0, 1.0, damping))
@@ -42,7 +42,7 @@ def swinging(damping: float = 0.0) -> tuple[Particle, ApplyForces]:
 
 
 def plain_spring(particle: Particle, k: float, length: float) -> ApplyForces:
-    """Return the force of an anchored spring, in a few plain floats: 100,000 steps ask for it."""
+    """Return the force of an anchored spring in plain floats, fast enough for 100,000 steps."""
 
     def apply_forces(_: float) -> None:
         p = particle.position
@@ -64,9 +64,9 @@ def state(particle: Particle) -> Any:
 @pytest.mark.parametrize("damping", [0.0, 4.0])
 @pytest.mark.parametrize(("step", "order"), ORDERS)
 def test_halved_frames_show_the_order(step: Integrator, order: int, damping: float) -> None:
-    """Differences between ends after 1 s, in steps h, h / 2 and h / 4: their ratio is 2^order."""
+    """Differences between the states after 1 s in steps h, h / 2 and h / 4 have ratio 2^order."""
     if step is leapfrog and damping:
-        order = 1  # it asks with the old velocity for forces that depend on it
+        order = 1  # it evaluates velocity-dependent forces with the old velocity
     ends = []
     n = 100 if order == 4 else 800
     for frames in (n, 2 * n, 4 * n):
@@ -75,8 +75,8 @@ def test_halved_frames_show_the_order(step: Integrator, order: int, damping: flo
             step([particle], apply_forces, 1.0 / frames)
         ends.append(state(particle))
     first, second = (numpy.linalg.norm(ends[i] - ends[i + 1]) for i in (0, 1))
-    assert first > 1e-9  # far from what roundings do
-    # The next term of the error is smaller by a frame: it moves the order by some hundredths.
+    assert first > 1e-9  # far above rounding
+    # The next term of the error is smaller by a factor h and changes the order by some hundredths.
     assert math.log2(first / second) == pytest.approx(order, abs=0.1)
 
 
@@ -114,7 +114,7 @@ def test_the_forces_are_asked_for_so_often_a_step(step: Integrator, asked: int) 
 def test_a_force_by_hand_lasts_all_of_one_frame(
     step: Integrator, share: float, v: float, a: float, force: float
 ) -> None:
-    """Nothing but a constant push: v' = v + (a + f / m) h, and p' by 0, all or half of a h^2."""
+    """Under a constant push, v' = v + (a + f / m) h, and p' has 0, all or half of a h^2."""
     particle = Particle(velocity=Vector3(v), acceleration=Vector3(a), mass=4.0)
     particle.add_force(Vector3(force))
     step([particle], lambda _: None, 0.25)
@@ -133,16 +133,16 @@ def test_the_last_acceleration_is_the_mean_one_of_the_step(step: Integrator) -> 
         before = particle.velocity.copy()
         step([particle], apply_forces, 0.02)
         mean = (particle.velocity - before) / 0.02
-        # A rounding of 3 m/s over 0.02 s.
+        # The rounding of 3 m/s, divided by 0.02 s.
         assert tuple(particle.last_acceleration) == pytest.approx(tuple(mean), abs=1e-13)
 
 
-# Symplectic, or not
+# Symplectic or not
 
 
 @pytest.mark.parametrize("step", STEPS)
 def test_the_jacobian_of_a_step_is_symplectic_for_three_of_them(step: Integrator) -> None:
-    """J' W J = W, which implies a determinant of 1: areas of states stay what they are."""
+    """J' W J = W, which implies a determinant of 1: areas in the space of states are conserved."""
     columns = []
     for i in range(4):
         ends = []
@@ -158,7 +158,7 @@ def test_the_jacobian_of_a_step_is_symplectic_for_three_of_them(step: Integrator
     form = numpy.block([[numpy.zeros((2, 2)), numpy.eye(2)], [-numpy.eye(2), numpy.zeros((2, 2))]])
     off = float(abs(jacobian.T @ form @ jacobian - form).max())
     volume = abs(float(numpy.linalg.det(jacobian)) - 1.0)
-    # Central differences over 1e-5: 1e-10 of the third derivative, and 1e-16 / 1e-5 of roundings.
+    # Central differences over 1e-5 have errors of 1e-10 of the third derivative and 1e-11.
     if step in SYMPLECTIC:
         assert max(off, volume) < 1e-7
     else:
@@ -183,10 +183,10 @@ def test_symplectic_steps_keep_the_energy_within_bounds_for_100_000_steps(
     for _ in range(100_000):
         step([particle], apply_forces, 0.04)
         shares.append(energy() / start)
-    # w h is 0.15: the energy errs by about w h (and its square over 4), to and fro.
+    # w h is 0.15. The energy oscillates by about w h (or its square over 4).
     assert max(abs(share - 1.0) for share in shares) < swing
     early, late = sum(shares[:10_000]) / 10_000, sum(shares[-10_000:]) / 10_000
-    # The mean of 10,000 does not drift: a tenth of what it swings by.
+    # The mean of 10,000 values does not drift, to a tenth of the oscillation.
     assert late == pytest.approx(early, abs=swing / 10.0)
 
 
@@ -194,9 +194,9 @@ def test_symplectic_steps_keep_the_energy_within_bounds_for_100_000_steps(
 def test_steps_that_are_not_symplectic_change_the_energy_by_their_known_factors(
     share: float,
 ) -> None:
-    """With z^2 = k h^2 / m: 1 + z^2 for the first, and 1 - z^6 / 72 + z^8 / 576 for Runge-Kutta.
+    """With z^2 = k h^2 / m, the factors are 1 + z^2, and 1 - z^6 / 72 + z^8 / 576 for Runge-Kutta.
 
-    These are |R(i z)|^2 of the two stability functions, 1 + z and the fourth-order part of e^z.
+    They are |R(i z)|^2 of the stability functions 1 + z and the fourth-order part of e^z.
     """
     z, n = share, 50
     for step, factor in (
@@ -210,11 +210,11 @@ def test_steps_that_are_not_symplectic_change_the_energy_by_their_known_factors(
             step([particle], registry.update_forces, FRAME)
         x, v = particle.position.x, particle.velocity.x
         left = x * x + (v * FRAME / z) ** 2
-        assert left == pytest.approx(factor**n, rel=1e-12)  # 50 steps, some roundings in each
+        assert left == pytest.approx(factor**n, rel=1e-12)  # 50 steps, each with some roundings
 
 
 def test_explicit_euler_makes_ten_seconds_of_a_spring_14_million_times_as_strong() -> None:
-    """k 100, 1 kg, 60 frames a second. The velocity first: x 1.06, from the power of its matrix."""
+    """Test k = 100 N/m, 1 kg and 60 Hz. Velocity first gives x 1.06, by the matrix's power."""
     h = FRAME
     matrix = numpy.array([[1.0 - 100.0 * h * h, h], [-100.0 * h, 1.0]])
     x, v = numpy.linalg.matrix_power(matrix, 600) @ [1.0, 0.0]
@@ -244,7 +244,7 @@ def test_explicit_euler_makes_ten_seconds_of_a_spring_14_million_times_as_strong
 def test_ten_orbits_end_with_the_known_energy(
     step: Integrator, energy: float, digit: float
 ) -> None:
-    """e 0.6, frames of 0.005; the exact energy is -0.5. Half of the last known digit is allowed."""
+    """e is 0.6, frames are 0.005, and the exact energy is -0.5. Allow half of the last digit."""
     particle = Particle(Vector3(0.4), Vector3(0.0, 2.0))
     registry = ForceRegistry()
     registry.add(particle, InverseSquareGravity(Vector3(), 1.0))
@@ -264,13 +264,13 @@ def test_ten_orbits_end_with_the_known_energy(
 def test_the_implicit_steps_divide_the_energy_by_what_they_should(
     step: Callable[..., tuple[float, float]], factor: Callable[[float], float], k: float
 ) -> None:
-    """The trapezoidal rule keeps it; backward Euler leaves 1 / (1 + k h^2 / m) of it a step."""
+    """The trapezoidal rule conserves it; backward Euler leaves 1 / (1 + k h^2 / m) per step."""
     x, v, m = 1.0, 0.3 * math.sqrt(k / 2.0), 2.0
     start = k * x * x + m * v * v
     for n in range(1, 201):
         x, v = step(x, v, k, 0.0, m, FRAME)
         wanted = start * factor(k * FRAME**2 / m) ** -n
-        # Each step rounds: of x' = x + h v' a stiff spring loses all digits but those of x, once.
+        # In x' = x + h v', rounding once loses all digits of a stiff spring except those of x.
         if wanted > 1e-12 * start:
             assert k * x * x + m * v * v == pytest.approx(wanted, rel=1e-9)
     assert k * x * x + m * v * v <= start * (1.0 + 1e-9)
@@ -295,7 +295,7 @@ def test_the_implicit_steps_come_to_the_exponential_with_their_order(
 
 @pytest.mark.parametrize("step", STEPS)
 def test_a_step_moves_the_vectors_that_others_may_hold(step: Integrator) -> None:
-    """An anchor that is a particle's own position follows it, whichever step moves it."""
+    """An anchor that is a particle's own position vector follows it with every integrator."""
     leader = Particle(Vector3(1.0), Vector3(0.0, 2.0, 0.0))
     spring = AnchoredSpring(Vector3(), 3.0, 0.0)
     spring.anchor, held = leader.position, leader.velocity

@@ -1,4 +1,4 @@
-"""Which particles a force generator joins: those it names in public, and no others."""
+"""A force generator joins the particles that it names in public, and no others."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from ch08_mass_aggregate.wheel import RimDrive
 
 
 class Hidden:
-    """A generator of a user that keeps its particles to itself."""
+    """A user's generator that keeps its particles private."""
 
     def __init__(self, *others: Particle) -> None:
         self._others = others
@@ -36,7 +36,7 @@ class Hidden:
 
 
 class Shown(Hidden):
-    """The same, which names them by the property that joints.py asks for."""
+    """The same generator, which names its particles by the property that joints.py reads."""
 
     @property
     def particles(self) -> tuple[Particle, ...]:
@@ -57,7 +57,7 @@ class Slotted:
 
 
 def generators(a: Particle, b: Particle, c: Particle) -> dict[str, tuple[ForceGenerator, str]]:
-    """Return generators to register for a, and the names of the others that each joins to it."""
+    """Return generators to register for a, and the names of the particles that each joins to it."""
     return {
         "a spring": (Spring(b, 1.0, 1.0), "b"),
         "a bungee": (Bungee(b, 1.0, 1.0), "b"),
@@ -95,7 +95,7 @@ def test_what_is_immovable_is_not_joined(fixed: int) -> None:
 
 
 def test_a_crowd_falls_asleep_and_wakes_together() -> None:
-    """Five at rest, each 1 m from the next, who mind what is nearer than 0.5 m; then one moves."""
+    """Five particles rest 1 m apart, and overcrowding acts within 0.5 m. Then one moves."""
     bodies = [Particle(Vector3(float(i))) for i in range(5)]
     world = SleepingWorld(bodies, sleep_frames=5)
     crowd = Overcrowding(bodies, 0.5, 10.0)

@@ -1,4 +1,4 @@
-"""Cables, rods and limits against geometry and pendulums; chains, and the chain of one solve."""
+"""Cables, rods and limits against geometry and pendulums; chains, and direct solves."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Link = Callable[[Particle, Particle], Any]
 
 
 def no_forces(_: float) -> None:
-    """Gravity is in the particles."""
+    """Add no forces. Gravity is each particle's own acceleration."""
 
 
 # Geometry
@@ -50,7 +50,7 @@ TWO = [
 def test_a_link_s_contacts_are_what_geometry_says(
     make: Link, long: list[tuple[int, float]], short: list[tuple[int, float]], c: float
 ) -> None:
-    """Ends 3 m and 1 m apart, along (2, -1, 2) / 3: sign of the normal, and depth."""
+    """The ends are 3 m and 1 m apart along (2, -1, 2) / 3. Check the normal's sign and depth."""
     along = numpy.array([2.0, -1.0, 2.0]) / 3.0
     for length, wanted in ((3.0, long), (1.0, short)):
         start = numpy.array([0.5, 4.0, -1.0])
@@ -133,9 +133,9 @@ def test_what_a_link_cannot_be_made_of_is_named(
 
 
 def swing(kind: type[AnchoredRod] | type[AnchoredCable], degrees: float, rate: int) -> float:
-    """Return how long a pendulum of 1 m takes from its first way through the bottom to its third.
+    """Return the time of a 1 m pendulum from its first to its third passage through the bottom.
 
-    It begins at the bottom with the speed that takes it to this angle.
+    It starts at the bottom with the speed that takes it to this angle.
     """
     h, angle = 1.0 / rate, math.radians(degrees)
     speed = math.sqrt(20.0 * (1.0 - math.cos(angle)))
@@ -160,13 +160,13 @@ def swing(kind: type[AnchoredRod] | type[AnchoredCable], degrees: float, rate: i
 def test_a_pendulum_s_period_is_that_of_the_elliptic_integral(
     kind: type[AnchoredRod], degrees: float, period: float, off: float
 ) -> None:
-    """4 sqrt(L / g) K(sin^2(angle / 2)), L 1, g 10; the error is of the first order in h."""
+    """The period is 4 sqrt(L / g) K(sin^2(angle / 2)) with L 1 and g 10. The error has order 1."""
     errors = [swing(kind, degrees, rate) - period for rate in (960, 1920, 3840)]
     assert max(map(abs, errors)) < off
-    # The impulse along the rod takes a part w h of its energy: it swings less far, and faster.
+    # The impulse along the rod removes a fraction w h of the energy, so it swings less and faster.
     assert all(error < 0.0 for error in errors)
     for coarse, fine in pairwise(errors):
-        assert coarse / fine == pytest.approx(2.0, rel=0.15)  # and a part of the second order
+        assert coarse / fine == pytest.approx(2.0, rel=0.15)  # with a part of order 2
     assert 2.0 * errors[2] - errors[1] == pytest.approx(0.0, abs=0.03 * off)
 
 
@@ -174,7 +174,7 @@ def test_a_pendulum_s_period_is_that_of_the_elliptic_integral(
 def test_a_string_let_go_from_horizontal_pulls_with_3_m_g_at_the_bottom(
     kind: type[AnchoredRod] | type[AnchoredCable],
 ) -> None:
-    """m g and m v^2 / L = 2 m g, from the impulses of its frames: 60 N for 2 kg."""
+    """The impulses of the frames give m g + m v^2 / L with m v^2 / L = 2 m g: 60 N for 2 kg."""
     missing = []
     for rate in (960, 3840):
         h = 1.0 / rate
@@ -186,7 +186,7 @@ def test_a_string_let_go_from_horizontal_pulls_with_3_m_g_at_the_bottom(
             resolver.resolve_contacts(link.contacts(), h)
             pull = (bob.velocity - before).magnitude() * bob.mass / h
         missing.append(60.0 - pull)
-    # Of the first order in h, as its energy: a quarter of it at four times the rate.
+    # The error has order 1 in h, like the energy: a quarter at four times the rate.
     assert missing[1] == pytest.approx(0.0, abs=0.1)
     assert missing[0] / missing[1] == pytest.approx(4.0, rel=0.05)
 
@@ -205,7 +205,7 @@ def straight(
 def held(
     kind: type[Rod], n: int, rate: int, iterations: int | None = None, degrees: float = 0.0
 ) -> float:
-    """Return by how much a link of a chain of links of 1 m is ever too long or short in 5 s."""
+    """Return the largest error in 5 s of a link of 1 m in a chain."""
     bodies, _ = straight(n, degrees)
     ends = pairwise([Particle(mass=math.inf), *bodies])
     links, worst = [kind(a, b, 1.0) for a, b in ends], 0.0
@@ -220,7 +220,7 @@ def held(
 
 
 def test_book_rods_hold_a_hanging_chain_of_three_links_and_not_of_ten() -> None:
-    """Measured, at 60 frames a second: 2.8 cm of a link of 1 m, and 61 cm."""
+    """At 60 Hz, 2.8 cm and 61 cm of a link of 1 m were measured."""
     assert held(Rod, 3, 60) == pytest.approx(0.0277, rel=0.05)
     assert held(Rod, 10, 60) == pytest.approx(0.606, rel=0.05)
 
@@ -228,16 +228,16 @@ def test_book_rods_hold_a_hanging_chain_of_three_links_and_not_of_ten() -> None:
 @pytest.mark.parametrize("n", [3, 10])
 @pytest.mark.parametrize("degrees", [0.0, 30.0, 90.0])
 def test_rods_with_two_sides_hold_better(n: int, degrees: float) -> None:
-    """By three times at least, measured, whether it hangs or is let go at an angle."""
+    """At least three times better was measured, hanging or released at an angle."""
     two = held(TwoSidedRod, n, 60, None, degrees)
     assert two < held(Rod, n, 60, None, degrees) / 3.0
     assert two < 0.2
 
 
 def test_ten_frames_for_one_hold_book_rods_where_iterations_alone_do_not() -> None:
-    """Measured: 61 cm at 20 iterations, 7.7 cm at 1000, and 7 mm at 20 in a tenth of the frame.
+    """Measured: 61 cm with 20 iterations, 7.7 cm with 1000, and 7 mm with 20 in ten substeps.
 
-    With two sides 1000 iterations are enough: 0.06 mm.
+    For two-sided rods 1000 iterations are enough: 0.06 mm.
     """
     alone = held(Rod, 10, 60, 1000)
     assert alone > 0.05
@@ -245,11 +245,11 @@ def test_ten_frames_for_one_hold_book_rods_where_iterations_alone_do_not() -> No
     assert held(TwoSidedRod, 10, 60, 1000) < 1e-4
 
 
-# A chain by one solve
+# Chains by a direct solve
 
 
 def let_go(n: int, degrees: float, rate: int, time: float, length: float) -> tuple[Vector3, float]:
-    """Return the tip of a chain after a time, and the worst stretch on the way."""
+    """Return the tip of a released chain after a time, and the largest stretch until then."""
     bodies, _ = straight(n, degrees, length)
     chain, worst = DirectChain(bodies, Vector3()), 0.0
     for _ in range(round(time * rate)):
@@ -268,11 +268,11 @@ def test_a_chain_of_thirty_keeps_its_lengths_and_its_tip_is_of_the_second_order(
         tips.append(tip)
     coarse, fine = (tips[0] - tips[1]).magnitude(), (tips[1] - tips[2]).magnitude()
     assert 1e-6 < fine < 1e-3
-    assert math.log2(coarse / fine) == pytest.approx(2.0, abs=0.15)  # the next order's share
+    assert math.log2(coarse / fine) == pytest.approx(2.0, abs=0.15)  # with a part of the next order
 
 
 def test_one_rod_is_a_pendulum_of_the_second_order() -> None:
-    """A whole period after 10 degrees: back at the start; and 3 m g at the bottom from 90."""
+    """After a period from 10 degrees it is back at the start, and 90 degrees give 3 m g below."""
     errors = []
     for steps in (200, 400):
         bob = Particle(Vector3(math.sin(math.pi / 18.0), -math.cos(math.pi / 18.0)))
@@ -280,7 +280,7 @@ def test_one_rod_is_a_pendulum_of_the_second_order() -> None:
         chain, start = DirectChain([bob], Vector3()), bob.position.copy()
         for _ in range(3 * steps // 4):
             chain.step(1.99070708 / steps)
-        errors.append(abs(bob.position.x))  # three quarters: at the bottom
+        errors.append(abs(bob.position.x))  # at the bottom after three quarters
         assert start.magnitude() == pytest.approx(bob.position.magnitude(), abs=1e-9)
     assert errors[0] < 1e-4
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.05)
@@ -289,7 +289,7 @@ def test_one_rod_is_a_pendulum_of_the_second_order() -> None:
     while bob.position.x > 0.0:
         chain.step(1.0 / 960.0)
         pulls.append(chain.tensions[0])
-    # Near the bottom the pull is flat, 1 - (angle)^2 / 2, with angles of 4.5 / 960.
+    # Near the bottom the pull is 1 - (angle)^2 / 2, with angles of 4.5 / 960.
     assert pulls[-1] == pytest.approx(60.0, rel=1e-4)
     assert chain.tensions == pulls[-1:]
 
@@ -318,7 +318,7 @@ def test_what_a_direct_chain_cannot_be_made_of_is_named() -> None:
 
 
 def test_a_direct_chain_s_pulls_are_what_hangs_below_each_rod() -> None:
-    """At rest, straight down: m g times the particles below, with forces by hand as well."""
+    """At rest, straight down, a pull is m g times the particles below, also with forces by hand."""
     draw = random.Random(73)
     masses = [draw.uniform(0.5, 2.0) for _ in range(8)]
     bodies = [Particle(Vector3(0.0, -(i + 1.0)), mass=m) for i, m in enumerate(masses)]
@@ -328,5 +328,5 @@ def test_a_direct_chain_s_pulls_are_what_hangs_below_each_rod() -> None:
             body.add_force(GRAVITY * body.mass)
         chain.step(1.0 / 60.0)
     wanted = [10.0 * math.fsum(masses[i:]) for i in range(8)]
-    # Roundings of 8 m, over h^2, of 2 kg: 1e-15 * 3600 * 10, and the solve's few.
+    # Roundings of 8 m over h^2 for 2 kg, 1e-15 * 3600 * 10, and a few of the solve.
     assert chain.tensions == pytest.approx(wanted, abs=1e-9)

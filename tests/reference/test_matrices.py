@@ -1,6 +1,6 @@
-"""Matrix3 and Matrix4 against NumPy on 10,000 random matrices, their laws, and where they end.
+"""Matrix3 and Matrix4 compared with NumPy on 10,000 random matrices, their laws, and limits.
 
-With ``pytest -s`` every comparison prints the largest deviation that it saw.
+With ``pytest -s`` every comparison prints the largest deviation.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from ch09_rotations.quaternion import UNIT_TOLERANCE, Quaternion
 
 Array = numpy.ndarray
 CASES = 10_000
-# Sums of three products, each rounded: 3 u of the products' sizes, u = 1.1e-16, on either side.
+# Sums of three rounded products: 3 u of the products' sizes with u = 1.1e-16, on both sides.
 ROUNDINGS = 1e-15
 
 RANDOM = numpy.random.default_rng(9)
 LINEAR, OTHER = (RANDOM.normal(size=(CASES, 3, 3)) for _ in "ab")
 MOVES, POINTS = (RANDOM.normal(size=(CASES, 3)) for _ in "ab")
-# As whole 4x4 matrices, with the last row that the book leaves out.
+# As 4x4 matrices with the last row that the book leaves out.
 FULL, OTHER_FULL = (
     numpy.concatenate(
         [
@@ -40,7 +40,7 @@ FULL, OTHER_FULL = (
 )
 CONDITION = numpy.linalg.cond(LINEAR)
 
-# Entries so small that every sum and product of the laws is a whole number that a float holds.
+# Entries so small that all sums and products of the laws are exact whole numbers.
 entry = st.integers(-30, 30)
 square = st.tuples(*[entry] * 9).map(lambda numbers: Matrix3(*numbers))
 affine = st.tuples(*[entry] * 12).map(lambda numbers: Matrix4(*numbers))
@@ -48,7 +48,7 @@ any_vector = st.tuples(entry, entry, entry).map(lambda numbers: Vector3(*numbers
 
 
 def ours(rows: Array) -> list[Any]:
-    """Return them as Matrix3, or as Matrix4 what has four rows, as vectors what has one."""
+    """Return Matrix3 objects, Matrix4 objects for four rows, or vectors for one row."""
     kind = {(3, 3): Matrix3, (4, 4): Matrix4, (3,): Vector3}[rows.shape[1:]]
     if kind is Matrix4:
         rows = rows[:, :3]
@@ -56,7 +56,7 @@ def ours(rows: Array) -> list[Any]:
 
 
 def deviation(what: str, got: list[Any], wanted: Array, size: Array | float) -> float:
-    """Return the largest deviation in any entry, as a share of each case's size, and print it."""
+    """Return and print the largest deviation of an entry, as a fraction of each case's size."""
     wanted = wanted[:, :3] if wanted.shape[1:] == (4, 4) else wanted
     flat = numpy.array([tuple(row) for row in got])
     apart = numpy.abs(flat - wanted.reshape(flat.shape)).max(axis=1)
@@ -97,22 +97,22 @@ def test_transformed_vectors_agree_with_numpy() -> None:
 
 
 def test_the_determinants_agree_with_numpy() -> None:
-    """As a share of the product of the rows' lengths, the largest that a determinant can be."""
+    """The deviation is relative to the product of the rows' lengths, the largest determinant."""
     size = numpy.linalg.norm(LINEAR, axis=2).prod(axis=1)
     wanted = numpy.linalg.det(LINEAR)[:, None]
     for what, matrices in (("Matrix3", LINEAR), ("Matrix4", FULL)):
         got = [(m.determinant(),) for m in ours(matrices)]
-        # Six products of three factors each, and NumPy's pivots: some ten roundings.
+        # Six products of three factors, and NumPy's pivots: some ten roundings.
         assert deviation(f"{what}.determinant", got, wanted, size) <= ROUNDINGS
 
 
 @pytest.mark.parametrize("matrices", [LINEAR, FULL], ids=["3", "4"])
 def test_the_inverses_agree_with_numpy_as_well_as_the_condition_allows(matrices: Array) -> None:
-    assert CONDITION.max() > 1e3  # nearly singular ones are among them
+    assert CONDITION.max() > 1e3  # including some that are nearly singular
     wanted = numpy.linalg.inv(matrices)
     got = [m.inverse() for m in ours(matrices)]
-    # No inverse is known better than to a rounding times the condition: some ten of them, since
-    # NumPy errs as well.
+    # An inverse cannot be more accurate than a rounding times the condition. Ten of these are
+    # allowed, because NumPy has errors as well.
     size = largest_entry(wanted) * numpy.linalg.cond(matrices)
     assert deviation("inverse / condition", got, wanted, size) <= ROUNDINGS
     size = largest_entry(wanted) * numpy.where(CONDITION < 100.0, 1.0, math.inf)
@@ -143,7 +143,7 @@ def test_points_and_directions_go_to_the_world_and_back() -> None:
     ):
         got = [back(m, there(m, v)) for m, v in zip(places, points, strict=True)]
         size = 1.0 + largest_entry(POINTS) + largest_entry(MOVES)
-        # Twice three products and a sum, and the rotation is itself rounded.
+        # Three products and a sum, twice, and the rounding of the rotation itself.
         assert deviation(f"{there.__name__} and back", got, POINTS, size) <= 2.0 * ROUNDINGS
     got = [m.transform_inverse(v) for m, v in zip(places, points, strict=True)]
     full = [m.inverse().transform(v) for m, v in zip(places, points, strict=True)]
@@ -153,7 +153,7 @@ def test_points_and_directions_go_to_the_world_and_back() -> None:
 
 @given(square, square, square)
 def test_matrices_obey_the_laws_of_products_exactly(a: Matrix3, b: Matrix3, c: Matrix3) -> None:
-    """Whole numbers, so that nothing is rounded."""
+    """Whole numbers are not rounded."""
     one = Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1)
     assert (a @ b) @ c == a @ (b @ c)
     assert a @ one == one @ a == a
@@ -178,8 +178,8 @@ def test_a_product_is_undone_in_the_other_order(pair: tuple[Any, Any]) -> None:
     assume(abs(a.determinant()) >= 1.0)
     assume(abs(b.determinant()) >= 1.0)
     got, wanted = tuple((a @ b).inverse()), tuple(b.inverse() @ a.inverse())
-    # Determinants and cofactors of whole numbers are exact: a few roundings of each product, whose
-    # terms may be larger than their sum.
+    # Determinants and cofactors of whole numbers are exact. There are a few roundings of each
+    # product, whose terms may be larger than their sum.
     sizes = [numpy.abs(numpy.array(tuple(m.inverse()))).max() for m in (b, a)]
     assert got == pytest.approx(wanted, abs=1e-14 * sizes[0] * (1.0 + sizes[1]), rel=1e-13)
 
@@ -196,12 +196,12 @@ def test_an_inverse_of_whole_numbers_is_exact_but_for_its_division(m: Matrix3) -
         *((d * h - e * g), (b * g - a * h), (a * e - b * d)),
     )
     for got, cofactor in zip(m.inverse(), wanted, strict=True):
-        # One rounding, and a few more for whoever divides the rows by their lengths first.
+        # One rounding, and a few more for code that first divides the rows by their lengths.
         assert got == pytest.approx(float(cofactor / volume), rel=1e-12, abs=1e-14)
 
 
 def sheared(share: float, scale: float = 1.0) -> Matrix3:
-    """Return a matrix whose determinant is that share of the product of its rows' lengths."""
+    """Return a matrix whose determinant is this fraction of the product of its rows' lengths."""
     return Matrix3(scale, 0, 0, 1.0 / scale, share / scale, 0, 0, 0, 1)
 
 
@@ -209,11 +209,11 @@ def sheared(share: float, scale: float = 1.0) -> Matrix3:
 def test_the_limit_of_an_inverse_is_told_from_both_sides(scale: float) -> None:
     above = sheared(1.001e-13, scale)
     assert above.inverse()[1, 1] == pytest.approx(scale / 1.001e-13, rel=1e-15)
-    for share in (0.999e-13, SINGULAR, -0.999e-13, 0.0):  # at the limit it is refused
+    for share in (0.999e-13, SINGULAR, -0.999e-13, 0.0):  # rejected, even at the limit
         with pytest.raises(ValueError, match="must have an inverse") as refusal:
             sheared(share, scale).inverse()
         numbers = [float(n) for n in re.findall(r"-?\d\S*e-\d+|0\.0", str(refusal.value))]
-        # The determinant, its share and the limit; a few roundings of lengths.
+        # The determinant, its fraction and the limit, with a few roundings of lengths.
         assert numbers == pytest.approx([share, share, SINGULAR], rel=1e-14, abs=0.0)
     with pytest.raises(ValueError, match="must have an inverse"):
         Matrix4(1, 0, 0, 5, 1, 0.999e-13, 0, 6, 0, 0, 1, 7).inverse()
@@ -259,24 +259,24 @@ def test_the_inverse_of_tiny_and_huge_numbers_is_right_or_refused(
     assert got == pytest.approx([1.0 / number for number in diagonal], rel=1e-15, abs=0.0)
 
 
-# share * length would be below the smallest normal float: column / share / length is not.
+# share * length would be below the smallest normal float, but column / share / length is not.
 @pytest.mark.parametrize("tiny", [1e-300, 5e-324])
 def test_a_tiny_row_beside_nearly_parallel_ones_costs_no_digits(tiny: float) -> None:
     try:
         first = Matrix3(tiny, 0, 0, 0, 1, 0, 0, 1, 1e-12).inverse()[0, 0]
     except ValueError:
-        first = math.inf  # refused: 1 / tiny fits in no float
-    assert first == pytest.approx(1.0 / tiny, rel=1e-14)  # infinite for 5e-324
+        first = math.inf  # rejected, because 1 / tiny is not a float
+    assert first == pytest.approx(1.0 / tiny, rel=1e-14)  # infinity for 5e-324
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_what_is_a_rotation_is_told_to_its_tolerance(sign: float) -> None:
     for share, yes in ((0.99, True), (1.01, False)):
         miss = sign * share * ROTATION_TOLERANCE
-        skewed = Matrix3(1, miss, 0, 0, 1, 0, 0, 0, 1)  # first row times second: the miss
+        skewed = Matrix3(1, miss, 0, 0, 1, 0, 0, 0, 1)  # first row times second row is the miss
         longer = Matrix3(1, 0, 0, 0, math.sqrt(1.0 + miss), 0, 0, 0, 1)
         assert skewed.is_rotation() is longer.is_rotation() is yes
-    for component in range(4):  # what just passes for a quaternion of length 1 gives a rotation
+    for component in range(4):  # a quaternion that just passes as unit length gives a rotation
         long = 1.0 + sign * 0.999 * UNIT_TOLERANCE
         q = Quaternion(*(long * (place == component) for place in range(4)))
         assert Matrix3.from_quaternion(q).is_rotation()

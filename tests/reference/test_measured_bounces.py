@@ -1,4 +1,4 @@
-"""Chapter 7's exercises against statistics by hand and the engine; what its file of drops may be.
+"""Chapter 7's exercises against statistics by hand and the engine, and the format of drops.
 
 The fall of exercise 7.3 is simulated in test_time_division.py.
 """
@@ -30,7 +30,7 @@ HEADING = "material,initial_height,bounce_height\n"
 
 
 def test_a_table_of_drops_by_hand() -> None:
-    """Steel 0.9, 0.8, 0.7: mean 0.8, s = sqrt(0.02 / 2) = 0.1, error 0.1 / sqrt(3)."""
+    """Steel with 0.9, 0.8, 0.7: mean 0.8, s = sqrt(0.02 / 2) = 0.1, error 0.1 / sqrt(3)."""
     drops = [("steel", 1.0, 0.81), ("clay", 2.0, 0.0), ("steel", 2.0, 1.28), ("wood", 1.0, 0.25)]
     drops += [("steel", 1.0, 0.49), ("wood", 4.0, 1.0)]
     steel, clay, wood = table_of_drops(drops)
@@ -40,7 +40,7 @@ def test_a_table_of_drops_by_hand() -> None:
         ("clay", 1, 0.0, None),
         ("wood", 2, 0.5, 0.0),
     )
-    # Roundings of each root, and differences of 0.1 of numbers near 1.
+    # Roundings of each root, and of differences of 0.1 between numbers near 1.
     assert steel[2:] == pytest.approx((0.8, 0.1 / math.sqrt(3.0)), abs=1e-15)
     assert table_of_drops([]) == []
 
@@ -49,7 +49,7 @@ def test_a_table_of_drops_by_hand() -> None:
 def test_a_bounce_of_that_restitution_rises_as_high_as_it_was_measured(
     height: float, share: float
 ) -> None:
-    """By the engine's own contact, and energy: m g b = m v^2 / 2 after it."""
+    """The engine's own contact and the energy, m g b = m v^2 / 2, give the measured height."""
     c = restitution_of_drop(height, share * height)
     ball = Particle(velocity=UP * -math.sqrt(20.0 * height))
     Contact(ball, None, UP, c).resolve_velocity()
@@ -72,7 +72,7 @@ def test_the_top_ball_leaves_as_the_engine_s_contacts_have_it(
 
 
 def test_the_top_ball_of_the_exercise_and_of_the_limit() -> None:
-    """6.0933 m/s; and on a lower ball of nearly all the mass, all elastic, three times the fall."""
+    """The speed is 6.0933 m/s. In the elastic limit with a heavy lower ball, it is 3 falls."""
     assert top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75) == pytest.approx(6.0933, abs=5e-5)
     assert top_ball_speed(1.0, 1e9, 1.0, 1.0, 1.0) == pytest.approx(3.0 * math.sqrt(20.0), rel=1e-8)
     assert top_ball_speed(1.0, 1.0, 9.0, 0.0, 0.0) == pytest.approx(-0.9 * math.sqrt(20.0))
@@ -80,7 +80,7 @@ def test_the_top_ball_of_the_exercise_and_of_the_limit() -> None:
 
 @given(st.floats(0.0, 1.0), st.floats(1e-3, 0.1))
 def test_a_force_for_a_frame_gives_the_impulse_of_the_short_one(share: float, frame: float) -> None:
-    """5 m/s for 2 kg in 10 N s: a step with it ends with f t / m."""
+    """10 N s give 2 kg 5 m/s. A step with the force ends at f t / m."""
     time = share * frame
     particle = Particle(mass=2.0)
     particle.add_force(force_for_frame(Vector3(100.0, -50.0, 0.0), time, frame))
@@ -113,13 +113,13 @@ def test_what_the_exercises_refuse_is_named(call: Any, error: type[Exception], m
         call()
 
 
-# The file
+# The file of drops
 
 
 def test_drops_are_read_in_their_order(tmp_path: Path) -> None:
     path = tmp_path / "drops.csv"
     text = HEADING + "rubber ball,1.5,0.9\r\n\n,,\n" + '"a, b",2,1e-1\n'
-    path.write_text("\ufeff" + text, encoding="utf-8")  # as spreadsheets begin a file
+    path.write_text("\ufeff" + text, encoding="utf-8")  # spreadsheets write this mark first
     assert read_drops(path) == [("rubber ball", 1.5, 0.9), ("a, b", 2.0, 0.1)]
 
 

@@ -1,4 +1,4 @@
-"""The particle against closed forms, and what it refuses."""
+"""The particle compared with closed forms, and the arguments that it rejects."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ def test_the_error_of_the_step_is_of_first_order(flight: DragFlight) -> None:
     for frames in counts:
         end = with_particle(flight, flight.duration / frames, frames)[-1]
         errors.append(math.dist(end.position, flight.exact(flight.duration).position))
-    # The next order, h / t of the first, bends the line by less than a hundredth.
+    # The next order is h / t of the first, and changes the slope by less than a hundredth.
     assert slope(counts, errors) == pytest.approx(-1.0, abs=0.01)
 
 
 def test_the_error_under_constant_acceleration_is_half_a_step() -> None:
     fall = DragFlight("fall", FREE_FALL.start, (0.0, -10.0, 0.0), 1.0, 5.0)
     end = with_particle(fall, 1.0 / 60.0, 300)[-1]
-    # The held figure has five decimals; 300 roundings stay far below.
+    # The known figure has five decimals. 300 roundings are far smaller.
     assert end.position[1] + 125.0 == pytest.approx(0.41667, abs=5e-6)
 
 
@@ -49,7 +49,7 @@ def test_the_closed_form_of_the_flights_gives_the_known_flight_of_a_shot() -> No
     shot = State((0.0, 1.5, 0.0), (0.0, 30.0, 40.0))
     for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
         landed = DragFlight("artillery", shot, (0.0, -20.0, 0.0), damping, 3.0).exact(time).position
-        # The times are known to 5e-8 s, and the shot falls with 31 m/s.
+        # The times are known to 5e-8 s, and the shot falls at 31 m/s.
         assert landed[1] == pytest.approx(0.0, abs=2e-6)
         assert landed[2] == pytest.approx(reach, abs=1e-5)
 
@@ -57,7 +57,7 @@ def test_the_closed_form_of_the_flights_gives_the_known_flight_of_a_shot() -> No
 def test_the_closed_form_ends_at_the_terminal_speed_and_begins_as_a_free_fall() -> None:
     late, early = DAMPED_FALL.exact(100.0), DAMPED_FALL.exact(1e-6)
     assert late.velocity[1] == pytest.approx(GRAVITY[1] / math.log(2.0), rel=1e-14)
-    # The first term that drag adds is k t / 3 of the fall, 2e-7, and rounding some 1e-16 / 1e-12.
+    # The first term of the drag is k t / 3 of the fall, 2e-7, and a rounding is 1e-16 / 1e-12.
     assert early.position[1] == pytest.approx(0.5 * GRAVITY[1] * 1e-12, rel=1e-3)
 
 
@@ -210,11 +210,11 @@ def test_the_equations_refuse_what_the_step_refuses(
 def test_a_refused_step_is_no_lasting_damage() -> None:
     particle = Particle(velocity=Vector3(1.0, 0.0, 0.0), damping=1e200)
     with pytest.raises(OverflowError):
-        particle.kick(10.0)  # 1e200^10 is no float
+        particle.kick(10.0)  # 1e200^10 overflows
     assert tuple(particle.position) == (0.0, 0.0, 0.0)
     assert tuple(particle.velocity) == (1.0, 0.0, 0.0)
     with pytest.raises(OverflowError):
-        particle.integrate(10.0)  # the drift is made, the kick is refused
+        particle.integrate(10.0)  # drifts, but the kick fails
     assert tuple(particle.position) == (10.0, 0.0, 0.0)
     assert tuple(particle.velocity) == (1.0, 0.0, 0.0)
     particle.damping = 1.0
@@ -253,6 +253,6 @@ def test_random_frames_fill_their_total_in_any_case(seed: int) -> None:
         (1e-3, 0.3, 0.5),
     ):
         frames = exercises.random_frames(mean, jitter, total, seed)
-        # Subtracting and adding up to 700 frames rounds each time.
+        # Subtracting and adding up to 700 frames, each with a rounding.
         assert math.fsum(frames) == pytest.approx(total, rel=1e-12)
         assert all(frame > 1e-12 * total for frame in frames)

@@ -1,4 +1,4 @@
-"""A ground of springs, and how it fails (E-36); a bridge on springs, and its balance."""
+"""A ground of springs and its failures (E-36), and a bridge on springs and its equilibrium."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ GRAVITY = Vector3(0.0, -10.0, 0.0)
 def on_ground(
     height: float, speed: float, share: float, damping: float = 0.0
 ) -> tuple[Particle, ForceRegistry]:
-    """Return 2 kg above or in a ground whose k h^2 / m is that share, and the registry of both."""
+    """Return 2 kg above or in a ground with this fraction as k h^2 / m, and their registry."""
     body = Particle(Vector3(0.0, height), Vector3(0.0, speed), GRAVITY, mass=2.0)
     registry = ForceRegistry()
     registry.add(body, PenaltyGround(0.0, share * 2.0 / FRAME**2, damping))
     return body, registry
 
 
-# Penalties
+# Penalty forces
 
 
 def test_what_lies_on_a_sponge_has_sunk_in_by_its_weight_over_the_stiffness() -> None:
@@ -38,24 +38,24 @@ def test_what_lies_on_a_sponge_has_sunk_in_by_its_weight_over_the_stiffness() ->
     registry.add(body, PenaltyGround(3.0, 200.0, 8.0))
     for _ in range(1200):
         semi_implicit_euler([body], registry.update_forces, FRAME)
-    # 20 s of it, fading by c / 2 m = 2 a second: e^-40 is left, and a rounding of 3 m in each step.
+    # 20 s with a decay of c / 2 m = 2 per second leave e^-40. Each step has a rounding of 3 m.
     assert body.position.y == pytest.approx(3.0 - 2.0 * 10.0 / 200.0, abs=1e-12)
     assert body.position.x == 7.0
 
 
 def test_a_body_on_a_spring_of_a_ground_is_back_after_half_a_turn_and_its_flight() -> None:
-    """Short frames give the elastic bounce: deepest at m v^2 = k y^2 and as fast upwards after."""
+    """Short frames give an elastic bounce: m v^2 = k y^2 at the deepest point, equal speeds."""
     body = Particle(Vector3(), Vector3(0.0, -3.0), mass=2.0)
     registry = ForceRegistry()
     registry.add(body, PenaltyGround(0.0, 800.0))
     half_turn = math.pi / 20.0
     for _ in range(200):
         runge_kutta_4([body], registry.update_forces, half_turn / 400.0)
-    # A quarter of a turn in: 4th-order steps of 0.008 rad, and 3 / 20 m deep.
+    # After a quarter turn in steps of 0.008 rad of order 4, it is 3 / 20 m deep.
     assert tuple(body.position) == pytest.approx((0.0, -0.15, 0.0), abs=1e-10)
     for _ in range(400):
         runge_kutta_4([body], registry.update_forces, half_turn / 400.0)
-    # It left after another 200; the step at the surface loses a part in 1e5.
+    # It leaves after another 200 steps. The step at the surface has an error of 1e-5.
     assert body.velocity.y == pytest.approx(3.0, rel=1e-5)
     assert body.position.y == pytest.approx(3.0 * half_turn / 2.0, rel=1e-4)
 
@@ -64,28 +64,28 @@ def test_a_body_on_a_spring_of_a_ground_is_back_after_half_a_turn_and_its_flight
 def test_e36_a_body_at_rest_on_a_hard_ground_is_thrown_beyond_kappa_4(
     share: float, wanted: str
 ) -> None:
-    """Released 1 % of its depth too deep: 0.98 of the limit keeps it in the ground, 1.02 not."""
+    """Released 1 % too deep, it stays in the ground at 0.98 of the limit, but not at 1.02."""
     depth = 10.0 * FRAME**2 / (4.0 * share)
     body, registry = on_ground(-1.01 * depth, 0.0, 4.0 * share)
     highest = -math.inf
     for _ in range(20_000):
         semi_implicit_euler([body], registry.update_forces, FRAME)
         highest = max(highest, body.position.y)
-    # Inside, the swing may grow by the root of 1 / (1 - 0.98), about 7, of that 1 %.
+    # Below the limit, the oscillation may grow by the root of 1 / (1 - 0.98), about 7, of the 1 %.
     assert (highest < -0.9 * depth) is (wanted == "lies")
-    # Outside, it grows by 1.33 a step until the body is off the ground, and then it flies.
+    # Above it, it grows by 1.33 per step until the body leaves the ground and flies.
     assert (highest > 1000.0 * depth) is (wanted == "is thrown")
 
 
 @pytest.mark.parametrize("share", [2.5, 3.0, 3.9])
 def test_e36_a_hard_ground_throws_a_falling_body_well_before_kappa_4(share: float) -> None:
-    """One frame in the ground, nearly v h deep: v' = -v + kappa v, if that takes it out again."""
+    """After a frame in the ground, almost v h deep, v' = -v + kappa v, if that is upward."""
     speed = 50.0
     body, registry = on_ground(0.001 * speed * FRAME, -speed, share)
     body.acceleration.clear()
     for _ in range(2):
         semi_implicit_euler([body], registry.update_forces, FRAME)
-    # It was 0.999 v h deep; a few roundings of kappa v.
+    # It was 0.999 v h deep. The tolerance allows for a few roundings of kappa v.
     assert body.velocity.y == pytest.approx(speed * (0.999 * share - 1.0), rel=1e-13)
     assert body.velocity.y > 1.4 * speed
     assert body.position.y > 0.0
@@ -93,7 +93,7 @@ def test_e36_a_hard_ground_throws_a_falling_body_well_before_kappa_4(share: floa
 
 @pytest.mark.parametrize("share", [0.1, 0.5, 1.5, 3.0])
 def test_e36_a_ground_throws_no_faster_than_its_step_allows(share: float) -> None:
-    """w^2 + kappa x^2 - kappa x w stays, w = v h; entry and exit lie within one frame of 0."""
+    """With w = v h, w^2 + kappa x^2 - kappa x w is constant. It enters and exits near 0."""
     speed, fastest = 3.0, 0.0
     for part in range(1, 200):
         body, registry = on_ground(part / 200.0 * speed * FRAME, -speed, share)
@@ -104,13 +104,13 @@ def test_e36_a_ground_throws_no_faster_than_its_step_allows(share: float) -> Non
                 break
         assert body.position.y > 0.0
         fastest = max(fastest, body.velocity.y / speed)
-    known = {0.1: 1.0049, 0.5: 1.0625, 1.5: 1.25, 3.0: 2.0}[share]  # by such a search, once
+    known = {0.1: 1.0049, 0.5: 1.0625, 1.5: 1.25, 3.0: 2.0}[share]  # found by the same search
     assert fastest == pytest.approx(known, abs=0.02)
     assert fastest <= 1.0 / math.sqrt(1.0 - share / 4.0) + 1e-12
 
 
 def test_e36_short_frames_keep_a_fall_within_the_height_it_came_from() -> None:
-    """kappa 0.0001: 22 bounces of 1 m, each of about pi / 0.01 frames in the ground."""
+    """With kappa 0.0001 there are 22 bounces of 1 m, each with about pi / 0.01 frames in it."""
     frame = FRAME / 30.0
     body = Particle(Vector3(0.0, 1.0), acceleration=GRAVITY, mass=2.0)
     registry = ForceRegistry()
@@ -119,16 +119,16 @@ def test_e36_short_frames_keep_a_fall_within_the_height_it_came_from() -> None:
     for _ in range(round(20.0 / frame)):
         semi_implicit_euler([body], registry.update_forces, frame)
         heights.append(body.position.y)
-    # A bounce's first and last frame miss up to kappa / 2 of the energy, one way or the other.
+    # The first and last frame of a bounce change the energy by up to kappa / 2 either way.
     assert max(heights) == pytest.approx(1.0, abs=22 * 1e-4 / 2.0)
     assert max(heights[-round(2.0 / frame) :]) == pytest.approx(1.0, abs=22 * 1e-4 / 2.0)
 
 
 def test_a_damped_ground_does_not_hold_back_what_is_on_its_way_out() -> None:
-    """Where c v is more than k times the depth nothing acts: the body coasts at its own speed."""
+    """If c v exceeds k times the depth, there is no force, and the body keeps its speed."""
     body = Particle(Vector3(0.0, -0.1), Vector3(0.0, 2.0), mass=2.0)
     registry = ForceRegistry()
-    registry.add(body, PenaltyGround(0.0, 100.0, 6.0))  # 10 N at the most, against 12 N
+    registry.add(body, PenaltyGround(0.0, 100.0, 6.0))  # at most 10 N against 12 N
     for _ in range(10):
         semi_implicit_euler([body], registry.update_forces, FRAME)
     assert body.velocity.y == 2.0
@@ -152,7 +152,7 @@ def test_a_bridge_without_weight_rests_as_it_was_hung() -> None:
 
 
 def test_a_bridge_hangs_lower_by_its_weight_over_the_stiffness() -> None:
-    """Every plank by m g / k: the springs between them have nothing to do, however many."""
+    """Every plank sinks by m g / k, and the springs between planks have no load."""
     for n in (1, 2, 7):
         planks, registry = make_bridge(n, 5.0)
         for plank in planks:
@@ -160,16 +160,16 @@ def test_a_bridge_hangs_lower_by_its_weight_over_the_stiffness() -> None:
             plank.position.y -= 4.0 * 10.0 / 900.0
         registry.update_forces(FRAME)
         for plank in planks:
-            # 900 N/m of a rounding of 5 m, a few times.
+            # 900 N/m times a few roundings of 5 m.
             assert tuple(plank.force_accumulator) == pytest.approx((0.0, 40.0, 0.0), abs=5e-12)
 
 
 def test_a_loaded_bridge_comes_to_rest_where_its_hangers_carry_planks_and_walker() -> None:
-    """What the hangers pull, from where the planks are and Hooke's law: the sum, and the moment."""
+    """The hangers' forces follow from the planks' positions. Check their sum and their moment."""
     planks, registry = make_bridge(5, 40.0)
     for plank in planks:
         plank.acceleration = GRAVITY.copy()
-        plank.damping = 0.1  # nothing else slows what swings along the bridge
+        plank.damping = 0.1  # nothing else damps oscillations along the bridge
     for _ in range(2400):
         load_bridge(planks, 1.3, 100.0)
         registry.update_forces(FRAME)
@@ -177,16 +177,16 @@ def test_a_loaded_bridge_comes_to_rest_where_its_hangers_carry_planks_and_walker
             plank.integrate(FRAME)
     up = sideways = moment = 0.0
     for i, plank in enumerate(planks):
-        assert plank.velocity.magnitude() < 1e-9  # 40 s, fading by 1.15 a second
+        assert plank.velocity.magnitude() < 1e-9  # after 40 s with a decay of 1.15 per second
         way = (i - plank.position.x, 5.0 - plank.position.y)
         pull = 900.0 * (math.hypot(*way) - 3.0) / math.hypot(*way)
         sideways += pull * way[0]
         up += pull * way[1]
         moment += plank.position.x * pull * way[1] - plank.position.y * pull * way[0]
-    # The planks' speeds times their damping, and 900 N/m of a rounding of 5 m.
+    # The planks' speeds times their damping, and 900 N/m times a rounding of 5 m.
     assert up == pytest.approx(5 * 40.0 + 100.0, abs=1e-7)
     assert sideways == pytest.approx(0.0, abs=1e-7)
-    # About the origin, the loads where they act: each plank's weight, and the walker's shares.
+    # Moments about the origin of each plank's weight and of the walker's parts.
     first, second = planks[1].position.x, planks[2].position.x
     wanted = 40.0 * sum(plank.position.x for plank in planks) + 100.0 * 1.3
     assert first < 1.3 < second
@@ -199,7 +199,7 @@ def test_a_walker_s_two_shares_have_his_weight_and_his_moment(x: float, weight: 
     planks = [Particle(Vector3(place, 0.1 * place, 2.0)) for place in places]
     load_bridge(planks, x, weight)
     loads = [-plank.force_accumulator.y for plank in planks]
-    # Some roundings of the weight, and of 8 m times it.
+    # Some roundings of the weight, and of 8 m times the weight.
     assert math.fsum(loads) == pytest.approx(weight, rel=1e-14)
     moment = math.fsum(load * place for load, place in zip(loads, places, strict=True))
     assert moment == pytest.approx(weight * min(max(x, 0.5), 8.0), rel=1e-13)

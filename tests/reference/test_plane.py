@@ -1,4 +1,4 @@
-"""Angles and points in the plane, and centers of mass, against exact fractions; the stones."""
+"""Angles and points in the plane, centers of mass against exact fractions, and stones."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ HEADER = "what,mass,x,y\n"
 @example(math.nextafter(math.pi, 4.0))
 @example(1e300)
 def test_a_wrapped_angle_differs_by_whole_turns_exactly(angle: float) -> None:
-    """By whole turns of math.tau, which is itself rounded; nothing else is."""
+    """The difference is a multiple of math.tau, which is rounded itself, with no other rounding."""
     wrapped = wrap_angle(angle)
     assert -math.pi < wrapped <= math.pi
     assert ((Fraction(angle) - Fraction(wrapped)) / Fraction(math.tau)).denominator == 1
@@ -37,7 +37,7 @@ def test_a_wrapped_angle_differs_by_whole_turns_exactly(angle: float) -> None:
 
 @given(st.floats(-1e6, 1e6))
 def test_a_wrapped_angle_points_the_same_way(angle: float) -> None:
-    # math.tau is wrong by 2.4e-16, and so is every turn that is taken off; two roundings of 1.
+    # math.tau has an error of 2.4e-16, and so has every turn that is removed; two roundings of 1.
     wrong = 2.5e-16 * abs(angle) / math.tau + 3e-16
     assert angle_to_vector(wrap_angle(angle)) == pytest.approx(angle_to_vector(angle), abs=wrong)
 
@@ -86,8 +86,8 @@ def test_the_center_of_mass_is_exact_but_for_its_roundings(
     total = sum(Fraction(m) for m, _, _ in bodies)
     for axis in (0, 1):
         terms = [Fraction(body[0]) * Fraction(body[1 + axis]) / total for body in bodies]
-        # Three roundings of each term: of the total, of the share and of its product. One of the
-        # sum; where it is below 1e-308 there is nothing left to round.
+        # Each term has three roundings: of the total, the fraction and the product. The sum has
+        # one. Below 1e-308 there is nothing to round.
         allowed = 4.01 * UNIT_ROUNDING * float(sum(abs(term) for term in terms)) + 1e-300
         assert abs(Fraction(got[axis]) - sum(terms)) <= allowed
 
@@ -140,7 +140,7 @@ def test_a_balanced_edge_passes_through_the_center_of_mass_in_every_direction() 
         moments = (m * (cosine * y - sine * x - offset) for _, m, x, y in stones)
         assert math.fsum(moments) == pytest.approx(0.0, abs=1e-14)  # some roundings of 10 kg m
     assert masses_beside(stones, 0.0) == (4.0, 4.0)
-    assert masses_beside(stones, math.pi / 2.0) == (5.0, 3.0)  # the left of an edge along Y: low x
+    assert masses_beside(stones, math.pi / 2.0) == (5.0, 3.0)  # left of a line along Y is low x
 
 
 def test_a_stone_whose_middle_is_over_the_edge_counts_on_neither_side() -> None:

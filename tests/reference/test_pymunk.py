@@ -1,4 +1,4 @@
-"""pymunk, an engine in two dimensions, as an outside measure of vectors and of the step."""
+"""Vectors and the step compared with pymunk, an engine in two dimensions."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_vectors_in_the_plane_agree_with_vec2d(
     a: tuple[float, float], b: tuple[float, float], scale: float
 ) -> None:
     v, w, p, q = Vector3(*a), Vector3(*b), Vec2d(*a), Vec2d(*b)
-    # The same products and sums, so the same bits.
+    # The same products and sums have the same bits.
     assert in_the_plane(v + w) == tuple(p + q)
     assert in_the_plane(v - w) == tuple(p - q)
     assert in_the_plane(-v) == tuple(-p)
@@ -46,7 +46,7 @@ def test_vectors_in_the_plane_agree_with_vec2d(
     assert v.dot(w) == p.dot(q)
     assert tuple(v.cross(w)) == (0.0, 0.0, p.cross(q))
     assert v.squared_magnitude() == p.length_squared
-    # Theirs is the root of the sum of squares, ours math.hypot: two roundings apart.
+    # Pymunk's is the root of the sum of squares, ours is math.hypot: two roundings apart.
     assert v.magnitude() == pytest.approx(p.length, rel=1e-15)
     assert in_the_plane(v.normalized()) == pytest.approx(tuple(p.normalized()), rel=1e-15)
 
@@ -59,9 +59,9 @@ def expect_equal(first: list[State], second: list[State], tolerance: float) -> N
 
 @pytest.mark.parametrize("frame", FRAMES)
 def test_without_damping_every_step_is_pymunk_s(frame: float) -> None:
-    """Both move the position with the velocity from before the step: explicit Euler."""
+    """Both move the position with the velocity before the step, as explicit Euler does."""
     frames = round(FREE_FALL.duration / frame)
-    # 1200 roundings of numbers up to 125, in two orders of adding.
+    # 1200 roundings of numbers up to 125, added in two orders.
     expect_equal(ours(FREE_FALL, frame, frames), theirs(FREE_FALL, frame, frames), 1e-11)
 
 
@@ -70,10 +70,11 @@ def test_without_damping_every_step_is_pymunk_s(frame: float) -> None:
 def test_with_damping_pymunk_is_ahead_by_what_equation_3_6_does_not_damp(
     flight: DragFlight, frame: float
 ) -> None:
-    """pymunk has v' = v d^h + a h (Eq. 3.6), the engine (v + a h) d^h, the listing's form.
+    """Pymunk has v' = v d^h + a h (Eq. 3.6), and the engine (v + a h) d^h, as the listing does.
 
-    With D = d^h the velocities differ by D times the last difference and by a h (1 - D) more in
-    each step, so by a h (1 - D^n) after n. The positions differ by the sum of h times that.
+    With D = d^h, the difference between the velocities is multiplied by D in each step and grows by
+    a h (1 - D). After n steps it is a h (1 - D^n). The difference between the positions is the sum
+    of h times that.
     """
     frames = round(flight.duration / frame)
     keep = flight.damping**frame
@@ -113,5 +114,5 @@ def test_every_model_comes_to_the_exact_path_in_the_first_order(
         math.dist(MODELS[model](flight, flight.duration / n, n)[-1].position, exact)
         for n in (500, 1000)
     )
-    # Halve h and the error halves; the next order bends that by less than a hundredth.
+    # If h is halved, so is the error. The next order changes that by less than a hundredth.
     assert coarse / fine == pytest.approx(2.0, abs=0.02)

@@ -1,8 +1,8 @@
-"""pymunk's collisions, its ground and its PinJoint beside ours and the closed forms.
+"""Compare pymunk's collisions, ground and PinJoint with ours and with closed forms.
 
-Space.step moves first and resolves collisions after that, with the product of the elasticities of
-both shapes for a restitution. So one collision is as good as ours, and what differs is when it
-happens, which time division knows exactly.
+Space.step first moves the bodies and then resolves collisions. The restitution is the product of
+the elasticities of both shapes. So a single collision is as accurate as ours, but its time is not
+exact, as it is with time division.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def disc(space: pymunk.Space, m: float, x: float, y: float, v: float, c: float) 
 
 @pytest.mark.parametrize("c", [0.0, 0.25, 0.5, 1.0])
 def test_pairs_leave_with_the_same_velocities(c: float) -> None:
-    """Head on and off center: elasticities c and 1 are restitution c. Frames of 1e-4 s."""
+    """Head on and off center. The elasticities c and 1 give restitution c. Frames last 1e-4 s."""
     draw = random.Random(79)
     for off in (0.0, 0.0, 0.2, 0.5):
         m, n, u, v = (draw.uniform(0.5, 3.0) for _ in range(4))
@@ -50,13 +50,13 @@ def test_pairs_leave_with_the_same_velocities(c: float) -> None:
         time_division_step(ours, ParticlePairs(ours, 0.5, c), 0.5)
         assert ours[0].velocity.x != u
         for one, other in zip(ours, theirs, strict=True):
-            # Theirs is seen up to a frame late, 6e-4 m deeper: the normal has turned by as much.
+            # Pymunk is up to a frame late, 6e-4 m deeper, which rotates the normal accordingly.
             wanted = pytest.approx((one.velocity.x, one.velocity.y), abs=1e-9 if not off else 1e-2)
             assert (other.velocity.x, other.velocity.y) == wanted
 
 
 def bounces(c: float, rate: int, time: float, how: str) -> float:
-    """Return how high a ball of 0.5 m radius gets in the last third, dropped from 2 m; g 10."""
+    """Return the largest height in the last third of a 0.5 m ball dropped from 2 m, with g = 10."""
     h, top, n = 1.0 / rate, 0.0, round(time * rate)
     space = pymunk.Space()
     space.gravity = (0.0, -10.0)
@@ -80,24 +80,24 @@ def bounces(c: float, rate: int, time: float, how: str) -> float:
 
 
 def test_a_ball_on_a_segment_bounces_as_high_as_the_closed_form_has_it() -> None:
-    """c 0.5 from 2 m: 0.5 m after the first bounce, seen from 0.8 to 1.2 s. Ours is exact."""
+    """From 2 m with c = 0.5, the height is 0.5 m between 0.8 and 1.2 s. Ours is exact."""
     assert bounces(0.5, 60, 1.2, "exact") == pytest.approx(0.5, abs=10.0 * FRAME**2 / 8.0)
     for rate in (240, 960):
         for how in ("theirs", "the book's"):
-            # Each is late by a part of a frame: of the first order, c^2 v h and a few of it.
+            # Each is late by part of a frame, an error of order 1: some c^2 v h.
             got = bounces(0.5, rate, 1.2, how)
             assert got == pytest.approx(0.5, abs=6.4 / rate)
 
 
 def test_an_elastic_ball_climbs_in_the_book_s_way_more_than_in_theirs() -> None:
-    """At 60 frames a second, from 2 m, 20 s: theirs to less than 2.15, the book's to 2.75 m."""
+    """At 60 Hz for 20 s from 2 m, pymunk's rises to less than 2.15 m, and the book's to 2.75 m."""
     assert bounces(1.0, 60, 20.0, "exact") == pytest.approx(2.0, abs=1e-3)
     assert abs(bounces(1.0, 60, 20.0, "theirs") - 2.0) < 0.15
     assert bounces(1.0, 60, 20.0, "the book's") > 2.5
 
 
 def swung(rate: int, how: str) -> float:
-    """Return the energy of a pendulum of 1 kg and 1 m 10 s after it was let go from horizontal."""
+    """Return the energy of a pendulum of 1 kg and 1 m 10 s after its release from horizontal."""
     h = 1.0 / rate
     space = pymunk.Space()
     space.gravity = (0.0, -10.0)
@@ -119,13 +119,13 @@ def swung(rate: int, how: str) -> float:
 
 
 def test_a_pendulum_loses_energy_of_the_first_order_in_both() -> None:
-    """From 0, where -10 is hanging still: theirs has -2.47, -0.71 and -0.18 J, the book's -5.29."""
+    """It starts at 0, and -10 is at rest. Pymunk has -2.47, -0.71 and -0.18 J, the book -5.29."""
     known = {60: -2.47, 240: -0.71, 960: -0.18}
     for rate, energy in known.items():
-        assert swung(rate, "theirs") == pytest.approx(energy, abs=6e-3)  # its two decimals
+        assert swung(rate, "theirs") == pytest.approx(energy, abs=6e-3)  # two decimals are known
     assert swung(60, "the book's") == pytest.approx(-5.29, abs=0.05)
     mine = [swung(rate, "ours") for rate in (960, 1920, 3840)]
     assert all(energy < 0.0 for energy in mine)
     assert mine[1] / mine[2] == pytest.approx(2.0, rel=0.1)
-    # At equal rates theirs loses less: ours acts along where the rod is after the move.
+    # At equal rates pymunk loses less, because ours acts along the rod after the move.
     assert swung(960, "ours") < 5.0 * known[960]

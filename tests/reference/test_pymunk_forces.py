@@ -1,4 +1,4 @@
-"""pymunk as an outside measure of forces: drag and gravity towards a point, in the plane."""
+"""Forces compared with pymunk: drag, and gravity toward a point, in the plane."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ State = tuple[float, float, float, float]
 
 
 def ours(generator: ForceGenerator, gravity: tuple[float, float], h: float, n: int) -> list[State]:
-    """Return the state after every frame: the registry's order, forces first and then the step."""
+    """Return the state after every frame. As in the registry, forces come before the step."""
     particle = Particle(Vector3(*START), Vector3(*MOTION), Vector3(*gravity), mass=MASS)
     seen = []
     for _ in range(n):
@@ -39,7 +39,7 @@ def theirs(
     before: Callable[[Any], None] = lambda _: None,
     velocity: Callable[[Any, Any, float, float], None] | None = None,
 ) -> list[State]:
-    """Return the state of a body after every frame; ``before`` is called before each step."""
+    """Return a body's state after every frame. ``before`` is called before each step."""
     space = pymunk.Space()
     space.gravity = gravity
     body = pymunk.Body(MASS, 1.0)
@@ -65,7 +65,7 @@ def expect_equal(first: list[State], second: list[State], tolerance: float) -> N
 def test_drag_as_a_velocity_function_is_our_drag_step_for_step(
     h: float, k1: float, k2: float
 ) -> None:
-    """pymunk moves the position, then asks for the velocity: drag reads only the old velocity."""
+    """Pymunk moves first and then updates the velocity, so drag uses only the old velocity."""
 
     def velocity(body: Any, gravity: Any, damping: float, dt: float) -> None:
         v = body.velocity
@@ -78,7 +78,7 @@ def test_drag_as_a_velocity_function_is_our_drag_step_for_step(
 
 
 def central(size: Callable[[float], float]) -> Callable[[Any], Any]:
-    """Return a function of a body for the acceleration of this size towards the origin."""
+    """Return a function of a body for an acceleration of this size toward the origin."""
 
     def acceleration(body: Any) -> Any:
         return -body.position.normalized() * size(body.position.length)
@@ -105,7 +105,7 @@ def test_point_gravity_as_a_force_before_the_step_is_ours(
         body.apply_force_at_world_point(acceleration(body) * body.mass, body.position)
 
     n = round(2.0 / h)
-    # 480 roundings of numbers up to 20, each of which the orbit may enlarge some times.
+    # 480 roundings of numbers up to 20, which the orbit may amplify.
     expect_equal(ours(generator, (0.0, 0.0), h, n), theirs((0.0, 0.0), h, n, before=push), 1e-10)
 
 
@@ -114,10 +114,10 @@ def test_point_gravity_as_a_force_before_the_step_is_ours(
 def test_point_gravity_as_a_velocity_function_is_asked_after_the_move(
     generator: ForceGenerator, acceleration: Callable[[Any], Any], h: float
 ) -> None:
-    """What differs: pymunk's velocity function sees the position to which the frame has moved.
+    """Pymunk's velocity function sees the position after the frame's move.
 
-    That is the symplectic form of the step, in which the force is that of the new position. Ours
-    does the same when the generator is asked about a particle that has moved on already.
+    That is the symplectic form of the step, in which the force belongs to the new position. Ours
+    does the same if the generator is evaluated after the particle has moved.
     """
 
     def velocity(body: Any, gravity: Any, damping: float, dt: float) -> None:
@@ -137,7 +137,7 @@ def test_point_gravity_as_a_velocity_function_is_asked_after_the_move(
 
 
 def test_the_order_decides_whether_an_orbit_drifts() -> None:
-    """Ten turns of an ellipse: ours gains energy, pymunk's velocity function hardly any."""
+    """Over ten turns of an ellipse, our step gains energy. Pymunk's hardly gains any."""
 
     def energy(state: State) -> float:
         x, y, vx, vy = state
@@ -152,6 +152,6 @@ def test_the_order_decides_whether_an_orbit_drifts() -> None:
     h, n = turn / 4000.0, 40_000
     drifted = energy(ours(InverseSquareGravity(Vector3(), 150.0), (0.0, 0.0), h, n)[-1]) / start
     kept = energy(theirs((0.0, 0.0), h, n, velocity=velocity)[-1]) / start
-    # Bound orbits have a negative energy: a smaller share of it is a wider orbit.
+    # Bound orbits have a negative energy, so a smaller magnitude is a wider orbit.
     assert drifted < 0.9
     assert kept == pytest.approx(1.0, abs=1e-3)

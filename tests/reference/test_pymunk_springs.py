@@ -1,12 +1,13 @@
-"""pymunk's DampedSpring, and a spring force given to pymunk by hand, beside our springs.
+"""Compare pymunk's DampedSpring, and a spring force applied to pymunk by hand, with our springs.
 
-What one Space.step does, found by letting it: it moves the position with the old velocity, then
-reads the spring at the new place, adds k times the offset times h to the momentum, and multiplies
-what is left of the velocity along the spring by e^(-c h / m). So the frame is semi-implicit Euler,
-with the move first and the push after it. Its damping is ours, Particle.damping,
-with d = e^(-c / m), not a force.
+Experiments show what one Space.step does. It moves the position with the old velocity, evaluates
+the spring at the new position, and adds k times the offset times h to the momentum. Then it
+multiplies the remaining velocity along the spring by e^(-c h / m). So a frame is semi-implicit
+Euler with the move first. Its damping is not a force but corresponds to our Particle.damping with
+d = e^(-c / m).
 
-A body.force that is set before the step was read at the old place, and so is explicit Euler.
+A body.force that is set before the step was evaluated at the old position, so it gives explicit
+Euler.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ State = tuple[float, float]
 
 
 def theirs(k: float, c: float, m: float, h: float, n: int, *, by_hand: bool = False) -> list[State]:
-    """Return x and v of a body after every frame; it is let go 1 m from the spring's other end."""
+    """Return x and v of a body after every frame. It starts 1 m from the spring's other end."""
     space = pymunk.Space()
     body = pymunk.Body(m, 1.0)
     body.position = (1.0, 0.0)
@@ -59,7 +60,7 @@ def ours(
 
 
 def energies(states: list[State], k: float) -> list[float]:
-    """Return the energy after every frame as a share of that at the start, for 1 kg."""
+    """Return the energy after every frame relative to the initial energy, for 1 kg."""
     return [(v * v + k * x * x) / k for x, v in states]
 
 
@@ -71,25 +72,25 @@ SPRINGS = [(100.0, 0.0, 1.0), (100.0, 2.0, 1.0), (100.0, 2.0, 2.5), (30.0, 50.0,
 def test_their_spring_is_our_semi_implicit_step_with_the_move_first(
     k: float, c: float, m: float, h: float
 ) -> None:
-    """Ours begins after the first move. Its n-th velocity is theirs, its place their next one."""
+    """Ours begins after the first move, so its n-th velocity and position are pymunk's."""
     n = round(5.0 / h)
     first = Particle(Vector3(1.0), mass=m, damping=math.exp(-c / m))
     mine = ours(semi_implicit_euler, first, k, h, n)
     their_places, their_speeds = zip(*theirs(k, c, m, h, n + 1), strict=True)
-    # 1200 frames, some roundings of 1 m and of 10 m/s in each, which do not grow.
+    # 1200 frames, each with some roundings of 1 m and of 10 m/s, which do not grow.
     assert [x for x, _ in mine] == pytest.approx(list(their_places[1:]), abs=1e-11)
     assert [v for _, v in mine] == pytest.approx(list(their_speeds[:-1]), abs=1e-10)
 
 
 def test_their_spring_only_seems_to_lose_energy() -> None:
-    """k 100, 60 frames a second: after 10 s x 0.94, and x 0.92 to x 1.09 on the way, for ever.
+    """With k = 100 at 60 Hz, the energy is x 0.94 after 10 s, and always between x 0.92 and x 1.09.
 
-    What the step keeps is v^2 + k x^2 + k h x v, which is what such a move and push leave alone.
+    The step conserves v^2 + k x^2 + k h x v, which a move and a push leave unchanged.
     """
     states = theirs(100.0, 0.0, 1.0, FRAME, 20_000)
     shares = energies(states, 100.0)
-    assert shares[599] == pytest.approx(0.94, abs=5e-3)  # the figure has two digits
-    # x v h / 2 swings by up to k h / 2 w = 1 / 12 of what is kept.
+    assert shares[599] == pytest.approx(0.94, abs=5e-3)  # two digits are known
+    # x v h / 2 oscillates by up to k h / 2 w = 1 / 12 of the conserved value.
     assert 0.92 < min(shares[:600]) < 0.93
     assert 1.09 < max(shares[:600]) < 1.095
     assert min(shares[-600:]) == pytest.approx(min(shares[:600]), abs=1e-4)
@@ -110,7 +111,7 @@ def test_a_force_by_hand_makes_their_step_our_explicit_one(c: float) -> None:
 
 
 def test_a_force_by_hand_explodes_as_ours_does() -> None:
-    """(1 + k h^2 / m)^600: both end with 13,789,038 times the energy."""
+    """(1 + k h^2 / m)^600 multiplies the energy of both by 13,789,038."""
     last = theirs(100.0, 0.0, 1.0, FRAME, 600, by_hand=True)[-1]
     mine = ours(explicit_euler, Particle(Vector3(1.0)), 100.0, FRAME, 600)[-1]
     wanted = (1.0 + 100.0 * FRAME**2) ** 600
@@ -121,7 +122,7 @@ def test_a_force_by_hand_explodes_as_ours_does() -> None:
 
 @pytest.mark.parametrize(("k", "c", "time"), [(100.0, 2.0, 0.5), (1e6, 200.0, 0.005)])
 def test_both_come_to_the_closed_form_as_frames_grow_short(k: float, c: float, time: float) -> None:
-    """Both are of the first order, and err to opposite sides: half the frame, half the gap."""
+    """Both have order 1 with opposite errors, so half the frame gives half the error."""
     wanted = damped_spring_state(1.0, 0.0, k, c, 1.0, time)[0]
     gaps: list[list[float]] = [[], []]
     for n in (1000, 2000, 4000):
@@ -138,9 +139,9 @@ def test_both_come_to_the_closed_form_as_frames_grow_short(k: float, c: float, t
 
 @pytest.mark.parametrize(("h", "holds"), [(FRAME, False), (1.0 / 240.0, False), (5e-4, True)])
 def test_their_spring_explodes_where_our_step_does(h: float, holds: bool) -> None:
-    """k 1e6, c 200: no frame of a game will do, since the spring itself is still a force.
+    """With k = 1e6 and c = 200, no frame of a game is short enough for the spring's own force.
 
-    Both are stable while k h^2 / m < 2 (1 + D) / D, with D = e^(-c h / m).
+    Both are stable for k h^2 / m < 2 (1 + D) / D with D = e^(-c h / m).
     """
     d = math.exp(-200.0 * h)
     assert (1e6 * h * h < 2.0 * (1.0 + d) / d) is holds
@@ -154,6 +155,6 @@ def test_their_spring_explodes_where_our_step_does(h: float, holds: bool) -> Non
         if holds:
             assert abs(states[39][0]) < 0.2
         else:
-            # By then nothing is left but what the largest eigenvalue multiplies.
+            # By then only the part with the largest eigenvalue is left.
             assert grown == pytest.approx(largest, rel=1e-6)
             assert grown > 6.0

@@ -43,7 +43,7 @@ def test_iterations_are_a_whole_number_above_0(
 def on_a_line(
     masses: Sequence[int], speeds: Sequence[int], c: Fraction, limit: int, *, worst: bool
 ) -> list[Fraction]:
-    """Return the speeds of balls in a row that touch: worst first, or the first that closes."""
+    """Return the speeds of touching balls in a row, resolved worst first or first in the list."""
     v = [Fraction(speed) for speed in speeds]
     for _ in range(limit):
         closing = [(right - left, i) for i, (left, right) in enumerate(pairwise(v))]
@@ -81,7 +81,7 @@ def test_the_contact_that_closes_fastest_is_first_and_another_order_ends_elsewhe
         balls, contacts = row(masses, speeds, half / 2)
         kind(limit).resolve_contacts(contacts, FRAME)
         wanted = on_a_line(masses, speeds, c, limit, worst=True)
-        # 16 impulses at the most, of some roundings of 40 m/s each; a closer tie was not drawn.
+        # At most 16 impulses, each with some roundings of 40 m/s. Closer ties are not generated.
         got = [ball.velocity.x for ball in balls]
         assert got == pytest.approx([float(v) for v in wanted], abs=1e-12)
         differ += wanted != on_a_line(masses, speeds, c, limit, worst=False)
@@ -90,7 +90,7 @@ def test_the_contact_that_closes_fastest_is_first_and_another_order_ends_elsewhe
 
 @pytest.mark.parametrize("kind", RESOLVERS)
 def test_of_equally_bad_contacts_the_first_one_is_taken(kind: type[ContactResolver]) -> None:
-    """A ball hit from both sides: in one order, and in the other, and the same every time."""
+    """A ball is hit from both sides, in both orders. The result is always the same."""
     for turned in (False, True):
         ends = set()
         for _ in range(5):
@@ -102,7 +102,7 @@ def test_of_equally_bad_contacts_the_first_one_is_taken(kind: type[ContactResolv
 
 @pytest.mark.parametrize("kind", RESOLVERS)
 def test_of_equally_deep_contacts_the_first_one_is_taken(kind: type[ContactResolver]) -> None:
-    """A ball with another one 0.1 m deep on either side of it."""
+    """A ball overlaps with two others by 0.1 m, one on each side."""
     for turned in (False, True):
         balls, contacts = row([1.0] * 3, [0.0] * 3, 0.0)
         for contact in contacts:
@@ -117,7 +117,7 @@ def test_of_equally_deep_contacts_the_first_one_is_taken(kind: type[ContactResol
 
 @pytest.mark.parametrize("kind", RESOLVERS)
 def test_each_phase_has_its_own_limit(kind: type[ContactResolver]) -> None:
-    """Three balls in the ground that close: each phase may resolve two of them, the worst."""
+    """Three balls in the ground close. Each phase may resolve the two worst contacts."""
     balls = [Particle(velocity=Vector3(0.0, -speed)) for speed in (1.0, 2.0, 3.0)]
     contacts = [
         Contact(ball, None, UP, 0.0, depth)
@@ -138,14 +138,14 @@ def test_each_phase_has_its_own_limit(kind: type[ContactResolver]) -> None:
 def test_by_default_each_phase_has_twice_as_many_as_contacts_that_can_be_moved(
     kind: type[ContactResolver],
 ) -> None:
-    """A ball between two walls that close in wants more than any limit: all of it is used up."""
+    """A ball between two closing walls never ends within a limit, so the limit is used up."""
 
     ball, contacts = Particle(), []
     for side in (1.0, -1.0):
         wall = Particle(velocity=Vector3(side), mass=math.inf)
         contacts.append(Contact(ball, wall, Vector3(side), 0.0, 0.1))
     walls = [Particle(mass=math.inf), Particle(mass=math.inf, velocity=Vector3(0.0, -1.0))]
-    still = Contact(walls[1], walls[0], UP, 0.0, 5.0)  # two that nothing moves, the worst of all
+    still = Contact(walls[1], walls[0], UP, 0.0, 5.0)  # the worst, but immovable
     resolver = kind()
     resolver.resolve_contacts([still, *contacts, still], FRAME)
     assert resolver.iterations_used == 2 * (2 * 2)
@@ -169,7 +169,7 @@ def test_no_contacts_are_no_work(kind: type[ContactResolver]) -> None:
 def test_a_move_changes_the_depth_of_the_contacts_beside_it(
     kind: type[ContactResolver], shared: str, in_second: str
 ) -> None:
-    """Of all four ways to share a particle. The depth falls by what the two part along n."""
+    """Test all four ways to share a particle. The depth changes by the move along the normal."""
     hub, first, second = Particle(), Particle(mass=3.0), Particle(mass=2.0)
     slant = Vector3(0.6, 0.8, 0.0)
     deep = Contact(hub, first, UP, 0.0, 0.4) if shared == "particle" else None
@@ -187,7 +187,7 @@ def test_a_move_changes_the_depth_of_the_contacts_beside_it(
 def test_depths_are_what_the_places_say_however_many_contacts_share_a_particle(
     kind: type[ContactResolver],
 ) -> None:
-    """Penetration + (pa - pb) . n is what no move changes. 60 contacts of 15 particles."""
+    """No move changes penetration + (pa - pb) . n. There are 60 contacts of 15 particles."""
     draw = random.Random(71)
     for limit in (1, 7, 60, None):
         _, contacts = tangle(draw, 15, 60)
@@ -195,7 +195,7 @@ def test_depths_are_what_the_places_say_however_many_contacts_share_a_particle(
         resolver = kind(limit)
         resolver.resolve_contacts(contacts, FRAME)
         assert resolver.iterations_used > 0
-        # At the most 120 moves of 1 m, of a few roundings each.
+        # At most 120 moves of 1 m, each with a few roundings.
         assert [depth_and_place(contact) for contact in contacts] == pytest.approx(kept, abs=1e-12)
 
 
@@ -214,7 +214,7 @@ def test_a_row_of_touching_balls_passes_a_hit_on_to_the_last(
     balls, contacts = row([0.5] * n, [2.0] + [0.0] * (n - 1), 1.0)
     resolver = kind()
     resolver.resolve_contacts(contacts, FRAME)
-    assert [ball.velocity.x for ball in balls] == [0.0] * (n - 1) + [2.0]  # halves: no rounding
+    assert [ball.velocity.x for ball in balls] == [0.0] * (n - 1) + [2.0]  # halves are exact
     assert resolver.iterations_used == n - 1
 
 
@@ -222,9 +222,9 @@ def test_a_row_of_touching_balls_passes_a_hit_on_to_the_last(
 
 
 def tangle(draw: random.Random, particles: int, count: int) -> tuple[list[Particle], list[Contact]]:
-    """Return particles that fly about, some immovable, and contacts between any of them.
+    """Return moving particles, some of them immovable, and contacts between any of them.
 
-    Some pairs are there twice, with other normals; every fifth contact is with the world.
+    Some pairs appear twice with different normals. Every fifth contact is with the world.
     """
 
     def vector(size: float) -> Vector3:
@@ -248,7 +248,7 @@ def tangle(draw: random.Random, particles: int, count: int) -> tuple[list[Partic
 
 
 def rope(draw: random.Random, links: int) -> tuple[list[Particle], list[Contact]]:
-    """Return a rope of rods and cables that is pulled about, heavy at its end."""
+    """Return a rope of rods and cables in motion with a heavy end."""
     bodies = [
         Particle(
             Vector3(0.3 * i, draw.uniform(-0.05, 0.05), 0.0),
@@ -266,7 +266,7 @@ def rope(draw: random.Random, links: int) -> tuple[list[Particle], list[Contact]
 
 
 def pile(draw: random.Random, balls: int) -> tuple[list[Particle], list[Contact]]:
-    """Return balls in a grid that overlap a little, all alike: ties everywhere."""
+    """Return equal balls in a grid that overlap slightly, so that there are many ties."""
     bodies = [
         Particle(Vector3(0.96 * (i % 6), 0.48 + 0.96 * (i // 6)), UP * -1.0, UP * -9.81)
         for i in range(balls)
@@ -296,7 +296,7 @@ def test_the_heap_ends_where_the_scan_does(make: Any, size: int, seed: int, limi
         ends.append((numbers + [contact.penetration for contact in contacts], resolver))
     (scanned, scan), (heaped, heap) = ends
     assert scan.iterations_used == heap.iterations_used > 5
-    # At the most 600 impulses of some 10 m/s in the same order, each to some roundings.
+    # At most 600 impulses of some 10 m/s in the same order, each with some roundings.
     assert heaped == pytest.approx(scanned, abs=1e-9)
 
 
@@ -311,7 +311,7 @@ def test_the_scenes_have_as_many_contacts_as_they_should() -> None:
 
 @pytest.mark.parametrize("kind", RESOLVERS)
 def test_no_resolution_adds_kinetic_energy(kind: type[ContactResolver]) -> None:
-    """Without immovable ones that move, and whatever the limit: every prefix of the work."""
+    """This holds for every limit, and so for every part of the work, without moving walls."""
     for make, size, seed in SCENES[:4] + SCENES[7:10] + SCENES[13:16]:
         draw = random.Random(f"{make.__name__} {seed}")
         bodies, contacts = tangle(draw, size // 3, size) if make is tangle else make(draw, size)
@@ -323,6 +323,6 @@ def test_no_resolution_adds_kinetic_energy(kind: type[ContactResolver]) -> None:
         for _ in range(2 * len(contacts)):
             resolver.resolve_contacts(copy.copy(contacts), FRAME)
             energies.append(math.fsum(body.kinetic_energy() for body in bodies))
-        # A rounding of each energy for each resolution, where restitution 1 keeps all of it.
+        # Restitution 1 conserves the energy, with one rounding for each resolution.
         assert all(after <= now + 1e-15 * before for now, after in pairwise(energies))
         assert energies[-1] < 0.99 * before

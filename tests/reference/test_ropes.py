@@ -1,4 +1,4 @@
-"""A rope between two nails: closed forms, SciPy's minimum, and the chain that is solved at once."""
+"""A rope between two nails: closed forms, SciPy's minimum, and the direct chain."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ GRAVITY = Vector3(0.0, -G, 0.0)
 
 @pytest.mark.parametrize(
     ("span", "length", "sag"),
-    [  # numerics.md has the first; SciPy, brentq on 2 a sinh(span / 2 a), the others
+    [  # from SciPy, brentq on 2 a sinh(span / 2 a)
         (2.0, 3.0, 1.00526652),
         (1.0, 3.0, 1.33415513873638),
         (2.9, 3.0, 0.3337264831487889),
@@ -28,13 +28,13 @@ GRAVITY = Vector3(0.0, -G, 0.0)
     ],
 )
 def test_a_catenary_sags_as_the_closed_form_says(span: float, length: float, sag: float) -> None:
-    assert catenary_sag(span, length) == pytest.approx(sag, abs=6e-9)  # the digits that are known
+    assert catenary_sag(span, length) == pytest.approx(sag, abs=6e-9)  # all known digits
     assert polygon_sag(1000, span, length) == pytest.approx(sag, abs=1e-5)
 
 
 @pytest.mark.parametrize(
     ("links", "span", "sag", "digits"),
-    [  # numerics.md; and SciPy, SLSQP on the angles of the links, to its 1e-7 or so
+    [  # from SciPy, SLSQP on the angles of the links, accurate to about 1e-7
         (10, 2.0, 1.01189186, 6e-9),
         (100, 2.0, 1.00533125, 6e-9),
         (4, 2.0, 1.0486392289690087, 1e-7),
@@ -51,7 +51,7 @@ def test_a_polygon_sags_to_the_minimum_of_energy(
 
 
 def rope(links: int, damping: float = 0.1) -> list[Particle]:
-    """Return a rope of 3 m on nails 2 m apart, from nail to nail, in the shape of a V."""
+    """Return a rope of 3 m between nails 2 m apart, in the shape of a V."""
     particles = []
     for i in range(links + 1):
         share = i / links
@@ -81,9 +81,9 @@ def test_a_direct_chain_on_two_nails_hangs_as_the_polygon(
     chain = DirectChain(particles[1:], particles[0].position)
     for _ in range(20 * rate):
         chain.step(1.0 / rate)
-    # The digits that are known; 20 links by SLSQP, to its 1e-7.
+    # All known digits, or 1e-7 for 20 links by SLSQP.
     assert sag_of(particles) == pytest.approx(sag, abs=6e-9 if links == 10 else 1e-7)
-    # Half of a rounding of 2 m in each of a place's numbers, of 0.15 m.
+    # Half a rounding of 2 m in each coordinate, over 0.15 m.
     assert stretch(particles, 3.0 / links) < 2e-14
     assert particles[-1].position == nail
     assert particles[-1].velocity == Vector3()
@@ -91,9 +91,9 @@ def test_a_direct_chain_on_two_nails_hangs_as_the_polygon(
 
 @pytest.mark.parametrize("links", [2, 10])
 def test_the_nails_bear_half_of_the_weight_each(links: int) -> None:
-    """T sin(slope) = W / 2, and the pull to the side is T cos(slope), the same in all links.
+    """T sin(slope) = W / 2, and the horizontal pull T cos(slope) is the same in all links.
 
-    Damping d multiplies what a frame accelerates, so at rest it is d^h of the weight that hangs.
+    Damping multiplies the velocity that a frame adds, so at rest the weight counts d^h times.
     """
     particles = rope(links)
     chain = DirectChain(particles[1:], particles[0].position)
@@ -105,33 +105,33 @@ def test_the_nails_bear_half_of_the_weight_each(links: int) -> None:
         sine = abs(way.y) / way.magnitude()
         assert tension == pytest.approx(0.5 * weight / sine, rel=1e-9)
     sideways = [t * way.x / way.magnitude() for t, way in zip(chain.tensions, ways, strict=True)]
-    # What still swings after 20 s is 1e-12 m/s, over h.
+    # After 20 s the oscillation is 1e-12 m/s, over h.
     assert sideways == pytest.approx([sideways[0]] * links, rel=1e-8)
 
 
 def test_a_rope_at_rest_stays_there_and_its_tensions_are_the_polygon_s() -> None:
-    """Two links of 1.5 m without damping: sin is the root of 1.25, over 1.5; W is 9.81 N."""
+    """Two links of 1.5 m without damping have a sine of sqrt(1.25) / 1.5, and W is 9.81 N."""
     particles = rope(2, damping=1.0)
     chain = DirectChain(particles[1:], particles[0].position)
     wanted = 0.5 * G * 1.5 / math.sqrt(1.25)
     for frame in range(100):
         chain.step(1.0 / 60.0)
-        # A rounding of 2 m over h^2, of 1 kg. The first frames guess the square that is left out:
-        # g h^2 / 2, of 1.5 m.
+        # A rounding of 2 m over h^2, for 1 kg. In the first frames the neglected square is only
+        # estimated: g h^2 / 2, over 1.5 m.
         off = 1e-10 if frame > 5 else wanted * 0.5 * G / 3600.0
         assert chain.tensions == pytest.approx([wanted] * 2, abs=off), frame
     assert sag_of(particles) == pytest.approx(math.sqrt(1.25), abs=1e-14)
 
 
 def test_a_rope_s_energy_does_not_drift_without_damping() -> None:
-    """From the V, 5 s at 480 frames a second: leapfrog swings about the energy of the start."""
+    """For 5 s at 480 Hz from the V, leapfrog's energy oscillates around the initial energy."""
     particles = rope(6, damping=1.0)
     start = math.fsum(G * p.position.y for p in particles)
     chain, worst = DirectChain(particles[1:], particles[0].position), 0.0
     for _ in range(5 * 480):
         chain.step(1.0 / 480.0)
         assert stretch(particles, 0.5) < 1e-4
-        # The velocity is that of half a frame ago: v . a h / 2 of it is missing, some 5 mJ.
+        # The velocity is half a frame old, so v . a h / 2 is missing, about 5 mJ.
         energy = math.fsum(p.kinetic_energy() + G * p.position.y for p in particles[1:-1])
         worst = max(worst, abs(energy - start))
     assert worst < 0.01 * abs(start)
@@ -145,10 +145,10 @@ def test_only_the_last_particle_may_be_immovable() -> None:
 
 
 def test_substeps_and_iterations_make_rods_hold() -> None:
-    """Ten links, after 4 s: by rods they hang lower than the polygon, the less the more work.
+    """After 4 s, ten links hang lower than the polygon. More work reduces the error.
 
-    Measured: 5.1 cm longer at one step a frame, 2.3 mm at five, and 0.3 mm when one step has 400
-    iterations for each phase.
+    Measured: 5.1 cm too long at one step per frame, 2.3 mm at five, and 0.3 mm with one step of 400
+    iterations per phase.
     """
     stretched = []
     for substeps, iterations in ((1, None), (5, None), (1, 400)):

@@ -1,4 +1,4 @@
-"""The exercises of chapter 9 against SciPy's rotations, complex numbers and full inverses."""
+"""The exercises of chapter 9 compared with SciPy's rotations, complex numbers and inverses."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_the_two_other_turns_are_the_only_ones_in_steps_of_30_degrees() -> None:
         for b in range(-180, 181, 30):
             turned = Rotation.from_euler("zx", [a, b], degrees=True)  # extrinsic: Z first
             ends[a, b] = (wanted * turned.inv()).magnitude()
-    # The arc of a cosine, or of its sine, of some roundings.
+    # The arc cosine or sine of some roundings.
     assert [pair for pair, apart in ends.items() if apart < 1e-7] == [two_other_turns()]
 
 
@@ -58,7 +58,7 @@ def test_quaternions_without_j_and_k_are_complex_numbers() -> None:
     for a, b, c, d in ROWS:
         wanted = complex(a, b) * complex(c, d)
         got = product_without_j_and_k(Quaternion(a, b), Quaternion(c, d))
-        assert tuple(got) == (wanted.real, wanted.imag, 0.0, 0.0)  # the same four products
+        assert tuple(got) == (wanted.real, wanted.imag, 0.0, 0.0)  # from the same four products
 
 
 def test_a_steady_turn_is_that_of_scipy_and_its_steps_miss_by_what_scipy_says() -> None:
@@ -71,7 +71,7 @@ def test_a_steady_turn_is_that_of_scipy_and_its_steps_miss_by_what_scipy_says() 
             stepped, error = turned_by_steps(q, rate, 2.0, steps)
             apart = (wanted * theirs(stepped).inv()).magnitude()
             assert error == pytest.approx(apart, abs=1e-14)
-            # A step of Eq. 9.5 turns by twice the arc of half its angle's tangent.
+            # A step of Eq. 9.5 rotates by twice the arc whose tangent is half of the angle.
             missed = abs(
                 math.remainder(2.0 * rate - 2.0 * steps * math.atan(rate / steps), math.tau)
             )
@@ -83,7 +83,7 @@ def test_a_rotation_and_a_position_are_read_off_and_inverted_without_dividing() 
         q, p = Quaternion(*row), Vector3(*place)
         m = Matrix4.from_orientation_and_position(q, p)
         assert read_off(m) == (Matrix3.from_quaternion(q), p)
-        # A few roundings of places within 5 m.
+        # A few roundings of positions within 5 m.
         assert tuple(easy_inverse(m)) == pytest.approx(tuple(m.inverse()), abs=1e-14)
 
 

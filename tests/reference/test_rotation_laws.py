@@ -1,4 +1,4 @@
-"""The laws that quaternions obey, for any that hypothesis thinks of."""
+"""The laws of quaternions, for all examples that hypothesis generates."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ch09_rotations.quaternion import UNIT_TOLERANCE, Quaternion
 
 ONE = Quaternion()
 
-# So small that every sum and product below is a whole number that a float holds: no tolerances.
+# Numbers so small that every sum and product below is an exact whole number, without tolerances.
 number = st.integers(-1000, 1000)
 whole = st.tuples(number, number, number, number).map(lambda four: Quaternion(*four))
 
@@ -27,7 +27,7 @@ axis = (
 turn = st.builds(Quaternion.from_axis_angle, axis, st.floats(-10.0, 10.0))
 vector = st.tuples(share, share, share).map(lambda three: Vector3(*three))
 
-# Of vectors no longer than 2, after some thirty roundings of 1.1e-16 each, that mostly cancel.
+# For vectors up to length 2 after about thirty roundings of 1.1e-16, which mostly cancel.
 ROUNDINGS = 1e-14
 
 
@@ -56,7 +56,7 @@ def test_the_conjugate_turns_products_round_and_the_length_is_multiplied(
     assert (a * b).conjugate() == b.conjugate() * a.conjugate()
     assert squared(a * b) == squared(a) * squared(b)
     assert a * a.conjugate() == a.conjugate() * a == Quaternion(squared(a))
-    # The roots: one rounding each, and one of their product.
+    # One rounding of each root, and one of their product.
     assert (a * b).magnitude() == pytest.approx(a.magnitude() * b.magnitude(), rel=1e-15)
 
 
@@ -112,7 +112,7 @@ def test_the_matrix_of_a_turn_is_orthogonal_with_determinant_1(q: Quaternion) ->
 @given(turn, vector)
 def test_a_quaternion_and_its_negative_are_one_turn(q: Quaternion, v: Vector3) -> None:
     negative = Quaternion(*(-component for component in q))
-    assert q.rotate(v) == negative.rotate(v)  # the same products, and twice the same signs
+    assert q.rotate(v) == negative.rotate(v)  # the same products, with both signs reversed
     assert Matrix3.from_quaternion(q) == Matrix3.from_quaternion(negative)
     (u, angle), (other, same) = q.to_axis_angle(), negative.to_axis_angle()
     assert angle == same
@@ -122,10 +122,10 @@ def test_a_quaternion_and_its_negative_are_one_turn(q: Quaternion, v: Vector3) -
 @given(axis, st.floats(0.0, math.pi))
 def test_axis_and_angle_come_back(u: Vector3, angle: float) -> None:
     back, same = Quaternion.from_axis_angle(u, angle).to_axis_angle()
-    assert same == pytest.approx(angle, abs=1e-15)  # a cosine, a sine and an arc of them
+    assert same == pytest.approx(angle, abs=1e-15)  # a cosine, a sine and their arc
     if angle == 0.0:
         assert back == Vector3(1.0, 0.0, 0.0)
-    elif angle > 1e-300:  # below, there are few digits left
+    elif angle > 1e-300:  # smaller angles have few digits
         at = 1.0 if math.pi - angle > ROUNDINGS else math.copysign(1.0, back.dot(u))
         assert near(back, u.normalized() * at)
 
@@ -177,7 +177,7 @@ def test_the_length_and_its_normalizing_are_right_for_tiny_and_huge_numbers(scal
     assert q.magnitude() == pytest.approx(11.0 * scale, rel=4e-16, abs=0.0)  # two roundings
     q.normalize()
     assert tuple(q) == pytest.approx((1 / 11, -2 / 11, 4 / 11, 10 / 11), rel=4e-16)
-    direction = Vector3(2.0 * scale, 3.0 * scale, 6.0 * scale)  # 7 long
+    direction = Vector3(2.0 * scale, 3.0 * scale, 6.0 * scale)  # length 7
     assert near(Quaternion.from_axis_angle(direction, math.pi), (0.0, 2 / 7, 3 / 7, 6 / 7))
 
 

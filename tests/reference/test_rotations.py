@@ -1,7 +1,7 @@
-"""Quaternions against SciPy's rotations, on 10,000 random cases each.
+"""Quaternions compared with SciPy's rotations, on 10,000 random cases each.
 
-SciPy has the scalar last: its (x, y, z, w) is our (r, i, j, k) turned round by one place. With
-``pytest -s`` every test prints the largest deviation that it saw.
+SciPy has the scalar last, so its (x, y, z, w) is our (r, i, j, k) rotated by one position. With
+``pytest -s`` every test prints the largest deviation.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from ch09_rotations.quaternion import Quaternion
 
 Array = numpy.ndarray
 CASES = 10_000
-# What is compared is of a size of 1, made of some ten roundings of 1e-16 each. 1e-14 is far above
-# that and far below any mistake.
+# The compared values have a size of 1 and about ten roundings of 1e-16. 1e-14 is far above that and
+# far below any mistake.
 ROUNDINGS = 1e-14
 
 
@@ -48,7 +48,7 @@ def components(rotations: Rotation) -> Array:
 
 
 def deviation(what: str, got: object, wanted: Array, *, signed: bool = True) -> float:
-    """Return the largest deviation and print it; NaN if there is one. Unsigned: q and -q agree."""
+    """Return and print the largest deviation, or NaN. If unsigned, q and -q count as equal."""
     rows = numpy.array([tuple(row) for row in got])
     assert rows.shape == wanted.shape
     if not signed:
@@ -65,7 +65,7 @@ def test_the_product_agrees_with_scipy() -> None:
 
 
 def test_the_conjugate_agrees_with_scipy() -> None:
-    # SciPy returns the inverse, whose sign is as good as ours.
+    # SciPy returns the inverse, possibly with the opposite sign.
     wanted = components(theirs(A).inv())
     assert deviation("conjugate", [a.conjugate() for a in OURS_A], wanted, signed=False) <= 1e-15
 
@@ -86,7 +86,7 @@ def test_an_axis_of_any_length_and_an_angle_agree_with_scipy() -> None:
 
 
 def test_the_sign_of_a_quaternion_is_that_of_half_the_angle() -> None:
-    """From 0 to 4 pi it goes from 1 to -1 and back: SciPy's sign need not."""
+    """From 0 to 4 pi it goes from 1 to -1 and back, which SciPy's sign does not do."""
     for angle in numpy.linspace(0.0, 4.0 * math.pi, 1000):
         q = Quaternion.from_axis_angle(Vector3(0.0, 3.0, 4.0), float(angle))
         sine = math.sin(angle / 2.0)
@@ -100,11 +100,11 @@ def test_axis_and_angle_are_those_of_scipy() -> None:
     assert deviation("to_axis_angle", [axis * angle for axis, angle in pairs], wanted) <= ROUNDINGS
     assert all(0.0 <= angle <= math.pi for _, angle in pairs)
     lengths = [axis.magnitude() for axis, _ in pairs]
-    assert lengths == pytest.approx([1.0] * CASES, abs=4e-16)  # a division and a rounding each
+    assert lengths == pytest.approx([1.0] * CASES, abs=4e-16)  # each has a division and a rounding
 
 
 def near_half_turns() -> Array:
-    """Half-turns, and turns that miss them by 1e-1 to 1e-15, on both sides: 10,000."""
+    """Return 10,000 half turns, and turns that miss them by 1e-1 to 1e-15 on both sides."""
     missing = numpy.concatenate([[0.0], 10.0 ** -numpy.arange(1.0, 16.0)])
     angles = math.pi + numpy.resize(numpy.concatenate([missing, -missing]), CASES)
     return numpy.column_stack(
@@ -132,7 +132,7 @@ def matrices(rows: Array) -> list[Matrix3]:
 
 def test_the_quaternion_of_a_matrix_agrees_with_scipy_in_all_four_branches() -> None:
     largest = numpy.abs(A).argmax(axis=1)
-    assert numpy.bincount(largest, minlength=4).min() > 2000  # each of r, i, j, k, a quarter or so
+    assert numpy.bincount(largest, minlength=4).min() > 2000  # about a quarter for each component
     got = [m.to_quaternion() for m in matrices(A)]
     assert deviation("to_quaternion", got, A, signed=False) <= ROUNDINGS
     assert all(abs(q.magnitude() - 1.0) <= 4e-16 for q in got)  # a division and a rounding each
@@ -153,7 +153,7 @@ def test_one_component_alone_comes_back_exactly(component: int) -> None:
 
 
 def test_a_turn_by_a_scaled_axis_is_about_axes_of_the_world() -> None:
-    """Lengths from 1e-9 to 20 radians; SciPy's product has the later turn on the left too."""
+    """Lengths are 1e-9 to 20 radians. SciPy's product also has the later rotation on the left."""
     lengths = numpy.concatenate([10.0 ** RANDOM.uniform(-9.0, 0.0, CASES // 2), ANGLES[::2, 0] * 2])
     scaled = unit(AXES) * lengths[:, None]
     got = [a.copy() for a in OURS_A]
@@ -166,7 +166,7 @@ def test_a_turn_by_a_scaled_axis_is_about_axes_of_the_world() -> None:
 
 
 def test_a_step_of_eq_95_adds_half_the_product_with_the_vector_on_the_left() -> None:
-    """For any vector and scale, and the orientations as they come: none is the reference."""
+    """This holds for any vector and scale, and any orientation, not only the reference."""
     scales = ANGLES[:, 1]
     got = [a.copy() for a in OURS_A]
     for q, v, scale in zip(got, OUR_VECTORS, scales, strict=True):
@@ -174,7 +174,7 @@ def test_a_step_of_eq_95_adds_half_the_product_with_the_vector_on_the_left() -> 
     pure = numpy.column_stack([numpy.zeros(CASES), unit(VECTORS)])
     lengths = numpy.linalg.norm(VECTORS, axis=1)
     wanted = A + components(theirs(pure) * theirs(A)) * (0.5 * scales * lengths)[:, None]
-    size = 1.0 + 0.5 * numpy.abs(scales) * lengths  # SciPy wants lengths of 1: scaled after
+    size = 1.0 + 0.5 * numpy.abs(scales) * lengths  # SciPy requires length 1, so scale afterwards
     relative = [numpy.array(tuple(q)) / s for q, s in zip(got, size, strict=True)]
     assert deviation("add_scaled", relative, wanted / size[:, None]) <= ROUNDINGS
 
@@ -186,11 +186,11 @@ def test_three_angles_are_about_axes_of_the_world_x_first() -> None:
 
 
 def test_every_orientation_is_reached_by_three_angles() -> None:
-    """E-33, with SciPy to find the angles; the last hundred are in gimbal lock."""
+    """SciPy finds the angles for E-33. The last hundred are in gimbal lock."""
     locked = Rotation.from_euler("xyz", [(x, math.pi / 2, z) for x, _, z in ANGLES[:100]])
     rows = numpy.concatenate([A, components(locked)])
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", UserWarning)  # SciPy says so, and sets one angle to 0
+        warnings.simplefilter("ignore", UserWarning)  # SciPy warns and sets one angle to 0
         angles = theirs(rows).as_euler("xyz")
     got = [euler_to_quaternion(*(float(angle) for angle in row)) for row in angles]
     assert deviation("Euler angles of SciPy", got[:CASES], A, signed=False) <= ROUNDINGS
@@ -204,7 +204,7 @@ def test_the_velocity_of_a_point_agrees_with_numpy() -> None:
         velocity_of_point(Vector3(*point), Vector3(*position), velocity, Vector3(*spin))
         for point, position, velocity, spin in zip(points, AXES, OUR_VECTORS, turning, strict=True)
     ]
-    # Every one of some eight roundings is of the arm's length times the angular velocity's.
+    # Each of about eight roundings is relative to the arm times the angular velocity.
     size = numpy.linalg.norm(turning, axis=1) * numpy.linalg.norm(points - AXES, axis=1)
     size = (size + numpy.linalg.norm(VECTORS, axis=1))[:, None]
     relative = [tuple(v) / s for v, s in zip(got, size, strict=True)]

@@ -1,4 +1,4 @@
-"""What rotations cannot be made of is named where it enters, and then nothing has changed."""
+"""Rotations reject bad arguments with a clear message, and then nothing has changed."""
 
 from __future__ import annotations
 
@@ -157,7 +157,7 @@ def test_a_refused_step_changes_nothing(
     with pytest.raises(error, match=words):
         integrate_rotation(q, kept, acceleration, duration)
     assert q == Q
-    assert repr(kept) == repr(spin)  # NaN differs from itself
+    assert repr(kept) == repr(spin)  # NaN is not equal to itself
     with pytest.raises(TypeError, match=r"orientation must be a Quaternion, got Vector3\("):
         integrate_rotation(V, kept, V, 1.0)  # type: ignore[arg-type]
 

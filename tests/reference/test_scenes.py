@@ -27,12 +27,12 @@ Pairs = list[tuple[int, int]]
 # The cube
 
 EDGES = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
-# Eighteen as well: two diagonals in the face at z = 0, none in the one at z = 1.
+# Also eighteen rods, but with two diagonals in the face at z = 0, and none in the face at z = 1.
 LOOSE = [*EDGES, (0, 3), (1, 2), (0, 5), (0, 6), (1, 7), (2, 7)]
 
 
 def rank(places: Sequence[Sequence[float]], rods: Pairs) -> int:
-    """Return the rank of the rigidity matrix: each rod's row is d(length^2) / 2 over all places."""
+    """Return the rank of the rigidity matrix. A rod's row is the derivative of length^2 / 2."""
     matrix = numpy.zeros((len(rods), 3 * len(places)))
     for row, (i, j) in zip(matrix, rods, strict=True):
         along = numpy.subtract(places[j], places[i])
@@ -43,9 +43,9 @@ def rank(places: Sequence[Sequence[float]], rods: Pairs) -> int:
 def test_the_cube_s_rods_leave_it_only_the_six_motions_of_a_rigid_body() -> None:
     assert len(cube_rods()) == len({frozenset(rod) for rod in cube_rods()}) == 18
     assert rank(CORNERS, cube_rods()) == 24 - 6
-    assert rank(CORNERS, EDGES) == 12  # six ways to flex
-    assert (len(LOOSE), rank(CORNERS, LOOSE)) == (18, 17)  # enough of them, in the wrong places
-    for i in range(18):  # none is too many
+    assert rank(CORNERS, EDGES) == 12  # six ways to deform
+    assert (len(LOOSE), rank(CORNERS, LOOSE)) == (18, 17)  # enough rods in the wrong positions
+    for i in range(18):  # none is redundant
         assert rank(CORNERS, [*cube_rods()[:i], *cube_rods()[i + 1 :]]) == 17
 
 
@@ -57,9 +57,9 @@ def test_the_fewest_rods_are_the_rank_of_all_rods(count: int) -> None:
 
 
 def tumble(rods: Pairs | None, seconds: float = 4.0) -> tuple[float, list[float]]:
-    """Let a cube fall; return how far any two corners ever come from their distance, and energies.
+    """Let a cube fall. Return the largest change of a distance between corners, and the energies.
 
-    The distance is that of two corners of the cube: 1, the root of 2, or that of 3.
+    The distances between the corners of the cube are 1, the root of 2, and the root of 3.
     """
     cube, worst = Cube(rods=rods), 0.0
     energies = [mechanical_energy(cube.particles)]
@@ -75,15 +75,15 @@ def tumble(rods: Pairs | None, seconds: float = 4.0) -> tuple[float, list[float]
 
 def test_a_rigid_cube_keeps_its_shape_and_ends_on_a_face() -> None:
     worst, energies = tumble(None)
-    assert worst < 3e-3  # measured: 0.13 %, where it hits the ground
-    # On a face: 4 corners of 1 kg at 0, and 4 at 1 m. What lies there falls for a frame, v = g h.
+    assert worst < 3e-3  # 0.13 % was measured, at the impact on the ground
+    # On a face, 4 corners of 1 kg are at 0 and 4 at 1 m. Corners at rest fall for a frame, v = g h.
     assert energies[-1] == pytest.approx(4.0 * G, abs=8.0 * (0.5 + 1.0) * (G * FRAME) ** 2)
 
 
 @pytest.mark.parametrize("rods", [EDGES, LOOSE], ids=["edges", "eighteen"])
 def test_a_cube_that_is_not_rigid_does_not(rods: Pairs) -> None:
     worst, _ = tumble(rods)
-    assert worst > 0.3  # measured: 81 % with the edges alone, 77 % with eighteen
+    assert worst > 0.3  # measured: 81 % with the edges alone, and 77 % with eighteen rods
 
 
 # The wheel
@@ -91,11 +91,11 @@ def test_a_cube_that_is_not_rigid_does_not(rods: Pairs) -> None:
 
 @pytest.mark.parametrize("driven", [2, 8])
 def test_a_driven_wheel_turns_by_torque_and_inertia(driven: int) -> None:
-    """F n R = 8 m R^2 alpha: with 4 N for each of them, after 1 s, spin and turn.
+    """F n R = 8 m R^2 alpha. Check the spin and the angle after 1 s with 4 N on each particle.
 
-    Rods pull along where they are after a frame, and a part (w h)^2 / 2 of the spin is lost in it:
-    dw/dt = alpha - w^3 h / 2, so h alpha^3 / 8 is missing after 1 s. The turn is h alpha / 2 ahead,
-    as the velocity is moved first, and behind by what was lost, h alpha^3 / 40.
+    Rods pull in their direction after the frame, so a fraction (w h)^2 / 2 of the spin is lost in
+    it. From dw/dt = alpha - w^3 h / 2, h alpha^3 / 8 is missing after 1 s. The angle is ahead by
+    h alpha / 2, because the velocity is updated first, and behind by the loss, h alpha^3 / 40.
     """
     alpha = 4.0 * driven / 8.0
     for rate in (60, 120, 240):
@@ -104,7 +104,7 @@ def test_a_driven_wheel_turns_by_torque_and_inertia(driven: int) -> None:
             wheel.step(1.0 / rate)
         missing = alpha - spin(wheel.hub, wheel.rim)
         turn = math.atan2(wheel.rim[0].position.y, wheel.rim[0].position.x)
-        # And the second order: a few w h of it, with w 4 rad/s.
+        # The second order adds a few w h of it, with w = 4 rad/s.
         assert missing * rate == pytest.approx(alpha**3 / 8.0, rel=4.0 / rate)
         ahead = (turn - 0.5 * alpha) * rate
         assert ahead == pytest.approx(0.5 * alpha - alpha**3 / 40.0, rel=12.0 / rate)
@@ -112,8 +112,10 @@ def test_a_driven_wheel_turns_by_torque_and_inertia(driven: int) -> None:
 
 @pytest.mark.parametrize(("driven", "bound"), [(3, 1e-6), (8, 1e-8)])
 def test_the_rods_of_a_wheel_keep_their_length(driven: int, bound: float) -> None:
-    """Measured, in 5 s of 1 N: 3e-7 where three are driven, which is of the second order; by all
-    of them nothing is pulled askew, and the resolver's 1e-9 m are left."""
+    """Measured in 5 s of 1 N: 3e-7, of order 2, if three are driven.
+
+    If all are driven, nothing is pulled out of shape, and the resolver's 1e-9 m remain.
+    """
     wheel, worst = Wheel(1.0, driven), 0.0
     for _ in range(300):
         wheel.step(FRAME)
@@ -122,7 +124,7 @@ def test_the_rods_of_a_wheel_keep_their_length(driven: int, bound: float) -> Non
 
 
 def test_spin_is_that_of_a_body_that_turns() -> None:
-    """v = w x r for any places and masses, seen from a hub that moves: w about Z comes back."""
+    """v = w x r gives w about Z for any positions and masses, seen from a moving hub."""
     draw = random.Random(83)
     hub = Particle(Vector3(1.0, -2.0, 0.5), Vector3(3.0, 1.0, -1.0))
     rim = []
@@ -138,7 +140,7 @@ def test_spin_is_that_of_a_body_that_turns() -> None:
 
 
 def stored(bond: Bond) -> float:
-    """Return the energy of a bond: k e^2 / 2, and beyond the limit a slope of a quarter."""
+    """Return the energy of a bond: k e^2 / 2, with a quarter of the slope beyond the limit."""
     length = (bond.b.position - bond.a.position).magnitude()
     limit = 1.2 * bond.rest_length
     within, beyond = min(length, limit) - bond.rest_length, max(length - limit, 0.0)
@@ -149,7 +151,7 @@ def stored(bond: Bond) -> float:
 def test_a_blob_falls_spreads_and_draws_together(cables: bool) -> None:
     blob = Blob(cables=cables)
     before, squashed = spread(blob.particles), 1.0
-    # Nine of ten at 0.5 m from the middle: the root of 9 / 10 of 0.25.
+    # Nine of ten particles are 0.5 m from the middle, which gives the root of 9 / 10 of 0.25.
     assert before == pytest.approx(math.sqrt(0.225), rel=1e-15)
     start = 10 * 0.1 * G * 2.0
     for _ in range(600):
@@ -161,12 +163,12 @@ def test_a_blob_falls_spreads_and_draws_together(cables: bool) -> None:
             squashed = min(squashed, length / bond.rest_length)
     assert squashed < 0.75
     assert all(bond.holds for bond in blob.bonds)
-    assert spread(blob.particles) == pytest.approx(before, rel=0.1)  # measured: 0.7 % less
+    assert spread(blob.particles) == pytest.approx(before, rel=0.1)  # 0.7 % less was measured
     assert min(particle.position.y for particle in blob.particles) >= -1e-9
 
 
 def test_a_bond_gives_way_breaks_and_heals() -> None:
-    """k 40, rest 1, limit 1.5, a quarter beyond it, and 2 m is too long."""
+    """k is 40, the rest length 1, the limit 1.5 with a quarter beyond it, and 2 m breaks it."""
     a, b = Particle(), Particle(mass=3.0)
     bond = Bond(a, b, 40.0, 1.0, 1.5, 0.25, 2.0)
     told = [
@@ -177,7 +179,7 @@ def test_a_bond_gives_way_breaks_and_heals() -> None:
         (2.0 + 1e-9, 0.0),
         (1.5, 0.0),
         (1.0 + 1e-9, 0.0),
-        (1.0, 0.0),  # heals: nothing is stretched
+        (1.0, 0.0),  # heals, because it is not stretched
         (1.25, 10.0),
     ]
     for length, force in told:
@@ -192,7 +194,7 @@ def test_a_bond_gives_way_breaks_and_heals() -> None:
 @pytest.mark.parametrize("cables", [False, True])
 def test_what_is_pulled_out_of_a_blob_is_lost_unless_a_cable_holds_it(cables: bool) -> None:
     blob = Blob(5.0, cables)
-    blob.push = Vector3(0.0, 0.1 * G)  # it hovers
+    blob.push = Vector3(0.0, 0.1 * G)  # makes it hover
     blob.step(FRAME)
     assert max(particle.velocity.magnitude() for particle in blob.particles) < 1e-14
     blob.particles[3].velocity = Vector3(0.0, 60.0)
@@ -202,7 +204,7 @@ def test_what_is_pulled_out_of_a_blob_is_lost_unless_a_cable_holds_it(cables: bo
     others = [p.position.y for p in blob.particles if p is not blob.particles[3]]
     if cables:
         assert all(bond.holds for bond in blob.bonds)
-        for bond in blob.bonds:  # the resolver's limit leaves a part of a frame's stretch
+        for bond in blob.bonds:  # the resolver's limit leaves part of a frame's stretch
             length = (bond.b.position - bond.a.position).magnitude()
             assert length <= bond.break_length * 1.02
     else:
@@ -218,7 +220,7 @@ State = tuple[float, float, float, float]
 
 
 def rates(state: State, d: Design) -> State:
-    """Return the rates of arm angle, sling angle and theirs: Lagrange, T and V as below.
+    """Return the rates of the arm's and the sling's angle and of their rates, by Lagrange.
 
     T = (M a^2 + (t + m) b^2) w^2 / 2 + m s^2 u^2 / 2 + m b s cos(theta - phi) w u, and
     V = g (M a sin(theta - BEND) + (t + m) b sin(theta) + m s sin(phi)).
@@ -234,7 +236,7 @@ def rates(state: State, d: Design) -> State:
 
 
 def lagrange(d: Design, time: float | None = None, h: float = 5e-4) -> tuple[State, Throw]:
-    """Return the state at a time, or where the sling lets go, by Runge and Kutta, and the throw."""
+    """Return the state at a time, or at the release, by Runge-Kutta, and the throw."""
     state: State = (START, -0.5 * math.pi, 0.0, 0.0)
 
     def moved(rate: State, by: float) -> State:
@@ -276,8 +278,8 @@ def lagrange(d: Design, time: float | None = None, h: float = 5e-4) -> tuple[Sta
     return state, Throw(reach, gained / (d.counterweight * G * fall))
 
 
-# Range and share by SciPy: solve_ivp, DOP853, rtol and atol 1e-12, let go to the bit. The sling is
-# taut all the while.
+# Range and fraction by SciPy: solve_ivp, DOP853, rtol and atol 1e-12, with an exact release. The
+# sling is always taut.
 THROWS = [
     (Design(400.0, 0.8, 4.2, 3.0, 27.0), 99.549710, 0.53961126),
     (Design(400.0, 0.8, 4.2, 3.0, 40.0), 87.362825, 0.46257095),
@@ -288,13 +290,13 @@ THROWS = [
 
 @pytest.mark.parametrize(("design", "reach", "share"), THROWS)
 def test_a_throw_is_that_of_the_double_pendulum(design: Design, reach: float, share: float) -> None:
-    """Measured, at 250 frames a second: 2.2 to 4.2 % less, and at 1000 a quarter of it."""
+    """Measured: 2.2 to 4.2 % less at 250 Hz, and a quarter of that at 1000 Hz."""
     _, exact = lagrange(design)
-    # Ours lets go up to a step of 0.5 ms late: it turns by up to 15 rad/s.
+    # Our release is up to a step of 0.5 ms late, at up to 15 rad/s.
     assert astuple(exact) == pytest.approx((reach, share), rel=2e-3)
     for rate, late in ((250, 0.05), (1000, 0.0125)):
         if rate == 1000 and design.counterweight == 400.0 and design.release_angle > 27.0:
-            continue  # one of 400 kg, and one of 300 kg, are enough of those that take long
+            continue  # one case of 400 kg and one of 300 kg are enough, because they take long
         trebuchet = Trebuchet(design)
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr("ch08_mass_aggregate.trebuchet.STEP", 1.0 / rate)
@@ -305,7 +307,7 @@ def test_a_throw_is_that_of_the_double_pendulum(design: Design, reach: float, sh
 
 
 def test_a_trebuchet_turns_as_the_double_pendulum_does() -> None:
-    """After 1.2 s, before it lets go: the places are of the first order in the frame."""
+    """Compare after 1.2 s, before the release. The positions have an error of order 1."""
     design = THROWS[0][0]
     (theta, phi, _, _), _ = lagrange(design, 1.2)
     tip = numpy.array([math.cos(theta), math.sin(theta)]) * design.long_arm + (0.0, PIVOT)
@@ -321,5 +323,5 @@ def test_a_trebuchet_turns_as_the_double_pendulum_does() -> None:
     errors = [float(numpy.hypot(*(end - wanted))) for end in ends]
     for coarse, fine in pairwise(errors):
         assert coarse / fine == pytest.approx(2.0, rel=0.15)
-    # What is left when the first order is taken away.
+    # The remaining error without the first order.
     assert float(numpy.hypot(*(2.0 * ends[2] - ends[1] - wanted))) < 0.1 * errors[2]

@@ -1,4 +1,4 @@
-"""What a scene of chapter 8 cannot be made of is named where it enters."""
+"""The scenes of chapter 8 reject bad arguments with a clear message."""
 
 from __future__ import annotations
 
@@ -20,9 +20,7 @@ from ch08_mass_aggregate.trebuchet import PIVOT_HEIGHT, START, Design
 from ch08_mass_aggregate.wheel import Wheel
 
 BALL = Particle(Vector3())
-LOWEST = PIVOT_HEIGHT + 4.0 * math.sin(
-    START
-)  # m: how high the tip of a long arm of 4 m is at first
+LOWEST = PIVOT_HEIGHT + 4.0 * math.sin(START)  # m, initial height of the tip of a long arm of 4 m
 
 
 @pytest.mark.parametrize(

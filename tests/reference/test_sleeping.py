@@ -1,4 +1,4 @@
-"""What sleeps rests where it would have, wakes by all that could move it, and keeps momentum."""
+"""Sleeping particles rest in the right position, wake for every cause, and keep momentum."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def run(world: ParticleWorld, frames: int) -> None:
 
 
 def at_rest(mass: float = 1.0) -> tuple[Particle, SleepingWorld]:
-    """Return a ball that sleeps on the ground, at 0."""
+    """Return a ball that sleeps on the ground at height 0, and its world."""
     body = ball(0.0, 0.0, mass)
     world = SleepingWorld([body], [GroundPlane([body])])
     run(world, 60)
@@ -40,7 +40,7 @@ def at_rest(mass: float = 1.0) -> tuple[Particle, SleepingWorld]:
 
 
 def scene(kind: type[ParticleWorld]) -> tuple[list[Particle], ParticleWorld]:
-    """Return five balls that drop on the ground, two of them on a rod, one on a spring."""
+    """Return five balls that drop to the ground, two of them on a rod and one on a spring."""
     bodies = [ball(2.0 * i, 0.5 + 0.3 * i, 0.5 + i) for i in range(5)]
     rod = TwoSidedRod(bodies[1], bodies[2], (bodies[2].position - bodies[1].position).magnitude())
     world = kind(bodies, [GroundPlane(bodies, restitution=0.4), rod])
@@ -60,7 +60,7 @@ def test_what_sleeps_rests_where_it_would_rest_awake() -> None:
             assert len(world.asleep) == 5
             assert all(body.velocity == Vector3() for body in bodies)
     for awake, asleep in zip(*ends, strict=True):
-        # What is slow may have 0.03 m/s and stop up to a frame or two, or a small swing, early.
+        # A slow particle may have 0.03 m/s and stop up to two frames or a small swing early.
         assert asleep == pytest.approx(awake, abs=0.01)
 
 
@@ -68,13 +68,13 @@ def test_before_anything_sleeps_both_worlds_are_the_same() -> None:
     ends = []
     for kind in (ParticleWorld, SleepingWorld):
         bodies, world = scene(kind)
-        run(world, 25)  # fewer than sleep_frames
+        run(world, 25)  # fewer frames than sleep_frames
         ends.append([x for body in bodies for x in (*body.position, *body.velocity)])
     assert ends[0] == ends[1]
 
 
 def test_only_what_has_been_slow_for_all_of_its_frames_sleeps() -> None:
-    """v^2 / 2 of 0.015 J/kg is 0.1732 m/s."""
+    """A v^2 / 2 of 0.015 J/kg is 0.1732 m/s."""
     for speed, sleeps in ((0.1731, True), (0.1733, False)):
         body = Particle(velocity=Vector3(speed))
         world = SleepingWorld([body], sleep_frames=30)
@@ -95,7 +95,7 @@ def test_a_ball_does_not_fall_asleep_at_its_highest_point(mass: float) -> None:
     assert body.position.y == pytest.approx(0.0, abs=1e-9)
 
 
-# What wakes
+# Causes that wake a particle
 
 
 @pytest.mark.parametrize(
@@ -108,7 +108,7 @@ def test_a_ball_does_not_fall_asleep_at_its_highest_point(mass: float) -> None:
     ],
 )
 def test_a_hand_wakes_in_the_same_frame(move: Callable[[Particle], None], speed: float) -> None:
-    """What flies falls for its first frame, and what lies there is stopped by the ground."""
+    """A flying particle falls in its first frame, and a particle on the ground is stopped by it."""
     body, world = at_rest()
     move(body)
     mass = body.mass
@@ -139,7 +139,7 @@ def test_a_generator_that_is_added_or_changed_later_wakes_within_its_frames() ->
     run(world, 60)
     assert body in world.asleep
     place = body.position.x
-    weak = Gravity(Vector3(0.005 * G))  # half a hundredth of its weight
+    weak = Gravity(Vector3(0.005 * G))  # 0.5 % of its weight
     world.registry.add(body, weak)
     run(world, 3 * LOOK_EVERY)
     assert body in world.asleep
@@ -148,7 +148,7 @@ def test_a_generator_that_is_added_or_changed_later_wakes_within_its_frames() ->
 
 
 def test_a_generator_that_is_taken_away_wakes() -> None:
-    """A balloon of 1 kg that hangs still on a lift of its weight falls when that ends."""
+    """A balloon of 1 kg hangs still, because its lift is its weight, and falls when that ends."""
     body, lift = ball(0.0, 5.0), Gravity(Vector3(0.0, G))
     world = SleepingWorld([body])
     world.registry.add(body, lift)
@@ -156,11 +156,11 @@ def test_a_generator_that_is_taken_away_wakes() -> None:
     assert body in world.asleep
     world.registry.remove(body, lift)
     run(world, 60 + LOOK_EVERY)
-    assert body.position.y < 5.0 - 0.5 * G * 0.9  # most of a second of falling
+    assert body.position.y < 5.0 - 0.5 * G * 0.9  # after falling for most of a second
 
 
 def test_momentum_is_kept_when_a_sleeper_is_hit() -> None:
-    """1 kg at 3 m/s, plastic, on 2 kg that sleep: both at 1 m/s. No gravity, so no ground."""
+    """1 kg at 3 m/s sticks to 2 kg that sleep, so both move at 1 m/s. There is no gravity."""
     sleeper, bullet = Particle(mass=2.0), Particle(Vector3(-3.0), Vector3(3.0))
     bodies = [sleeper, bullet]
     world = SleepingWorld(bodies, [ParticlePairs(bodies, 0.25)])
@@ -173,7 +173,7 @@ def test_momentum_is_kept_when_a_sleeper_is_hit() -> None:
 
 
 def test_a_hit_goes_through_a_row_that_sleeps() -> None:
-    """Five touching balls, elastic: the last one leaves with all of the speed, in one frame."""
+    """With five touching elastic balls, the last one leaves at full speed in the same frame."""
     row = [Particle(Vector3(0.5 * i)) for i in range(5)]
     bullet = Particle(Vector3(-3.0), Vector3(4.0))
     bodies = [bullet, *row]
@@ -187,7 +187,7 @@ def test_a_hit_goes_through_a_row_that_sleeps() -> None:
 
 
 def test_what_touches_a_restless_one_stays_awake() -> None:
-    """A pendulum swings on a rod from a still body of 1000 kg, which is slow all the while."""
+    """A pendulum swings on a rod from a body of 1000 kg, which stays slow all the time."""
     heavy, bob = ball(0.0, 0.0, 1000.0), ball(0.6, 0.8)
     world = SleepingWorld([heavy, bob], [GroundPlane([heavy]), TwoSidedRod(heavy, bob, 1.0)])
     bob.acceleration = Vector3(G)
@@ -224,13 +224,13 @@ def test_an_immovable_particle_neither_sleeps_nor_wakes_what_lies_on_it() -> Non
 
 
 def test_a_spring_pulls_at_the_end_that_is_awake_though_the_other_one_sleeps() -> None:
-    """1 kg swings on a spring of 50 N/m over 1000 kg, which sleep: by 0.196 m about 1.104 m."""
+    """1 kg swings on a spring of 50 N/m above sleeping 1000 kg: by 0.196 m around 1.104 m."""
     heavy, bob = ball(0.0, 0.0, 1000.0), ball(0.0, 1.3)
     world = SleepingWorld([heavy, bob], [GroundPlane([heavy, bob])])
     connect(world.registry, heavy, bob, 50.0, 1.3)
     for _ in range(300):
         world.step(FRAME)
-        # Its energy swings to and fro by a part w h / 2, with w = 7: 0.01 m of the swing.
+        # Its energy oscillates by a fraction w h / 2, with w = 7: 0.01 m of the swing.
         assert abs(bob.position.y - (1.3 - G / 50.0)) < G / 50.0 + 0.012
 
 
@@ -256,9 +256,9 @@ def test_a_light_ball_does_not_fall_asleep_in_the_air(mass: float, rate: int) ->
 
 @pytest.mark.parametrize(("n", "iterations"), [(2, 20), (5, 200)])
 def test_a_stack_falls_asleep(n: int, iterations: int | None) -> None:
-    """Contacts end by a rounding, or by what the resolver left, and the ball falls for a frame.
+    """Contacts end because of rounding or of the resolver's error, and then a ball falls a frame.
 
-    With the default iterations it creeps too fast to sleep.
+    With the default iterations the stack creeps too fast to sleep.
     """
     bodies = [ball(0.0, 0.5 + i) for i in range(n)]
     grounds = [GroundPlane(bodies, radius=0.5), ParticlePairs(bodies, 0.5)]

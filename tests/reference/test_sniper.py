@@ -1,4 +1,4 @@
-"""The sniper range: what the wind does to a bullet, and rounds that always end."""
+"""The sniper range: the effect of the wind on a bullet, and rounds that always end."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_every_round_ends(seed: int, aims: list[tuple[float, float]]) -> None:
 
 
 def test_the_wind_carries_as_far_as_it_goes_in_the_time_that_the_drag_costs() -> None:
-    """With linear drag x = w (t - z / v0), exactly; the error of the step is of first order."""
+    """With linear drag x = w (t - z / v0) is exact. The error of the step has order 1."""
     errors = []
     for frame in (1.0 / 240.0, 1.0 / 480.0):
         at = SniperRange(1)
@@ -40,10 +40,10 @@ def test_the_wind_carries_as_far_as_it_goes_in_the_time_that_the_drag_costs() ->
         for _ in range(round(0.75 / frame)):
             at.update(frame)
         assert at.bullet is not None
-        drift = 10.0 * (1.0 - math.exp(-0.2 * 0.75)) / 0.2  # what a second of such drag takes
+        drift = 10.0 * (1.0 - math.exp(-0.2 * 0.75)) / 0.2  # the path under such drag
         exact = 10.0 * 0.75 - drift
         errors.append(at.bullet.position.x - exact)
-        # z is off in the same proportion, so the rule holds for the step as well.
+        # z has the same relative error, so the rule also holds for the step.
         z = at.bullet.position.z
         assert at.bullet.position.x == pytest.approx(10.0 * (0.75 - z / MUZZLE_SPEED), rel=1e-12)
     assert errors[0] / errors[1] == pytest.approx(2.0, abs=0.01)
@@ -55,7 +55,7 @@ def test_no_frame_is_too_long_for_a_target(frame: float) -> None:
         at = SniperRange(1)
         at.wind.k1 = at.wind.k2 = 0.0
         time = math.hypot(target.x, target.distance) / MUZZLE_SPEED
-        rise = time * time  # g t^2 / 2, with g = 2 m/s^2
+        rise = time * time  # g t^2 / 2 with g = 2 m/s^2
         at.shoot(
             math.atan2(target.x, target.distance),
             math.atan2(rise, math.hypot(target.x, target.distance)),
@@ -64,5 +64,5 @@ def test_no_frame_is_too_long_for_a_target(frame: float) -> None:
             at.update(frame)
         (hole,) = at.holes
         assert hole.target == target
-        # The step falls short by g t h / 2, 0.083 m in the longest frames.
+        # The step falls short by g t h / 2, which is 0.083 m in the longest frames.
         assert math.hypot(hole.x, hole.y) < 0.1

@@ -1,4 +1,4 @@
-"""Chapter 6's generators against closed forms, SciPy's figures and what mechanics keeps."""
+"""Chapter 6's generators against closed forms, SciPy's figures and conservation laws."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def run(
 
 
 def momentum(particles: list[Particle]) -> list[float]:
-    """Return the sum of m v on each axis, without a rounding in the adding."""
+    """Return the sum of m v on each axis, added without rounding."""
     return [math.fsum(tuple(p.momentum())[axis] for p in particles) for axis in range(3)]
 
 
@@ -58,17 +58,17 @@ def momentum(particles: list[Particle]) -> list[float]:
 
 
 def test_two_bodies_on_a_spring_come_back_after_the_period_of_their_reduced_mass() -> None:
-    """k 5 N/m, 1 and 3 kg: T = 2 pi sqrt(0.75 / 5) = 2.43346721 s."""
+    """With k = 5 N/m, 1 kg and 3 kg, T = 2 pi sqrt(0.75 / 5) = 2.43346721 s."""
     a, b = Particle(Vector3(1.5)), Particle(Vector3(-1.0), mass=3.0)
     registry = ForceRegistry()
     connect(registry, a, b, 5.0, 2.0)
     run([a, b], registry, 2.43346721, 400)
-    # A frame is 0.016 rad: 4th-order steps are 4e-8 / 120 off in a turn's phase, and the nine
-    # digits of T allow 1e-8; the fastest is 1 m/s. A period off by 1e-6 would show.
+    # A frame is 0.016 rad, so steps of order 4 are 4e-8 / 120 off in phase per turn. The nine
+    # digits of T allow 1e-8, and the largest speed is 1 m/s. An error of 1e-6 in T would show.
     assert (a.position.x, a.velocity.x) == pytest.approx((1.5, 0.0), abs=2e-7)
     assert (b.position.x, b.velocity.x) == pytest.approx((-1.0, 0.0), abs=2e-7)
     run([a, b], registry, 2.43346721 / 2.0, 200)
-    # Half a turn later the spring is as much too short: 1.5 m instead of 2.5 m, about -0.375 m.
+    # Half a period later the spring is as much too short: 1.5 m, not 2.5 m, around -0.375 m.
     assert (a.position.x, b.position.x) == pytest.approx((0.75, -0.75), abs=2e-7)
 
 
@@ -91,8 +91,8 @@ def test_a_network_of_connections_keeps_its_momentum() -> None:
     for _ in range(1000):
         semi_implicit_euler(particles, registry.update_forces, FRAME)
         fastest = max(fastest, *(p.momentum().magnitude() for p in particles))
-    assert fastest > 10.0  # there was something to keep
-    # In each of 1000 steps each of 20 momenta is rounded, some 8 times at 2^-53 with its forces.
+    assert fastest > 10.0  # so that there is something to conserve
+    # In 1000 steps, each of 20 momenta is rounded about 8 times by 2^-53, including its forces.
     bound = 1000 * 20 * 8 * 2.0**-53 * fastest
     assert bound < 1e-8
     assert momentum(particles) == pytest.approx(before, abs=bound)
@@ -113,24 +113,24 @@ JUMP = (Vector3(0.5), Vector3(1.0))
 def test_a_jump_on_a_bungee_ends_where_scipy_has_it(
     kind: type[Bungee] | type[AnchoredBungee], damping: float, end: tuple[float, ...]
 ) -> None:
-    """4 s of slack, taut, slack and taut again, in the plane.
+    """The rope is slack, taut, slack and taut again within 4 s, in the plane.
 
-    The ends are SciPy's: solve_ivp, DOP853, rtol 1e-12, with an event wherever the rope grows taut
-    or slack. k is 40 N/m, the rope 5 m, the mass 2 kg, g 10 m/s^2.
+    The end states are SciPy's: solve_ivp, DOP853, rtol 1e-12, with an event whenever the rope
+    becomes taut or slack. k is 40 N/m, the rope 5 m, the mass 2 kg, and g 10 m/s^2.
     """
     hook = Vector3() if kind is AnchoredBungee else Particle(mass=math.inf)
     rope = kind(hook, 40.0, 5.0, damping)  # type: ignore[arg-type]
     jumper = Particle(*JUMP, GRAVITY, mass=2.0)
     run([jumper], registry_of((jumper, rope)), 4.0, 8000)
     p, v = jumper.position, jumper.velocity
-    # A frame h = 5e-4 across a corner of the force errs by about k h^3 v / m, and the corners do
-    # not fall on frames: 1e-6 after three of them. Damping makes jumps of them, of up to
-    # c v / m = 15 m/s^2, each for a part of a frame: 15 h = 7e-3 at the most, on the average less.
+    # A frame h = 5e-4 across a kink of the force has an error of about k h^3 v / m, because the
+    # kinks do not fall on frames: 1e-6 after three of them. With damping they are jumps of up to
+    # c v / m = 15 m/s^2, each for part of a frame: at most 15 h = 7e-3, and less on average.
     assert (p.x, p.y, v.x, v.y) == pytest.approx(end, abs=1e-3 if damping else 5e-6)
 
 
 def test_a_spring_with_a_limit_of_elasticity_keeps_its_energy() -> None:
-    """Its energy is the area under the force: k e^2 / 2, and beyond the limit a softer slope."""
+    """The energy is the area under the force: k e^2 / 2, with a softer slope beyond the limit."""
 
     def stored(length: float) -> float:
         within, beyond = min(length, 3.0) - 1.0, max(length - 3.0, 0.0)
@@ -138,14 +138,14 @@ def test_a_spring_with_a_limit_of_elasticity_keeps_its_energy() -> None:
 
     hook, body = Particle(mass=math.inf), Particle(Vector3(5.0), UP, mass=2.0)
     registry = registry_of((body, ElasticLimitSpring(hook, 50.0, 1.0, 3.0, 0.2)))
-    assert stored(5.0) == 320.0  # 100 J to the limit, 200 and 20 J beyond it
+    assert stored(5.0) == 320.0  # 100 J up to the limit, 200 and 20 J beyond it
     lengths = []
     for _ in range(2000):
         velocity_verlet([body], registry.update_forces, 0.0005)
         length = body.position.magnitude()
         lengths.append(length)
-        # (w h)^2 / 4 of it swings to and fro, with w = 5 and 18 m/s: 2e-6, and a corner is passed.
-        # Near the hook it turns 50 rad a second: (50 h)^2 / 4 of it swings to and fro.
+        # A fraction (w h)^2 / 4 of it oscillates, 2e-6 with w = 5 and 18 m/s, and there is a kink.
+        # Near the hook it rotates at 50 rad/s, where (50 h)^2 / 4 of it oscillates.
         assert body.kinetic_energy() + stored(length) == pytest.approx(321.0, rel=2e-4)
     assert min(lengths) < 1.0 < 3.0 < max(lengths)
 
@@ -155,30 +155,30 @@ def test_a_spring_with_a_limit_of_elasticity_keeps_its_energy() -> None:
 
 @pytest.mark.parametrize(("mass", "height"), [(0.5, 0.0), (0.3, 0.02), (0.9, -0.04)])
 def test_a_body_floats_at_the_height_of_archimedes(mass: float, height: float) -> None:
-    """y_w + s (1 - 2 m / (rho V)), with 1 liter, s 0.05 m and y_w 2 m: nothing moves there."""
+    """Nothing moves at y_w + s (1 - 2 m / (rho V)), with 1 liter, s = 0.05 m and y_w = 2 m."""
     boat = Particle(Vector3(0.0, 2.0 + height, 0.0), acceleration=GRAVITY, mass=mass)
     registry = registry_of((boat, Buoyancy(0.05, 0.001, 2.0, gravity=10.0)))
     run([boat], registry, 5.0, 300)
-    # A rounding of 2 m is 4e-16, and the lift makes up to 330 m/s^2 of a meter.
+    # A rounding of 2 m is 4e-16, and the lift turns a meter into up to 330 m/s^2.
     assert boat.position.y == pytest.approx(2.0 + height, abs=1e-12)
 
 
 def test_a_float_bobs_with_its_period() -> None:
-    """w = sqrt(rho V g / (2 s m)): 0.44428829 s for 0.5 kg, as long as it neither dives nor rises.
+    """w = sqrt(rho V g / (2 s m)) gives 0.44428829 s for 0.5 kg that is always partly submerged.
 
-    In water of 1250 kg/m^3 it floats higher, and is the faster by sqrt(1.25).
+    In water of 1250 kg/m^3 it floats higher and is faster by sqrt(1.25).
     """
     for density, height in ((1000.0, 0.0), (1250.0, 0.01)):
         body = Particle(Vector3(0.0, height + 0.03, 0.0), acceleration=GRAVITY, mass=0.5)
         registry = registry_of((body, Buoyancy(0.05, 0.001, 0.0, density, 10.0)))
         run([body], registry, 0.44428829 / math.sqrt(density / 1000.0), 200)
-        # 4th-order steps of 0.03 rad: a phase of 5e-8, and 1e-8 of T, of at most 0.5 m/s.
+        # Steps of order 4 with 0.03 rad: a phase error of 5e-8, and 1e-8 of T, at most 0.5 m/s.
         assert body.position.y == pytest.approx(height + 0.03, abs=1e-8)
         assert body.velocity.y == pytest.approx(0.0, abs=1e-7)
 
 
 def test_a_balloon_hovers_where_its_lift_is_its_weight_and_bobs_about_it() -> None:
-    """H ln(F / (m g)); there the lift falls by m g / H a meter: T = 2 pi sqrt(H / g)."""
+    """It hovers at H ln(F / (m g)). The lift falls by m g / H per meter: T = 2 pi sqrt(H / g)."""
     middle = 800.0 * math.log(60.0 / (2.0 * 10.0))
     balloon = Particle(Vector3(0.0, middle, 0.0), acceleration=GRAVITY, mass=2.0)
     registry = registry_of((balloon, LighterThanAir(60.0, 800.0)))
@@ -186,7 +186,7 @@ def test_a_balloon_hovers_where_its_lift_is_its_weight_and_bobs_about_it() -> No
     assert balloon.position.y == pytest.approx(middle, abs=1e-10)  # a rounding or two of 880 m
     balloon.position.y += 0.08
     run([balloon], registry, 2.0 * math.pi * math.sqrt(80.0), 200)
-    # 1e-4 of H: the period is longer by 1e-8 / 24 of it, the force crooked by 1e-4.
+    # At 1e-4 of H the period is longer by 1e-8 / 24, and the force is nonlinear by 1e-4.
     assert balloon.position.y == pytest.approx(middle + 0.08, abs=1e-7)
     assert balloon.velocity.y == pytest.approx(0.0, abs=1e-8)
 
@@ -195,12 +195,12 @@ def test_a_balloon_hovers_where_its_lift_is_its_weight_and_bobs_about_it() -> No
 
 
 def test_two_that_are_too_near_part_as_a_spring_that_is_let_go() -> None:
-    """The gap is d - (d - l) cos w t up to a quarter of a turn; then they coast. w^2 = k / mu."""
+    """The gap is d - (d - l) cos w t for a quarter period, with w^2 = k / mu. Then they coast."""
     crowd = [Particle(Vector3(0.2)), Particle(Vector3(-0.3), mass=3.0)]
     pushing = Overcrowding(crowd, 2.0, 12.0)
     registry = registry_of(*((one, pushing) for one in crowd))
-    quarter = math.pi / 2.0 / 4.0  # w = sqrt(12 / 0.75) = 4 a second
-    # The cosine is followed by the fourth order; the last step ends within 1e-9 m of the distance.
+    quarter = math.pi / 2.0 / 4.0  # w = sqrt(12 / 0.75) = 4 per second
+    # The cosine is followed with order 4. The last step ends within 1e-9 m of the distance.
     for time, gap in ((quarter / 2.0, 2.0 - 1.5 * math.sqrt(0.5)), (quarter / 2.0, 2.0)):
         run(crowd, registry, time, 200)
         assert crowd[0].position.x - crowd[1].position.x == pytest.approx(gap, abs=1e-8)
@@ -211,9 +211,9 @@ def test_two_that_are_too_near_part_as_a_spring_that_is_let_go() -> None:
 
 
 def test_a_bullet_s_way_to_a_steady_target_is_a_damped_spring_s() -> None:
-    """Seen from the target m r'' = -k (r + L r'): with L = 2 sqrt(m / k) that is critical damping.
+    """Seen from the target, m r'' = -k (r + L r'), which is critical with L = 2 sqrt(m / k).
 
-    So r = (r0 + (v0 + w r0) t) e^(-w t), with w = sqrt(k / m) = 2: it hits, and never overshoots.
+    So r = (r0 + (v0 + w r0) t) e^(-w t) with w = sqrt(k / m) = 2. It hits without overshooting.
     """
     target = Particle(Vector3(30.0, 5.0, -10.0), Vector3(-3.0, 1.0, 2.0))
     bullet = Particle(velocity=Vector3(40.0, 0.0, 0.0), mass=0.5)
@@ -224,14 +224,14 @@ def test_a_bullet_s_way_to_a_steady_target_is_a_damped_spring_s() -> None:
         wanted = [
             (r + (v + 2.0 * r) * t) * math.exp(-2.0 * t) for r, v in zip(apart, speed, strict=True)
         ]
-        # Fourth order in w h = 0.1 at the most, of at most 30 m: 1e-4 / 120 of it, and fading.
+        # Order 4 with w h of 0.1 at most, over 30 m at most: 1e-4 / 120 of it, and decaying.
         assert tuple(bullet.position - target.position) == pytest.approx(wanted, abs=1e-5)
     assert bullet.position.x == pytest.approx(-6.0, abs=1e-5)
     assert tuple(target.velocity) == (-3.0, 1.0, 2.0)
 
 
 def test_a_connection_of_ends_next_to_each_other_pushes_as_a_spring_does() -> None:
-    """1e-310 m apart a pull for each meter would be too large for a float; the force is not."""
+    """At a distance of 1e-310 m the force per meter would overflow, but the force does not."""
     a, b = Particle(Vector3(1e-310)), Particle()
     connect(ForceRegistry(), a, b, 100.0, 2.0).update_force(a, FRAME)
     # Numbers as small as 1e-310 have 14 digits.

@@ -1,4 +1,4 @@
-"""How stiff a spring a step can bear: its matrix, the edges of that, and a cloth."""
+"""The stiffness that a step tolerates: its matrix, the limits, and a cloth."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def exact_edge(step: Integrator, d: float) -> float:
 
 
 def pulled(particle: Particle, k: float, c: float = 0.0) -> Callable[[float], None]:
-    """Return the force of a spring to the origin, in few words: 20,000 steps ask for it."""
+    """Return the force of a spring to the origin in simple code, fast enough for 20,000 steps."""
 
     def apply_forces(_: float) -> None:
         particle.add_force(Vector3(-k * particle.position.x - c * particle.velocity.x))
@@ -71,7 +71,7 @@ def pulled(particle: Particle, k: float, c: float = 0.0) -> Callable[[float], No
 def step_matrix(
     step: Integrator, k: float, d: float, h: float = FRAME, m: float = 1.0, c: float = 0.0
 ) -> Any:
-    """Return what a step does to (x, h v): on a linear spring two states tell it."""
+    """Return the matrix of a step of (x, h v), which two states determine for a linear spring."""
     columns = []
     for x, v in ((1.0, 0.0), (0.0, 1.0 / h)):
         particle = Particle(Vector3(x), Vector3(v), mass=m, damping=d)
@@ -85,7 +85,7 @@ def radius(matrix: Any) -> float:
 
 
 def amplitudes(step: Integrator, k: float, d: float, steps: int) -> list[tuple[float, float]]:
-    """Return (x, h v) after every step, from 10 m at rest; it ends beyond 1e7 m."""
+    """Return (x, h v) after every step, from rest at 10 m until it exceeds 1e7 m."""
     particle = Particle(Vector3(10.0), damping=d)
     apply_forces = pulled(particle, k)
     seen = [(10.0, 0.0)]
@@ -97,7 +97,7 @@ def amplitudes(step: Integrator, k: float, d: float, steps: int) -> list[tuple[f
     return seen
 
 
-# The edges
+# The limits
 
 
 @pytest.mark.parametrize(("step", "d", "figure"), EDGES)
@@ -105,25 +105,25 @@ def test_the_step_s_own_matrix_has_the_known_edge(
     step: Integrator, d: float, figure: float
 ) -> None:
     edge = exact_edge(step, d) / FRAME**2
-    assert edge == pytest.approx(figure, rel=1e-3 if figure < 1.0 else 1e-4)  # its digits
+    assert edge == pytest.approx(figure, rel=1e-3 if figure < 1.0 else 1e-4)  # its known digits
     inside, outside = (radius(step_matrix(step, share * edge, d)) for share in (0.98, 1.02))
-    # On the edge of some the size is 1 all the way up to it, but for a rounding.
+    # For some steps the magnitude is 1 up to the limit, apart from a rounding.
     assert inside < 1.0 + 1e-12
     assert outside > 1.0 + 1e-7
 
 
 @pytest.mark.parametrize(("step", "d"), CASES)
 def test_just_inside_nothing_grows_in_20_000_steps(step: Integrator, d: float) -> None:
-    """n steps multiply by the condition of the eigenvectors, times |lambda|^n, at the most."""
+    """n steps multiply at most by the condition of the eigenvectors times |lambda|^n."""
     edge = exact_edge(step, d) / FRAME**2
     sizes = numpy.hypot(*numpy.array(amplitudes(step, 0.98 * edge, d, 20_000)).T)
     values, vectors = numpy.linalg.eig(step_matrix(step, 0.98 * edge, d))
     largest = max(abs(values))
     assert largest < 1.0 + 1e-12
     assert len(sizes) == 20_001
-    # 20,000 roundings, which the vectors multiply too.
+    # 20,000 roundings, which the eigenvectors amplify as well.
     bound = 10.0 * numpy.linalg.cond(vectors) * largest ** numpy.arange(20_001)
-    assert numpy.all(sizes <= bound * (1.0 + 1e-9) + 1e-300)  # below that are denormals
+    assert numpy.all(sizes <= bound * (1.0 + 1e-9) + 1e-300)  # smaller values are denormal
 
 
 @pytest.mark.parametrize(("step", "d"), CASES[3:])
@@ -138,7 +138,7 @@ def test_just_outside_all_but_explicit_euler_pass_a_million_within_200_steps(
 
 @pytest.mark.parametrize(("d", "grown"), [(0.999, 1.0003), (0.9, 1.035), (0.5, 1.26)])
 def test_just_outside_explicit_euler_grows_slowly_by_its_eigenvalue(d: float, grown: float) -> None:
-    """Seen along a left eigenvector, a state is multiplied by that eigenvalue in every step."""
+    """Along a left eigenvector, every step multiplies a state by the eigenvalue."""
     k = 1.02 * (d**-FRAME - 1.0) / FRAME**2
     kept = d**FRAME
     matrix = numpy.array([[1.0, 1.0], [-kept * k * FRAME**2, kept]])
@@ -160,11 +160,11 @@ def test_the_implicit_steps_bear_any_stiffness(
     x, v = 10.0, 0.0
     for _ in range(1000):
         x, v = step(x, v, k, c, 1.0, FRAME)
-        # Released at rest, none has more energy than it began with; 1,000 roundings.
+        # Released from rest, the energy never exceeds its initial value, with 1,000 roundings.
         assert k * x * x + v * v <= k * 100.0 * (1.0 + 1e-9)
 
 
-# What the exercises answer
+# The answers to the exercises
 
 
 def test_the_worked_out_limit_is_where_an_eigenvalue_of_the_book_s_step_passes_1() -> None:
@@ -172,8 +172,8 @@ def test_the_worked_out_limit_is_where_an_eigenvalue_of_the_book_s_step_passes_1
     for _ in range(100):
         d, h, m = draw.uniform(0.05, 0.999), 10.0 ** draw.uniform(-3.0, 0.0), draw.uniform(0.1, 9.0)
         k = max_stable_stiffness(d, h, m)
-        # At 1e-6 of it to either side: a rounding is 1e-16, and the softest of these limits,
-        # 1e-6 m / h^2, moves the eigenvalue by 5e-13.
+        # Test at 1e-6 of the limit on both sides. A rounding is 1e-16, and at the softest of these
+        # limits, 1e-6 m / h^2, the eigenvalue changes by 5e-13.
         assert radius(step_matrix(explicit_euler, k * (1.0 - 1e-6), d, h, m)) < 1.0
         assert radius(step_matrix(explicit_euler, k * (1.0 + 1e-6), d, h, m)) > 1.0
 
@@ -205,10 +205,10 @@ def test_the_measured_limit_is_the_known_one_to_a_hundredth(step: Integrator, d:
 def test_the_cloth_holds_for_ten_seconds_at_so_many_frames_a_second(
     step: Integrator, damping: float, rate: int, holds: bool
 ) -> None:
-    """No row of knots has a stiffness above 8 k: 4 m / 8 k is safe for any cloth that is taut.
+    """No row of knots has a stiffness above 8 k, so 4 m / 8 k is safe for any taut cloth.
 
-    That is 89.4 frames a second for 200 N/m and 50 g. What a falling cloth needs is a little less,
-    and within a frame or two of 82 and 85 it hangs on the last digit of where the knots start.
+    This is 89.4 Hz for 200 N/m and 50 g. A falling cloth needs slightly less. Within a frame or two
+    of 82 and 85 Hz, the result depends on the last digit of the knots' initial positions.
     """
     knots, registry = make_cloth(damping)
     careful = watched(step, 1000.0)
@@ -230,24 +230,24 @@ def test_the_cloth_holds_for_ten_seconds_at_so_many_frames_a_second(
 def test_a_damper_in_the_spring_moves_the_limit(
     step: Integrator, limit: Callable[[float], float], beta: float
 ) -> None:
-    """beta = c h / m: kappa < beta with the place first, kappa + 2 beta < 4 for the other two."""
+    """With beta = c h / m: kappa < beta, position first, and kappa + 2 beta < 4 for the others."""
     for share, holds in ((0.98, True), (1.02, False)):
         k, c = share * limit(beta) / FRAME**2, beta / FRAME
         assert (radius(step_matrix(step, k, 1.0, c=c)) < 1.0) is holds
 
 
 def moves(kappa: float, beta: float, kept: float) -> tuple[Any, Any]:
-    """Return half a drift and a kick as matrices of (x, h v), where a kick keeps D = d^h."""
+    """Return half a drift and a kick as matrices of (x, h v). A kick keeps D = d^h."""
     half_a_drift = numpy.array([[1.0, 0.5], [0.0, 1.0]])
     return half_a_drift, numpy.array([[1.0, 0.0], [-kept * kappa, kept * (1.0 - beta)]])
 
 
 @pytest.mark.parametrize("seed", range(50))
 def test_leapfrog_has_the_eigenvalues_of_semi_implicit_euler(seed: int) -> None:
-    """With damping in particle and spring. S K S and S S K have one trace and one determinant.
+    """Test damping in particle and spring. S K S and S S K have the same trace and determinant.
 
     An eigenvalue passes -1 where 1 + trace + determinant = 2 + 2 D (1 - beta) - D kappa is 0, which
-    is kappa + 2 beta = 2 (1 + D) / D. No other passes 1 before: D (1 - beta) > -1 while kappa > 0.
+    is kappa + 2 beta = 2 (1 + D) / D. None passes 1 before that: D (1 - beta) > -1 if kappa > 0.
     """
     draw = random.Random(seed)
     kept = draw.uniform(0.05, 1.0)
@@ -262,16 +262,16 @@ def test_leapfrog_has_the_eigenvalues_of_semi_implicit_euler(seed: int) -> None:
             (semi_implicit_euler, half @ half @ kick),
         ):
             matrix = step_matrix(step, kappa * m / h**2, d, h, m, beta * m / h)
-            # d is D^60, which makes d^h wrong by up to 1e-13; no number here is above 10.
+            # d is D^60, so d^h has an error of up to 1e-13. No number here exceeds 10.
             assert matrix == pytest.approx(wanted, abs=1e-12)
-            # Near the limit an eigenvalue moves by at least 1e-6 / 20.
+            # Near the limit an eigenvalue changes by at least 1e-6 / 20.
             assert (radius(matrix) < 1.0) is holds
             assert (radius(wanted) < 1.0) is holds
 
 
 @pytest.mark.parametrize("step", [semi_implicit_euler, leapfrog])
 def test_a_damper_may_be_too_strong_for_any_spring(step: Integrator) -> None:
-    """At beta = (1 + D) / D no stiffness is left: an eigenvalue is -1 without any spring."""
+    """At beta = (1 + D) / D no stiffness is stable: an eigenvalue is -1 even without a spring."""
     kept = 0.5
     for share, holds in ((0.98, True), (1.02, False)):
         matrix = step_matrix(step, 1e-6, kept ** (1.0 / FRAME), c=share * 3.0 / FRAME)

@@ -1,4 +1,4 @@
-"""Time division against an own simulation of events, closed forms, and what mechanics keeps."""
+"""Time division against a separate event simulation, closed forms, and conservation laws."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ UP = Vector3(0.0, 1.0, 0.0)
 
 
 class Watch:
-    """A detector that notes each impact it finds: when in its frame, and the contact."""
+    """A detector that records each impact it finds: its time in the frame and its contact."""
 
     def __init__(self, detector: Any, frame: float) -> None:
         self.detector, self.frame = detector, frame
@@ -49,7 +49,7 @@ def events(
     c: float,
     until: float,
 ) -> list[tuple[float, int, int]]:
-    """Move discs from event to event by the roots of their quadratics, and return the events."""
+    """Move discs from event to event by the roots of quadratics, and return the events."""
     now, found = 0.0, []
     while True:
         first = (until, -1, -1)
@@ -77,7 +77,7 @@ def events(
 @pytest.mark.parametrize("c", [1.0, 0.6])
 @pytest.mark.parametrize("seed", range(4))
 def test_billiard_balls_meet_in_the_order_of_another_simulation(seed: int, c: float) -> None:
-    """12 balls that run towards a middle, in one frame of 3 s and in frames of 1/60."""
+    """12 balls move toward a common middle, in one frame of 3 s or in frames of 1/60 s."""
     for frames in (1, 180):
         draw = numpy.random.default_rng(seed)
         cells = draw.permutation(36)[:12]
@@ -102,12 +102,12 @@ def test_billiard_balls_meet_in_the_order_of_another_simulation(seed: int, c: fl
         assert [event[1:] for event in got] == [event[1:] for event in wanted]
         times = [time for time, _, _ in wanted]
         assert [time for time, _, _ in got] == pytest.approx(times, abs=1e-8)
-        # Each impact of balls multiplies an error by about the way over the radius: here 1e-9 or
-        # less of a meter, from 1e-16 through some ten of them.
+        # Each impact multiplies an error by about the path over the radius. About ten of them turn
+        # 1e-16 m into at most 1e-9 m.
         for ball, place, speed in zip(balls, places, speeds, strict=True):
             assert (ball.position.x, ball.position.y) == pytest.approx(tuple(place), abs=1e-8)
             assert (ball.velocity.x, ball.velocity.y) == pytest.approx(tuple(speed), abs=1e-8)
-        # What is kept is kept to roundings, however the errors of the places grow.
+        # Conserved quantities have only rounding errors, even if errors of positions grow.
         now = [math.fsum(b.momentum().x for b in balls), math.fsum(b.momentum().y for b in balls)]
         assert now == pytest.approx(list(momentum), abs=1e-12)
         kept = math.fsum(ball.kinetic_energy() for ball in balls)
@@ -116,13 +116,13 @@ def test_billiard_balls_meet_in_the_order_of_another_simulation(seed: int, c: fl
 
 @pytest.mark.parametrize("k", [1, 2, 3, 4])
 def test_as_many_balls_leave_a_cradle_as_come(k: int) -> None:
-    """Five in a row, k of them swung in at 2 m/s: the last k leave at 2 m/s, the others stand."""
+    """Of five in a row, k are swung in at 2 m/s. The last k leave at 2 m/s, and the others stay."""
     balls = [Particle(Vector3(1.0 * i - (1.0 if i < k else 0.0))) for i in range(5)]
     for ball in balls[:k]:
         ball.velocity.x = 2.0
     for _ in range(60):
         time_division_step(balls, ParticlePairs(balls, 0.5, 1.0), FRAME)
-    # Equal masses change speeds: a rounding of 2 m/s each time.
+    # Equal masses exchange their speeds, with a rounding of 2 m/s each time.
     assert [ball.velocity.x for ball in balls] == pytest.approx(
         [0.0] * (5 - k) + [2.0] * k, abs=1e-14
     )
@@ -132,7 +132,7 @@ def test_as_many_balls_leave_a_cradle_as_come(k: int) -> None:
 
 
 def test_a_ball_s_bounces_come_when_the_closed_form_has_them() -> None:
-    """h 2, g 10, c 0.5: after t = sqrt(2 h / g), and then after 2 c^n t each; all in 1.8974 s."""
+    """With h = 2, g = 10, c = 0.5: after t = sqrt(2 h / g), then after 2 c^n t, in 1.8974 s."""
     first = math.sqrt(2.0 * 2.0 / 10.0)
     ball = Particle(Vector3(0.0, 2.0), acceleration=UP * -10.0)
     ground, times = GroundPlane([ball], restitution=0.5), []
@@ -142,7 +142,7 @@ def test_a_ball_s_bounces_come_when_the_closed_form_has_them() -> None:
         times += [(frame - 1) * FRAME + t for t, _ in watch.found]
     wanted = [first + sum(2.0 * 0.5**j * first for j in range(1, n + 1)) for n in range(len(times))]
     assert len(times) >= 5
-    # Roundings of a second, over an impact's speed of 0.2 m/s, and frames that are no round number.
+    # Roundings of a second over an impact speed of 0.2 m/s, and frames that are not exact numbers.
     assert times == pytest.approx(wanted, abs=1e-12)
     total = first * (1.0 + 0.5) / (1.0 - 0.5)
     assert total == pytest.approx(1.89736660, abs=5e-9)
@@ -156,17 +156,17 @@ def test_too_many_impacts_say_when_and_where_and_leave_the_state_there() -> None
     with pytest.raises(TooManyImpacts, match=r"3 impacts in the first 1\.739.* resolver") as caught:
         time_division_step([ball], GroundPlane([ball], restitution=0.5), 2.0, max_impacts=3)
     first = math.sqrt(0.4)
-    fourth = first * (1.0 + 1.0 + 0.5 + 0.25)  # of which three were resolved
+    fourth = first * (1.0 + 1.0 + 0.5 + 0.25)  # after three resolved impacts
     assert (caught.value.impacts, caught.value.contact.particle) == (3, ball)
     assert caught.value.time == pytest.approx(fourth, abs=1e-14)  # some roundings of 2 s
-    # It is on the ground, not yet damped, and closes with what three bounces have left of 6.3 m/s.
+    # It is on the ground, undamped, and closes with the speed that three bounces left of 6.3 m/s.
     assert tuple(ball.position) == pytest.approx((3.0 + fourth, 0.0, 0.0), abs=1e-13)
     assert tuple(ball.velocity) == pytest.approx((1.0, -10.0 * first / 8.0, 0.0), abs=1e-13)
     assert isinstance(caught.value, ArithmeticError)
 
 
 def test_restitution_1_keeps_its_height_for_20_s_where_the_book_s_way_climbs() -> None:
-    """2 m, g 10; frame after frame, the highest place of each bounce is seen to g h^2 / 8."""
+    """From 2 m with g = 10, frames show the top of each bounce with an error of g h^2 / 8."""
     tops = []
     for book in (False, True):
         ball = Particle(Vector3(0.0, 2.0), acceleration=UP * -10.0)
@@ -178,7 +178,7 @@ def test_restitution_1_keeps_its_height_for_20_s_where_the_book_s_way_climbs() -
             else:
                 time_division_step([ball], ground, FRAME)
                 energy = 10.0 * ball.position.y + 0.5 * ball.velocity.squared_magnitude()
-                assert energy == pytest.approx(20.0, rel=1e-12)  # 1200 frames, some roundings each
+                assert energy == pytest.approx(20.0, rel=1e-12)  # some roundings in 1200 frames
             if frame > 60:
                 top = max(top, ball.position.y)
         tops.append(top)
@@ -187,7 +187,7 @@ def test_restitution_1_keeps_its_height_for_20_s_where_the_book_s_way_climbs() -
 
 
 def test_a_rest_taken_too_far_kills_the_bounce() -> None:
-    """Resolved for a frame's duration, as a resolver does, each bounce would lose c g h."""
+    """If a bounce were resolved for the duration of a frame, it would lose c g h each time."""
     speeds = []
     for duration in (0.0, FRAME):
         ball = Particle(Vector3(0.0, 2.0), acceleration=UP * -10.0)
@@ -200,19 +200,19 @@ def test_a_rest_taken_too_far_kills_the_bounce() -> None:
             contact.resolve_velocity(duration)
             rises.append(ball.velocity.y)
         speeds.append(rises[-1])
-    # 30 bounces of sqrt(40) m/s; some roundings each, and 30 times 10 / 60 m/s.
+    # 30 bounces of sqrt(40) m/s with some roundings each, and 30 times 10 / 60 m/s.
     assert speeds[0] == pytest.approx(math.sqrt(40.0), abs=1e-12)
     assert speeds[1] == pytest.approx(math.sqrt(40.0) - 5.0, abs=1e-12)
 
 
 def test_the_top_one_of_two_balls_dropped_at_once() -> None:
-    """Exercise 7.3: 1.3625 sqrt(20) = 6.0933 m/s, for a gap between them that goes to 0."""
+    """Exercise 7.3 gives 1.3625 sqrt(20) = 6.0933 m/s, as the gap between the balls goes to 0."""
     for gap in (1e-3, 1e-6):
         lower = Particle(Vector3(0.0, 1.1), acceleration=UP * -10.0, mass=9.0)
         upper = Particle(Vector3(0.0, 1.3 + gap), acceleration=UP * -10.0)
         balls = [lower, upper]
         both = Detectors(GroundPlane([lower], 0.0, 0.1, 0.5), ParticlePairs(balls, 0.1, 0.75))
-        fall = math.sqrt(0.2) + gap  # past both impacts: the gap closes at 6.7 m/s
+        fall = math.sqrt(0.2) + gap  # until after both impacts, because the gap closes at 6.7 m/s
         time_division_step(balls, both, fall)
         speed = upper.velocity.y + 10.0 * gap
         assert speed == pytest.approx(1.3625 * math.sqrt(20.0), abs=10.0 * gap)
@@ -223,12 +223,12 @@ def test_the_top_one_of_two_balls_dropped_at_once() -> None:
 
 
 def test_forces_by_hand_act_for_one_frame_and_damping_once() -> None:
-    """8 N on 2 kg, g 10: 6 m/s^2 down for a frame of 0.6 s, with a bounce; then 10 m/s^2."""
+    """8 N on 2 kg with g = 10: 6 m/s^2 for a frame of 0.6 s with a bounce, and then 10 m/s^2."""
     ball = Particle(Vector3(0.0, 0.75), acceleration=UP * -10.0, mass=2.0, damping=0.81)
     ground = GroundPlane([ball], restitution=0.5)
     ball.add_force(UP * 8.0)
     time_division_step([ball], ground, 0.6)
-    # sqrt(2 * 0.75 / 6) = 0.5 s down to 3 m/s, up at 1.5 m/s for the 0.1 s that is left.
+    # It falls for sqrt(2 * 0.75 / 6) = 0.5 s to 3 m/s, and rises at 1.5 m/s for the other 0.1 s.
     assert ball.position.y == pytest.approx(1.5 * 0.1 - 3.0 * 0.01, abs=1e-15)
     assert ball.velocity.y == pytest.approx((1.5 - 6.0 * 0.1) * 0.81**0.6, abs=1e-15)
     assert ball.last_acceleration.y == -6.0
@@ -271,11 +271,11 @@ def test_two_under_different_accelerations_are_beyond_the_pairs() -> None:
         ParticlePairs(balls, 0.5).next_impact(1.0)
 
 
-# When a gap closes
+# The time at which a gap closes
 
 
 def first_closing(gap: float, velocity: float, acceleration: float) -> float:
-    """Return it by NumPy's roots: the first at which the gap goes from above 0 to below."""
+    """Return the first time at which the gap becomes negative, from NumPy's roots."""
     roots = numpy.roots([0.5 * acceleration, velocity, gap])
     found = [
         float(root.real)
@@ -291,7 +291,7 @@ def test_a_gap_closes_when_numpy_s_roots_have_it() -> None:
         gap, v = draw.uniform(1e-3, 10.0), draw.uniform(-10.0, 10.0)
         a = draw.choice([0.0, draw.uniform(-10.0, 10.0)])
         wanted = first_closing(gap, v, a)
-        assert time_to_close(gap, v, a) == pytest.approx(wanted, rel=1e-9)  # NumPy's are less good
+        assert time_to_close(gap, v, a) == pytest.approx(wanted, rel=1e-9)  # as NumPy's are worse
         never += wanted == math.inf
     assert 1000 < never < 4000
 
@@ -306,10 +306,10 @@ def test_a_gap_closes_when_numpy_s_roots_have_it() -> None:
         (0.0, 1.0, 0.0, math.inf),
         (1.0, 0.0, 0.0, math.inf),
         (1.0, -1e-13, 0.0, math.inf),
-        (1.0, -2.0, 2.0, math.inf),  # it just grazes
+        (1.0, -2.0, 2.0, math.inf),  # it only grazes
         (1.0, -2.0, 1.999, 2.0 / (2.0 + math.sqrt(4.0 - 2.0 * 1.999))),
-        (0.0, 5.0, -10.0, 1.0),  # a throw from the ground
-        (-0.1, 5.0, -10.0, (5.0 + math.sqrt(25.0 - 2.0)) / 10.0),  # from in it
+        (0.0, 5.0, -10.0, 1.0),  # thrown up from the ground
+        (-0.1, 5.0, -10.0, (5.0 + math.sqrt(25.0 - 2.0)) / 10.0),  # thrown up from inside it
         (5.0, 0.0, -10.0, 1.0),
         (1e-300, -1.0, -10.0, 1e-300),
     ],

@@ -1,4 +1,4 @@
-"""Orientations that turn on, step by step, and three angles with their rates."""
+"""Orientations after many steps, and three angles with their rates."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ IDENTITY = numpy.eye(3)
 
 
 def acceleration(step: int) -> Vector3:
-    """Return an angular acceleration in rad/s^2 that leads the axis all about."""
+    """Return an angular acceleration in rad/s^2 that moves the axis in all directions."""
     return Vector3(math.sin(0.011 * step), 2.0 * math.cos(0.007 * step), math.sin(0.013 * step + 1))
 
 
 @cache
 def turned_on() -> tuple[Quaternion, Quaternion, numpy.ndarray]:
-    """Return where 100,000 steps end, with integrate_rotation and with Eq. 9.5, and the spins."""
+    """Return the results of 100,000 steps by integrate_rotation and by Eq. 9.5, and the spins."""
     orientation, spin, by_eq_95, spins = Quaternion(), START.copy(), Quaternion(), []
     for step in range(STEPS):
         integrate_rotation(orientation, spin, acceleration(step), FRAME)
@@ -37,7 +37,7 @@ def turned_on() -> tuple[Quaternion, Quaternion, numpy.ndarray]:
 
 
 def skew(q: Quaternion) -> float:
-    """Return the largest entry of R R^T - 1, of the matrix as it is: for any length of q."""
+    """Return the largest entry of R R^T - 1, where R is computed from q without normalizing."""
     r, i, j, k = q
     m = numpy.array(
         [
@@ -52,20 +52,20 @@ def skew(q: Quaternion) -> float:
 def test_a_hundred_thousand_steps_leave_the_matrix_orthogonal() -> None:
     orientation, by_eq_95, spins = turned_on()
     lengths = numpy.linalg.norm(spins, axis=1)
-    assert lengths.min() < 1.5  # it does vary
+    assert lengths.min() < 1.5  # so that it varies
     assert lengths.max() > 5.0
-    # Normalized after every step: the length is within two roundings of 1 at the end as after one
-    # step, and the matrix has some five of its own in each entry.
+    # Because of normalizing, the length is always within two roundings of 1. The matrix has about
+    # five more in each entry.
     assert abs(orientation.magnitude() - 1.0) <= 4e-16
     assert skew(orientation) <= 3e-15
     m = Matrix3.from_quaternion(orientation)
     product = numpy.array(tuple(m @ m.transpose())).reshape(3, 3)
     print(f"R R^T - 1 after {STEPS} steps: {numpy.abs(product - IDENTITY).max():.1e}")
     assert numpy.abs(product - IDENTITY).max() <= 3e-15
-    # Eq. 9.5 makes it sqrt(1 + (w h / 2)^2) times as long in every step.
+    # Eq. 9.5 multiplies the length by sqrt(1 + (w h / 2)^2) in every step.
     grown = math.exp(0.5 * numpy.log1p((0.5 * FRAME * lengths) ** 2).sum())
     assert grown > 1e10
-    # Four roundings or so a step, which add up to their square root and no more than their sum.
+    # About four roundings per step, which may add up at most to their sum.
     assert by_eq_95.magnitude() == pytest.approx(grown, rel=STEPS * 2e-16)
     assert skew(by_eq_95) > 1e20
     with pytest.raises(ValueError, match="q must have length 1"):
@@ -73,7 +73,7 @@ def test_a_hundred_thousand_steps_leave_the_matrix_orthogonal() -> None:
 
 
 def test_a_hundred_thousand_steps_end_where_scipy_does() -> None:
-    """SciPy multiplies neighbors two by two; the later turn is on the left."""
+    """SciPy multiplies neighbors in pairs, with the later rotation on the left."""
     orientation, _, spins = turned_on()
     turns = Rotation.from_rotvec(spins * FRAME)
     while len(turns) > 1:
@@ -83,8 +83,8 @@ def test_a_hundred_thousand_steps_end_where_scipy_does() -> None:
     x, y, z, w = turns.as_quat()[0]
     apart = min(math.dist(orientation, (s * w, s * x, s * y, s * z)) for s in (1.0, -1.0))
     print(f"orientation after {STEPS} steps: {apart:.1e}")
-    # Roundings of 1e-16 in each of 100,000 steps, which go all ways: some 300 of them at the end,
-    # a thousand times as many if they went one way.
+    # 100,000 steps with roundings of 1e-16 in random directions add up to about 300 of them. If all
+    # had the same direction, it would be a thousand times as many.
     assert apart <= 1e-12
 
 
@@ -103,10 +103,10 @@ def test_a_steady_turn_is_exact_in_any_number_of_steps(steps: int) -> None:
     for _ in range(steps):
         integrate_rotation(q, spin, Vector3(), 2.0 / steps)
     wanted = (0.54873208, 0.25334573, -0.42224289, 0.67558862)
-    assert tuple(q) == pytest.approx(wanted, abs=5.1e-9)  # as many digits as are known
-    speed = math.sqrt(0.98)  # and by the closed form, which has the rest
+    assert tuple(q) == pytest.approx(wanted, abs=5.1e-9)  # all known digits
+    speed = math.sqrt(0.98)  # the closed form has more digits
     shares = [component / speed * math.sin(speed) for component in spin]
-    # A rounding or two in each step.
+    # A rounding or two per step.
     assert tuple(q) == pytest.approx((math.cos(speed), *shares), abs=1e-15 * (1 + steps / 10))
     assert spin == Vector3(0.3, -0.5, 0.8)
 
@@ -119,7 +119,7 @@ def test_the_turn_of_a_known_axis_and_angle() -> None:
 
 @pytest.mark.parametrize("steps", [1, 10, 300])
 def test_an_acceleration_about_one_axis_has_a_closed_form(steps: int) -> None:
-    """Semi-implicit: w' first, so that n steps turn by w n h + alpha h^2 n (n + 1) / 2."""
+    """The step is semi-implicit, so n steps rotate by w n h + alpha h^2 n (n + 1) / 2."""
     axis, speed, gain, h = Vector3(2.0, -1.0, 2.0) / 3.0, 0.7, -0.4, 0.01
     q, spin = Quaternion(), axis * speed
     for _ in range(steps):
@@ -128,7 +128,7 @@ def test_an_acceleration_about_one_axis_has_a_closed_form(steps: int) -> None:
     wanted = Quaternion.from_axis_angle(axis, angle)
     assert tuple(q) == pytest.approx(tuple(wanted), abs=1e-15 * (1 + steps / 10))  # as above
     assert tuple(spin) == pytest.approx(tuple(axis * (speed + gain * h * steps)), abs=1e-14)
-    explicit = angle - gain * h * h * steps  # the orientation by the old angular velocity
+    explicit = angle - gain * h * h * steps  # with the old angular velocity in each step
     assert abs(explicit - angle) > 1e-5
 
 
@@ -143,7 +143,7 @@ def test_the_drift_of_eq_95_is_what_its_steps_do(speed: float, duration: float, 
         turned = q * before.conjugate()
         angle += 2.0 * math.atan2(0.6 * turned.j + 0.8 * turned.k, turned.r)
     length, lacking = first_order_drift(speed, duration, steps)
-    assert length == pytest.approx(q.magnitude(), rel=1e-14)  # a few roundings a step
+    assert length == pytest.approx(q.magnitude(), rel=1e-14)  # a few roundings per step
     assert lacking == pytest.approx(speed * duration - angle, abs=1e-13)
 
 
@@ -162,14 +162,14 @@ def test_the_rate_map_has_the_singular_values_of_its_angle(y: float) -> None:
     wanted = sorted((math.sqrt(1.0 + sine), 1.0, math.sqrt(1.0 - sine)), reverse=True)
     for x, _, z in angles_of(9, 100):
         values = numpy.linalg.svd(rows_of(rate_map(x, y, z)), compute_uv=False)
-        # Roundings of 1; the root of 1 - sin y has half of the digits where that is nearly 0.
+        # Roundings of 1. If 1 - sin y is almost 0, its root has half of the digits.
         assert values[:2] == pytest.approx(wanted[:2], abs=2e-15)
         assert values[2] ** 2 == pytest.approx(wanted[2] ** 2, abs=2e-15)
         assert rate_map(x, y, z).determinant() == pytest.approx(math.cos(y), abs=1e-15)
 
 
 def test_the_rates_of_the_angles_make_the_angular_velocity() -> None:
-    """By central differences: the velocity is twice the vector part of q' q*."""
+    """By central differences, the velocity is twice the vector part of q' q*."""
     apart, tiny = 0.0, 1e-5
     for angles, rates in zip(angles_of(9, 300), angles_of(10, 300), strict=True):
         ahead, behind = (
@@ -181,9 +181,9 @@ def test_the_rates_of_the_angles_make_the_angular_velocity() -> None:
         wanted = Vector3(turning.i, turning.j, turning.k) * 2.0
         apart = max(apart, math.dist(rate_map(*angles) @ Vector3(*rates), wanted))
         back = euler_rates(*angles, rate_map(*angles) @ Vector3(*rates))
-        # Roundings of rates of some 5 rad/s, over cos 1.5 = 0.07 as often as the map is squared.
+        # Roundings of rates of about 5 rad/s, over cos 1.5 = 0.07, as often as the map is squared.
         assert tuple(back) == pytest.approx(rates, abs=1e-12)
-    # The third order, (5 tiny)^2 = 2.5e-9 times 5 / 6, and roundings, 1e-16 / tiny = 1e-11.
+    # Third order: (5 tiny)^2 = 2.5e-9 times 5 / 6, plus roundings of 1e-16 / tiny = 1e-11.
     assert apart <= 5e-9
 
 
@@ -193,10 +193,10 @@ def test_the_rates_are_right_close_to_gimbal_lock(degrees: float, sign: float) -
     y, spin = math.radians(degrees) * sign, Vector3(0.3, -0.5, 0.8)
     for x, _, z in [*angles_of(9, 100), (0.0, 0.0, 0.0), (1.0, 0.0, math.pi / 2)]:
         rates = euler_rates(x, y, z, spin)
-        along = math.cos(z) * spin.x + math.sin(z) * spin.y  # about X as the turn by z left it
+        along = math.cos(z) * spin.x + math.sin(z) * spin.y  # about X after the rotation by z
         across = math.cos(z) * spin.y - math.sin(z) * spin.x
         wanted = (along / math.cos(y), across, spin.z + along * math.tan(y))
-        # Some dozen roundings; the cosine, of which few digits are right, enters both sides alike.
+        # Some dozen roundings. The cosine has few correct digits, but affects both sides equally.
         assert tuple(rates) == pytest.approx(wanted, rel=1e-12, abs=1e-12)
 
 
@@ -204,7 +204,7 @@ def test_the_rates_are_right_close_to_gimbal_lock(degrees: float, sign: float) -
     "y", [math.pi / 2, -math.pi / 2, 3 * math.pi / 2], ids=["90", "-90", "270"]
 )
 # At 0, 90 and 180 degrees a row of the map is as small as its determinant, and so is the product of
-# the lengths that inverse() compares it with.
+# lengths with which inverse() compares the determinant.
 @pytest.mark.parametrize("z", [0.3, -1.0, 0.01, 1e-5, 0.0, math.pi / 2, math.pi])
 def test_there_are_no_rates_in_gimbal_lock(y: float, z: float) -> None:
     for x in (0.0, 1.0):
@@ -219,5 +219,5 @@ def test_gimbal_lock_ends_where_the_cosine_is_above_its_limit(z: float) -> None:
         euler_rates(0.0, math.acos(0.9 * SINGULAR), z, spin)
     y = math.acos(1.1 * SINGULAR)
     rate = (math.cos(z) * spin.x + math.sin(z) * spin.y) / math.cos(y)
-    # The cosine is 1e-13, and what it is divided into has a rounding or two.
+    # The cosine is 1e-13, and the numerator has a rounding or two.
     assert euler_rates(0.0, y, z, spin).x == pytest.approx(rate, rel=1e-14)

@@ -1,4 +1,4 @@
-"""Every layer of a frame looks at its duration once, and no number is checked twice."""
+"""Every layer of a frame checks its duration once, and no number is checked twice."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CHECKS = ("finite", "not_negative", "positive", "positive_or_infinite", "whole",
 
 @pytest.fixture
 def checked(monkeypatch: pytest.MonkeyPatch) -> Counter[tuple[str, str]]:
-    """Count what is checked, by the name of the argument and of the function that checks it."""
+    """Count the checks by the name of the argument and of the function that checks it."""
     counts: Counter[tuple[str, str]] = Counter()
 
     def counting(check: Callable[..., Any]) -> Callable[..., Any]:
@@ -42,10 +42,11 @@ def checked(monkeypatch: pytest.MonkeyPatch) -> Counter[tuple[str, str]]:
 def test_a_frame_of_the_bridge_checks_its_duration_once_a_layer(
     checked: Counter[tuple[str, str]],
 ) -> None:
-    """With the ball on the deck there are contacts, so that every layer is asked.
+    """With the ball on the deck there are contacts, so that every layer is called.
 
-    Each of the five may be called by a user, and changes something before the next one is called,
-    or cannot know that the next one refuses. Contacts and particles compare by themselves.
+    A user may call any of the five layers. Each layer changes something before it calls the next,
+    or cannot know that the next will reject the duration. Contacts and particles check it
+    themselves.
     """
     bridge = Bridge()
     for _ in range(60):

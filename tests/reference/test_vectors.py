@@ -1,4 +1,4 @@
-"""Vector3 against exact fractions and NumPy, for any vectors that hypothesis thinks of."""
+"""Vector3 against exact fractions and NumPy, for vectors that hypothesis generates."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_the_scalar_product_is_exact_but_for_its_five_roundings(
 ) -> None:
     terms = [p * q for p, q in zip(exact(a), exact(b), strict=True)]
     error = abs(Fraction(Vector3(*a).dot(Vector3(*b))) - sum(terms))
-    # Higham, Accuracy and Stability, 3.1: n u / (1 - n u) of the terms' sizes, n = 3.
+    # Higham, Accuracy and Stability, 3.1: n u / (1 - n u) of the terms' sizes, with n = 3.
     assert error <= 3.01 * UNIT_ROUNDING * sum(abs(term) for term in terms)
 
 
@@ -37,7 +37,7 @@ def test_the_vector_product_agrees_with_numpy(
     a: tuple[float, float, float], b: tuple[float, float, float]
 ) -> None:
     got = tuple(Vector3(*a).cross(Vector3(*b)))
-    assert got == tuple(numpy.cross(a, b))  # the same products and differences, so the same bits
+    assert got == tuple(numpy.cross(a, b))  # the same operations give the same bits
 
 
 @given(vector)
@@ -46,7 +46,7 @@ def test_the_magnitude_squared_is_exact_to_two_units_in_the_last_place(
 ) -> None:
     got = Fraction(Vector3(*a).magnitude())
     wanted = sum(value * value for value in exact(a))
-    # math.hypot is within one unit of the last place, so its square is within two: 4 roundings.
+    # math.hypot is accurate to one unit in the last place, so its square is to two: 4 roundings.
     assert abs(got * got - wanted) <= 4.01 * UNIT_ROUNDING * wanted
 
 
@@ -60,7 +60,7 @@ def test_any_basis_is_orthonormal_and_right_handed(
     sine = numpy.linalg.norm(numpy.cross(u, v)) / numpy.linalg.norm(u) / numpy.linalg.norm(v)
     assume(sine > 1e-6)
     basis = numpy.array([tuple(w) for w in make_orthonormal_basis(Vector3(*a), Vector3(*b))])
-    # Rounding of the vector product, 1e-16, is magnified by 1 / sine where it is normalized.
+    # Normalizing multiplies the rounding of the vector product, 1e-16, by 1 / sine.
     assert numpy.allclose(basis @ basis.T, numpy.eye(3), atol=1e-15 / sine + 1e-15)
     assert numpy.linalg.det(basis) > 0.0
 
@@ -69,8 +69,8 @@ def test_any_basis_is_orthonormal_and_right_handed(
 def test_the_angles_are_those_between_two_directions_in_a_plane(angle: float, start: float) -> None:
     a = Vector3(math.cos(start), math.sin(start), 0.0)
     b = Vector3(math.cos(start + angle), math.sin(start + angle), 0.0)
-    # acos and asin magnify the rounding of some 1e-15 by 1 / sin and 1 / cos, and by no more than
-    # its square root.
+    # acos and asin multiply a rounding of about 1e-15 by 1 / sin and 1 / cos, but at most to its
+    # square root.
     by_cosine = 3e-15 / math.sin(angle)
     by_sine = min(3e-15 / abs(math.cos(angle)), 1e-7)
     assert angle_by_scalar_product(a, b) == pytest.approx(angle, abs=by_cosine)

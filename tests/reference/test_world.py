@@ -1,4 +1,4 @@
-"""ParticleWorld against the published engine's loop, written anew in floats, and closed forms.
+"""ParticleWorld compared with a new version in floats of the published engine's loop.
 
 The published frame is: the forces, p += v h, v = (v + a h) d^h, and then the contacts.
 """
@@ -47,7 +47,7 @@ def no_force(_p: Three, _v: Three) -> Three:
 def published(
     p: Three, v: Three, mass: float, damping: float, force: Force, frames: int, c: float | None
 ) -> list[tuple[Three, Three]]:
-    """Return places and velocities after each frame; with c there is ground at y <= 0."""
+    """Return positions and velocities after each frame. If c is given, y <= 0 is ground."""
     (x, y, z), (vx, vy, vz), h, seen = p, v, FRAME, []
     for _ in range(frames):
         fx, fy, fz = force((x, y, z), (vx, vy, vz))
@@ -67,7 +67,7 @@ def published(
 
 
 def spring(p: Three, _v: Three) -> Three:
-    """k 30 N/m, 1.5 m long at rest, from (1, 4, 0)."""
+    """Return the force of a spring of 30 N/m and rest length 1.5 m, anchored at (1, 4, 0)."""
     x, y, z = p[0] - 1.0, p[1] - 4.0, p[2]
     length = math.sqrt(x * x + y * y + z * z)
     pull = 30.0 * (1.5 - length) / length
@@ -75,7 +75,7 @@ def spring(p: Three, _v: Three) -> Three:
 
 
 def bungee(p: Three, v: Three) -> Three:
-    """The same, and nothing where it would push (E-4 put right)."""
+    """Return the same force, or no force where it would push (E-4 corrected)."""
     longer = math.dist(p, (1.0, 4.0, 0.0)) > 1.5
     return spring(p, v) if longer else (0.0, 0.0, 0.0)
 
@@ -113,24 +113,24 @@ def test_a_trajectory_is_the_published_engine_s(
         world.registry.add(ball, generator)
     for place, velocity in published(start, speed, mass, damping, force, frames, c):
         world.step(FRAME)
-        # Roundings of 100 m for 360 frames, which a spring at the edge may double now and then.
+        # Roundings of 100 m in 360 frames, which a spring may sometimes double.
         assert tuple(ball.position) == pytest.approx(place, abs=1e-9)
         assert tuple(ball.velocity) == pytest.approx(velocity, abs=1e-9)
 
 
 def test_the_published_ball_bounces_all_the_while() -> None:
-    """Else there were nothing to compare: the scene has a bounce in its last second."""
+    """The comparison would be pointless if the ball came to rest. It bounces until the end."""
     seen = published((0.0, 3.0, -1.0), (4.0, 2.5, 0.5), 2.0, 0.999, no_force, 360, 0.9)
     turns = [i for i, (a, b) in enumerate(pairwise(seen)) if a[1][1] < 0.0 < b[1][1]]
     assert len(turns) >= 4
     assert turns[-1] > 300
 
 
-# What a frame does
+# The order of events in a frame
 
 
 class Diary:
-    """A force generator and a contact generator that note when they were asked, and where."""
+    """A force and contact generator that records when it was evaluated, and where."""
 
     def __init__(self, notes: list[tuple[str, float]], particle: Particle) -> None:
         self.notes, self.particle = notes, particle
@@ -146,7 +146,7 @@ class Diary:
 
 
 def test_forces_come_before_the_move_and_contacts_after_it() -> None:
-    """And all generators are asked before anything is resolved: both see the ball 1 m deep."""
+    """All generators are evaluated before contacts are resolved: both see the ball 1 m deep."""
     notes: list[tuple[str, float]] = []
     ball = Particle(velocity=Vector3(0.0, -4.0))
     diary = Diary(notes, ball)
@@ -158,12 +158,12 @@ def test_forces_come_before_the_move_and_contacts_after_it() -> None:
 
 
 def test_a_hundred_contacts_in_one_frame_are_all_resolved() -> None:
-    """The book's world has a maximum of contacts, and drops what is above it in silence."""
+    """The book's world has a maximum number of contacts and silently drops the rest."""
     balls = [Particle(Vector3(i, 0.001 * i), Vector3(0.0, -9.0), GRAVITY) for i in range(100)]
     world = ParticleWorld(balls, [GroundPlane(balls)])
     world.step(FRAME)
     assert [ball.velocity.y for ball in balls] == [0.0] * 100
-    assert max(abs(ball.position.y) for ball in balls) <= 1e-9  # what counts as touching
+    assert max(abs(ball.position.y) for ball in balls) <= 1e-9  # counts as touching
     assert world.resolver.iterations_used >= 100
 
 
@@ -201,7 +201,7 @@ def test_mechanical_energy_is_m_v2_over_2_plus_m_g_y() -> None:
         Particle(Vector3(9.0, 3.0), Vector3(3.0, 0.0, 4.0), Vector3(0.0, -10.0), mass=2.0),
         Particle(Vector3(9.0, -1.0), acceleration=Vector3(0.0, -10.0), mass=0.5),
         Particle(Vector3(9.0, 50.0), Vector3(7.0), Vector3(0.0, -10.0), mass=math.inf),
-        Particle(Vector3(9.0, 50.0), Vector3(2.0), mass=3.0),  # which nothing pulls
+        Particle(Vector3(9.0, 50.0), Vector3(2.0), mass=3.0),  # without any force
     ]
     assert mechanical_energy(particles) == 25.0 + 60.0 - 5.0 + 6.0
     tilted = Particle(Vector3(1.0, 2.0, 3.0), acceleration=Vector3(1.0, -1.0, 2.0), mass=2.0)
@@ -210,18 +210,18 @@ def test_mechanical_energy_is_m_v2_over_2_plus_m_g_y() -> None:
 
 
 def test_a_shot_s_energy_is_kept_where_the_step_is_exact() -> None:
-    """Verlet has no error under constant acceleration, and no damping takes anything."""
+    """Verlet is exact under constant acceleration, and there is no damping."""
     shot = Particle(Vector3(0.0, 2.0), Vector3(30.0, 40.0), GRAVITY, mass=3.0)
     world = ParticleWorld([shot], integrator=velocity_verlet)
     energy = 1.5 * 2500.0 + 3.0 * G * 2.0
     for _ in range(480):
         world.step(FRAME)
-        # 480 frames of a few roundings of 3750 J, 2^-53 each.
+        # 480 frames with a few roundings of 3750 J, 2^-53 each.
         assert mechanical_energy(world.particles) == pytest.approx(energy, rel=1e-12)
 
 
 def tangle() -> tuple[list[Particle], list[ContactGenerator]]:
-    """Return 20 particles that fly about, and rods and cables between neighbors."""
+    """Return 20 particles in motion, and rods and cables between neighbors."""
     draw = random.Random(81)
 
     def vector(size: float) -> Vector3:
@@ -250,7 +250,7 @@ def test_rods_and_cables_keep_the_momentum_and_the_way_of_the_center(step: Integ
     speeds = [tuple(b.velocity) for b in bodies]
     for _ in range(300):
         world.step(FRAME)
-    # 300 frames of up to 80 impulses of some 10 kg m/s, each rounded twice at 2^-53: 5e-11.
+    # 300 frames of up to 80 impulses of some 10 kg m/s, each with two roundings: 5e-11.
     assert momentum_of(bodies) == pytest.approx(before, abs=5e-11)
     for i in range(3):
         center = math.fsum(b.mass * tuple(b.position)[i] for b in bodies) / total
@@ -272,7 +272,7 @@ def test_rods_and_cables_keep_the_momentum_and_the_way_of_the_center(step: Integ
     ],
 )
 def test_each_step_has_its_order_in_a_world(step: Integrator, order: int) -> None:
-    """On a spring with w = 2 that is let go from 1 m: x = cos(2 t), at 1.3 s."""
+    """A spring with w = 2, released at 1 m, has x = cos(2 t). The test compares it at 1.3 s."""
     errors = []
     for frames in (50, 100, 200):
         bob = Particle(Vector3(1.0), mass=0.5)
@@ -282,12 +282,12 @@ def test_each_step_has_its_order_in_a_world(step: Integrator, order: int) -> Non
             world.step(1.3 / frames)
         errors.append(abs(bob.position.x - math.cos(2.6)))
     for coarse, fine in pairwise(errors):
-        # The next order adds a part w h, 0.05, at the most a few times.
+        # The next order adds w h = 0.05 times a small factor.
         assert math.log2(coarse / fine) == pytest.approx(order, abs=0.15)
 
 
 def test_the_default_step_is_semi_implicit_and_the_world_s_contacts_hold_a_pendulum() -> None:
-    """From p = 0 the first frame moves by g h^2; a rod of 1 m is 1 m long after every frame."""
+    """From p = 0 the first frame moves by g h^2. A rod of 1 m is 1 m long after every frame."""
     drop = Particle(acceleration=GRAVITY)
     ParticleWorld([drop]).step(0.5)
     assert drop.position.y == -0.25 * G
@@ -295,7 +295,7 @@ def test_the_default_step_is_semi_implicit_and_the_world_s_contacts_hold_a_pendu
     world = ParticleWorld([bob], [AnchoredRod(bob, Vector3(), 1.0)])
     for _ in range(600):
         world.step(FRAME)
-        # Depths below the resolver's 1e-9 m are left be.
+        # The resolver ignores depths below 1e-9 m.
         assert bob.position.magnitude() == pytest.approx(1.0, abs=1.1e-9)
 
 
@@ -312,12 +312,12 @@ def test_what_a_world_cannot_be_made_of_is_named() -> None:
 
 
 def test_a_step_of_your_own_may_be_a_world_s() -> None:
-    """A turn of 1 kg about 100 N/m from (1, 0) at 10 m/s: a circle of 1 m in 0.628 s."""
+    """1 kg on 100 N/m from (1, 0) at 10 m/s moves in a circle of 1 m in 0.628 s."""
     body = Particle(Vector3(1.0), Vector3(0.0, 10.0))
     world = ParticleWorld([body], integrator=my_step)
     world.registry.add(body, AnchoredSpring(Vector3(), 100.0, 0.0))
     for _ in range(40):
         world.step(math.tau / 10.0 / 40.0)
         assert body.position.magnitude() == pytest.approx(1.0, abs=1e-6)
-    # Of order 4: its error is some (10 h)^4 = 6e-4 times a constant of some 1e-4 a turn.
+    # With order 4, the error is about (10 h)^4 = 6e-4 times a constant of about 1e-4 per turn.
     assert (body.position - Vector3(1.0)).magnitude() < 1e-6

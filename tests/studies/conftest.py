@@ -1,4 +1,4 @@
-"""The reference's plots, drawn once for all tests of plots, by all processes of a run together."""
+"""Fixtures with the reference's plots. All processes of a run share the work of drawing them."""
 
 from __future__ import annotations
 
@@ -9,16 +9,17 @@ import pytest
 
 from autograder.manifest import load_chapters
 
-PATIENCE = 600.0  # seconds for another process's plots, of which the longest take one
+PATIENCE = 600.0  # s to wait for another process's plots; the longest chapter takes a minute or so
 
 
 @pytest.fixture(scope="session")
 def drawn(
     tmp_path_factory: pytest.TempPathFactory, worker_id: str, pytestconfig: pytest.Config
 ) -> tuple[Path, str]:
-    """Where the reference's plots were drawn to, and what was said of it.
+    """Draw the reference's plots. Return their folder and what the commands printed.
 
-    Each process draws the chapters that no other has begun, the last ones first: they take longest.
+    Each process draws the chapters that no other process has begun. The last chapters are drawn
+    first, because they take the longest.
     """
     from drawn_plots import plot  # tests/helpers/ is on the path only once pytest is configured
 
@@ -26,7 +27,7 @@ def drawn(
     base = tmp_path_factory.getbasetemp()
     out = (base if alone else base.parent) / "plots"
     out.mkdir(exist_ok=True)
-    only = pytestconfig.getoption("chapter", None)  # of make test CH=6
+    only = pytestconfig.getoption("chapter", None)  # set by make test CH=6
     numbers = sorted((chapter.number for chapter in load_chapters()), reverse=True)
     numbers = [only] if only in numbers else numbers
     for number in numbers:
@@ -49,5 +50,5 @@ def drawn(
 
 @pytest.fixture(scope="session")
 def reference(drawn: tuple[Path, str]) -> Path:
-    """Where the reference's plots were drawn to."""
+    """Return the folder with the reference's plots."""
     return drawn[0]

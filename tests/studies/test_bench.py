@@ -1,4 +1,4 @@
-"""The bench measures what it says. No test asserts a speed: machines are shared."""
+"""The bench measures what it claims. No test checks a speed, because machines are shared."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_a_ratio_is_the_median_of_the_rounds_and_its_spread_their_quartiles() ->
     first = iter([2.0, 4.0, 6.0, 100.0, 4.0])
     figure = timing.versus(lambda: next(first), lambda: 2.0)
     (line,) = timing.measure([Measurement("made up", figure, 5)])
-    assert line.median == 2.0  # of 1, 2, 2, 3 and 50: one slow round does not count
+    assert line.median == 2.0  # the median of 1, 2, 2, 3 and 50 ignores one slow round
     assert (line.low, line.high) == (2.0, 3.0)
 
 
@@ -52,7 +52,7 @@ def test_what_is_quick_is_timed_again_without_its_first_cold_run() -> None:
         return timed
 
     quick, slow = timing.both(taking("quick", 1e-3, 1e-4), taking("slow", 3.0, 2.0))
-    assert quick == pytest.approx(1e-4)  # the sum of many roundings
+    assert quick == pytest.approx(1e-4)  # the mean has many roundings
     assert slow == 3.0
     assert calls["quick"] > 1
     assert calls["slow"] == 1
@@ -85,15 +85,15 @@ def test_lines_are_visited_all_over_the_run_with_their_two_sides_next_to_each_ot
     pairs = [*zip(visits[::2], visits[1::2], strict=True)]
     assert all(first[0] == second[0] for first, second in pairs)
     orders = [(first[1], second[1]) for first, second in pairs]
-    # That 244 tosses, or 120, are all alike happens once in 2^119 runs.
+    # The probability that 244 or 120 coin tosses are all alike is 2^-119.
     assert {*orders} == {(0, 1), (1, 0)}
     order = [first[0] for first, _ in pairs]
     assert {what: order.count(what) for what in rounds} == rounds
     equals = [what for what in order if "often" in what]
     halves = [*zip(equals[::2], equals[1::2], strict=True)]
-    assert {*halves} == {("often", "as often"), ("as often", "often")}  # both once in a round
+    assert {*halves} == {("often", "as often"), ("as often", "often")}  # each once per round
     before = [order[:i].count("often") for i, what in enumerate(order) if what == "seldom"]
-    assert all(40 * k <= count <= 40 * (k + 1) for k, count in enumerate(before))  # a third each
+    assert all(40 * k <= count <= 40 * (k + 1) for k, count in enumerate(before))  # one per third
 
 
 @pytest.mark.parametrize(
@@ -187,7 +187,7 @@ def test_the_coarsest_choice_is_the_first_that_is_accurate_enough() -> None:
 def test_adaptive_needs_a_tenth_of_the_evaluations_for_a_comet() -> None:
     evaluations, _ = accuracy.lines_of_adaptive()
     assert evaluations.target is not None
-    assert evaluations.target.is_met(evaluations.once())  # a count, the same on every machine
+    assert evaluations.target.is_met(evaluations.once())  # the count is the same on every machine
 
 
 def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds(
@@ -196,7 +196,7 @@ def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds(
     (scene,) = scenes_with("projectile")
     monkeypatch.setattr(accuracy, "MOST", 40 * scene.frames)
     pymunk = accuracy.model_of(scene, "pymunk")
-    steps, error = accuracy.fewest_steps(scene, pymunk, 1e-4)  # needs 64 of them
+    steps, error = accuracy.fewest_steps(scene, pymunk, 1e-4)  # this needs 64 steps
     assert steps == 32
     assert error == scene.error(pymunk.run(32)) > 1e-4
     monkeypatch.setattr(accuracy, "MOST", 400)
@@ -210,7 +210,7 @@ def test_lines_of_accuracy_that_pymunk_does_not_reach_are_bounds(
 def test_the_exact_model_of_a_scene_is_one_of_ours_without_steps() -> None:
     for part in ("projectile", "bouncing ball, restitution 0.8"):
         (scene,) = scenes_with(part)
-        # Some hundred roundings.
+        # The tolerance allows for some hundred roundings.
         assert scene.error(accuracy.fastest_exact(scene).run(1)) < 1e-12
 
 
@@ -247,7 +247,7 @@ def test_two_ways_to_undo_a_matrix_end_at_the_same(first: str, second: str) -> N
 
 def test_matrices_turn_as_their_quaternions_and_as_numpys_do() -> None:
     names = names_of(rotations.SETUP)
-    # A dozen roundings of numbers up to 4, as below.
+    # A dozen roundings of numbers up to 4, also below.
     assert [*eval("m @ v", names)] == pytest.approx([*eval("q.rotate(v)", names)], abs=1e-14)
     of_product = [*eval("M3.from_quaternion(q * p)", names)]
     assert [*eval("m @ n", names)] == pytest.approx(of_product, abs=1e-14)
@@ -259,7 +259,7 @@ def test_matrices_turn_as_their_quaternions_and_as_numpys_do() -> None:
 
 
 def test_what_is_compared_with_the_step_is_the_same_step() -> None:
-    """Operators, methods in place and local variables end where Particle.integrate does."""
+    """Operators, methods in place and local variables give the result of Particle.integrate."""
     frames = [0.02, 0.01, 0.02, 0.02] * 250
     stepped, by_operators, in_place = (make_particle(PROJECTILE) for _ in range(3))
     particles.steps(stepped, frames)
@@ -295,22 +295,23 @@ def test_the_closed_form_of_the_sparks_is_where_the_steps_go(
         closed = sparks.positions(speeds, 2.0, "xyz")
         pairs = zip(chain(*stepped), chain(*closed), strict=True)
         errors.append(max(abs(a - b) for a, b in pairs))
-    # Of first order, and the next order is less than a hundredth of it.
+    # The error is of order 1, and the next order is less than a hundredth of it.
     assert errors[0] / errors[1] == pytest.approx(2.0, abs=0.02)
-    # At most g t h / 2 of the acceleration and k v t h / 2 of the drag, for 5 m/s and h = 0.002 s.
+    # It is at most g t h / 2 from the acceleration plus k v t h / 2 from the drag, with 5 m/s and
+    # h = 0.002 s.
     assert errors[1] < 0.0196 + 0.0070
 
 
 def test_what_a_cloth_is_compared_with_falls_in_the_same_way() -> None:
-    # The order of the sums differs: some 1e-16 of the heights a frame.
+    # The sums have another order, which changes the heights by about 1e-16 per frame.
     wanted = pytest.approx(springs.steps(*springs.make_cloth(springs.DAMPING)), rel=1e-11)
     assert springs.cloth_arithmetic() == wanted
     assert springs.steps(*springs.make_cloth_of_ends()) == wanted
 
 
 def test_what_a_chain_is_compared_with_hangs_from_the_same_place() -> None:
-    """pymunk's tip comes to where ours is with its frames: a quarter, a quarter as far."""
+    """Pymunk's tip approaches ours: with four times the frames it is a quarter as far away."""
     ours = constraints.by_direct_solve(constraints.RATE)
     off = [math.dist(constraints.by_pymunk(rate), ours) for rate in (960, 3840)]
-    assert off[1] == pytest.approx(0.25 * off[0], rel=0.3)  # of order 1, less our own error
+    assert off[1] == pytest.approx(0.25 * off[0], rel=0.3)  # order 1, apart from our own error
     assert off[1] < 2e-3

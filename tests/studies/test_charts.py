@@ -1,4 +1,4 @@
-"""Speed against accuracy: scenes are true, errors fall by the models' orders, runs go on."""
+"""Speed against accuracy: exact solutions, orders of errors, charts, and resumed runs."""
 
 from __future__ import annotations
 
@@ -90,14 +90,14 @@ def test_the_truth_of_a_scene_is_that_of_its_equation(name: str) -> None:
         rates, (0.0, times[-1]), start, method="DOP853", t_eval=times, rtol=1e-12, atol=1e-13
     )
     for time, state in zip(times, found.y.T, strict=True):
-        # SciPy's own error: 1e-12 a step, of some hundred steps, and grows along an orbit.
+        # SciPy's own error is 1e-12 per step. It adds up over some hundred steps along an orbit.
         assert SCENES[name].truth(time) == pytest.approx(place(state), abs=2e-9)
 
 
 def test_the_truth_of_bounces_is_that_of_drops_and_of_momentum() -> None:
     balls = impacts.Balls((2.0 + impacts.RADIUS,), (1.0,), 0.8, 1.0)
     first = math.sqrt(2.0 * 2.0 / 10.0)
-    # Up again for 0.8 of the time of the fall, to 0.64 of its height.
+    # The ball rises for 0.8 of the time of the fall, to 0.64 of its height.
     (top,), (down,) = balls.places_at([1.8 * first, 2.6 * first])
     assert top == pytest.approx(0.64 * 2.0 + impacts.RADIUS, abs=1e-12)
     assert down == pytest.approx(impacts.RADIUS, abs=1e-12)
@@ -105,9 +105,9 @@ def test_the_truth_of_bounces_is_that_of_drops_and_of_momentum() -> None:
     speed = math.sqrt(2.0 * 10.0)
     after = 0.01
     _, upper = two.places_at([speed / 10.0 + after])[0]
-    # Exercise 7.3: 0.9 of the speed upwards meets the speed downwards, in their common frame.
+    # Exercise 7.3: 0.9 of the speed upward meets the speed downward, in their common frame.
     gone = (1.0 * 0.9 - 0.1) / 1.1 + 0.8 * 1.0 / 1.1 * 1.9
-    # 1e-9 m between the two is closed in 1e-10 s.
+    # A gap of 1e-9 m closes in 1e-10 s.
     assert upper == pytest.approx(0.3 + speed * gone * after - 5.0 * after**2, abs=1e-8)
 
 
@@ -116,7 +116,7 @@ def test_closed_forms_and_exact_ways_are_exact(name: str) -> None:
     ways = {"closed form", "exact steps", "time division", "its impacts alone"}
     exact = ways & {model.name for model in SCENES[name].models}
     for way in exact:
-        # Some hundred roundings, and k t of 1e3 rad in the stiffest spring.
+        # The tolerance allows for some hundred roundings, at k t = 1e3 rad for the stiffest spring.
         assert error_of(SCENES[name], way) < 1e-12
 
 
@@ -144,7 +144,7 @@ def test_closed_forms_and_exact_ways_are_exact(name: str) -> None:
 def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: int) -> None:
     steps = (4, 8, 16) if order == 4 else (16, 32, 64)
     errors = [error_of(SCENES[scene], model, count) for count in steps]
-    # The next order is a twentieth of it at the most.
+    # The next order contributes at most a twentieth.
     assert slope([1.0 / count for count in steps], errors) == pytest.approx(order, abs=0.1)
 
 
@@ -154,7 +154,7 @@ def test_the_error_of_the_adaptive_model_falls_with_its_tolerance(scene: str) ->
     assert model.takes_tolerance
     assert [1.0 / finer for finer in model.steps[:3]] == [0.1, 0.01, 0.001]
     errors = [error_of(SCENES[scene], "adaptive", 10**n) for n in range(6, 12)]
-    # In proportion, but for the frames, which cut steps short.
+    # The errors are proportional to the tolerance, except that frames cut steps short.
     assert slope([10.0**-n for n in range(6, 12)], errors) == pytest.approx(1.0, abs=0.2)
 
 
@@ -163,9 +163,9 @@ def test_work_is_what_was_worked_out() -> None:
     asked = {"explicit Euler": 1, "semi-implicit Euler": 1, "leapfrog": 1, "velocity Verlet": 2}
     for name, times in (asked | {"Runge-Kutta 4": 4, "pymunk, force by hand": 1}).items():
         assert model_of(orbit, name).run(2).work == 2 * times * orbit.frames
-    assert model_of(orbit, "adaptive").run(1).work == 7 * orbit.frames  # a step of 1 m needs no 2nd
+    assert model_of(orbit, "adaptive").run(1).work == 7 * orbit.frames  # at 1 m, one step per frame
     ball = SCENES["bouncing ball, restitution 0.8"]
-    # From 2 m, at 0.632 s and after flights of 1.012, 0.810, ... s: three impacts in 3 s.
+    # From 2 m the impacts are at 0.632 s and after flights of 1.012, 0.810, ... s: three in 3 s.
     assert model_of(ball, "time division").run(1).work == ball.frames + 3
 
 
@@ -211,15 +211,15 @@ def test_what_does_not_get_nearer_with_eight_times_the_steps_never_gets_there() 
     assert stalls(points(flat, times))
     assert stalls(points([0.08, 0.07, 0.06, 0.041], times))
     assert not stalls(points([math.inf] * 4, times))
-    assert not stalls(points([0.5] * 4, times))  # an order shows only nearer to the truth
-    assert not stalls(points([0.1, 0.1], times[:2]))  # nobody can tell
+    assert not stalls(points([0.5] * 4, times))  # the error is too large to show an order
+    assert not stalls(points([0.1, 0.1], times[:2]))  # too few points
     ours = points([1e-5], [1.0])
     assert table([*ours, *points([0.05] * 4, times, "theirs", "pymunk")])[0].pymunk.never
     theirs = points([0.05] * 4, [9.0] * 4, "a", "pymunk")
     theirs += points([0.08, 0.04], times[:2], "b", "pymunk") + points([0.7], [5.0], "c", "pymunk")
     side = table([*ours, *theirs])[0].pymunk
     assert not side.never
-    assert side.longest == 2.0  # b might get there, and has been tried for no longer than that
+    assert side.longest == 2.0  # model b might reach it, and has been run for at most 2 s
 
 
 def test_the_best_and_the_front_are_the_fastest_at_each_error() -> None:
@@ -234,13 +234,13 @@ def test_the_best_and_the_front_are_the_fastest_at_each_error() -> None:
     assert (loose.ratio, middle.ratio) == (pytest.approx(4.0), None)
     assert loose.bounds == (loose.ratio, loose.ratio)
     assert (tight.ours.model, tight.pymunk.longest) == ("slow", 8.0)
-    # Theirs took 8 and was not there, ours was after 9 less what is not needed to 1e-6.
+    # Pymunk took 8 s without reaching 1e-6. Ours took 9 s, minus what it did not need for 1e-6.
     assert tight.ours.time is not None
     assert tight.bounds == (8.0 / tight.ours.time, math.inf)
     assert [told_ratio(found) for found in (loose, tight)] == ["4", f"> {tight.bounds[0]:.3g}"]
     ahead = table([*points([1e-1, 1e-2], [1.0, 8.0]), *points([1e-9], [0.5], "b", "pymunk")])[2]
     assert told_ratio(ahead) == "< 0.0625"
-    assert told(ahead.ours) == "not in 8,000 ms"
+    assert told(ahead.ours) == "not within 8,000 ms"
 
 
 def test_what_was_measured_is_kept_unless_the_code_changed(tmp_path: Path) -> None:
@@ -272,7 +272,7 @@ def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     assert (tmp_path / "spring_k_100_n_m_c_2_n_s_m.png").stat().st_size > 40_000
     with (tmp_path / "spring_k_100_n_m_c_2_n_s_m.csv").open(encoding="utf-8") as file:
         rows = [*csv.reader(file)]
-    assert rows[0][:3] == ["model", "by", "steps a frame, or 1 / tolerance"]
+    assert rows[0][:3] == ["model", "by", "steps per frame, or 1 / tolerance"]
     assert {row[0] for row in rows[1:]} == {
         m.name for m in SCENES[SPRING.format("100", "2")].models
     }
@@ -281,7 +281,7 @@ def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     assert (tmp_path / "overview.png").stat().st_size > 10_000
     assert "earlier run" not in capsys.readouterr().out
     assert charts.main(arguments) == 0
-    assert "going on after an earlier run, with 1 of 1 rounds" in capsys.readouterr().out
+    assert "resuming an earlier run with 1 of 1 rounds" in capsys.readouterr().out
     assert (tmp_path / "measured.json").read_bytes() == first
 
 
@@ -299,14 +299,15 @@ def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_n
     monkeypatch.setattr(choose, "SLOWEST", 1e-3)
     assert choose.main(["k = 10000 ", "--tolerance", "1e-3"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0].startswith("spring, k = 10000 N/m, c = 20 N s/m: 2 s, to 0.001 of its scale")
-    assert lines[1].startswith("  cheapest:     closed form, once a frame: ")
-    # Only another model at one step per frame is as cheap, and each of them is wrong here. Which
-    # of them is the next cheaper one depends on the machine.
+    start = "spring, k = 10000 N/m, c = 20 N s/m: 2 s, error at most 0.001 of its scale"
+    assert lines[0].startswith(start)
+    assert lines[1].startswith("  cheapest:     closed form, once per frame: ")
+    # Only other models at one step per frame are as cheap, and all of them are inaccurate here.
+    # Which of them is the next cheaper one depends on the machine.
     assert lines[2].startswith("  next cheaper: ")
-    assert ", once a frame: " in lines[2]
-    assert lines[2].endswith(": fails")
-    assert lines[3] == "  pymunk:       does not meet it within the time that was tried"
+    assert ", once per frame: " in lines[2]
+    assert lines[2].endswith(": not accurate enough")
+    assert lines[3] == "  pymunk:       does not meet it within the time limit"
 
 
 def test_a_model_that_takes_a_tolerance_is_told_with_it() -> None:
@@ -320,7 +321,7 @@ def test_where_nothing_will_do_the_command_fails(
 ) -> None:
     monkeypatch.setattr(choose, "SLOWEST", 1e-3)
     assert choose.main(["k = 100 ", "--tolerance", "1e-20"]) == 1
-    assert "no model of ours meets it" in capsys.readouterr().out
+    assert "none of our models meets it" in capsys.readouterr().out
     for bad in ("0", "-1", "nan", "inf"):
         with pytest.raises(SystemExit):
             choose.main(["rope", "--tolerance", bad])

@@ -1,6 +1,7 @@
-"""The bridge at rest: its truth is a minimum in balance, and models miss it by what they let go.
+"""The bridge at rest: its exact position is a balanced minimum, and models sag by known amounts.
 
-Of the truth only places are used: what the bridge is made of comes from chapter 8, in space.
+The tests take only positions from the exact solution. The parts of the bridge come from chapter 8,
+in three dimensions.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from studies.accuracy.catalog import scenes_with
 from studies.drawing import slope
 
 G = 9.81
-MASSES = numpy.repeat([1.0, 1.0, 3.5, 1.0, 1.0, 1.0], 2)  # 5 kg on the ends of the third
+MASSES = numpy.repeat([1.0, 1.0, 3.5, 1.0, 1.0, 1.0], 2)  # 5 kg on the ends of the third row
 (SCENE,) = scenes_with("bridge")
 MODELS = {model.name: model for model in SCENE.models}
 TWO_SIDED = ["semi-implicit Euler, two-sided rods", "two-sided rods, 400 iterations"]
@@ -28,21 +29,21 @@ TWO_SIDED = ["semi-implicit Euler, two-sided rods", "two-sided rods, 400 iterati
 
 @cache
 def outcome(name: str, steps: int) -> tuple[float, int]:
-    """Return the error in m, and the work."""
+    """Return the error in m and the work."""
     found = MODELS[name].run(steps)
     return SCENE.error(found) * SCENE.scale, found.work
 
 
 def hangs() -> Any:
-    """Return the truth in space: across the bridge all ends are where they are at the start."""
+    """Return the exact positions in space. Across the bridge, all ends are where they start."""
     flat = numpy.reshape(SCENE.truth(0.5), (12, 2))
     return numpy.column_stack([flat, numpy.tile([-1.0, 1.0], 6)])
 
 
 def the_links() -> tuple[Any, Any, Any, Any]:
-    """Return what differences of places each link is along, its anchor, its length; and the rods.
+    """Return the incidence matrix, anchors and lengths of the links, and which links are rods.
 
-    A link's offset is incidence @ places + anchors.
+    The vector along a link is incidence @ positions + anchors.
     """
     rows = make_rows()
     number = {id(end): i for i, end in enumerate(end for row in rows for end in row)}
@@ -62,18 +63,19 @@ def the_links() -> tuple[Any, Any, Any, Any]:
 def test_forces_are_in_balance_where_the_truth_is_and_every_cable_pulls() -> None:
     incidence, anchors, lengths, rods = the_links()
     offsets = incidence @ hangs() + anchors
-    # Coordinates of 5 m, and a solver that stops within some roundings of them.
+    # The coordinates are up to 5 m, and the solver stops within some roundings of them.
     assert numpy.linalg.norm(offsets, axis=1) == pytest.approx(lengths, abs=1e-11)
     ways = offsets / lengths[:, None]
-    # A pull of 1 N in a link, on the twelve ends along X, Y and Z; and the weights.
+    # The forces on the twelve ends along X, Y and Z, for a pull of 1 N in each link; the weights.
     matrix = numpy.array([-incidence[i][:, None] * way for i, way in enumerate(ways)])
     matrix = matrix.reshape(len(ways), 36).T
     weights = numpy.zeros((12, 3))
     weights[:, 1] = -G * MASSES
     pulls, *_ = numpy.linalg.lstsq(matrix, -weights.ravel(), rcond=None)
-    # The 28 pulls can do nothing about 8 of the 36 equations. 34 N, to as many digits as places.
+    # The 28 pulls cannot affect 8 of the 36 equations. 34 N has as many digits as the positions.
     assert abs(matrix @ pulls + weights.ravel()).max() < 1e-10
-    # From 3.6 to 33 N: a load of 34 N, and planks of 10 N that hang on two or three cables each.
+    # The pulls are 3.6 to 33 N. The load weighs 34 N, and each plank of 10 N hangs on two or three
+    # cables.
     assert (pulls[~rods] > 3.0).all()
     assert (pulls[rods] < 0.0).all()
 
@@ -95,7 +97,7 @@ def test_no_place_near_the_truth_that_its_links_allow_is_lower() -> None:
         return float(G * numpy.dot(MASSES, places[:, 1]))
 
     least = energy(truth)
-    # Pulled down, so that cables stay taut, and to a side: the bridge sways, which costs the least.
+    # Pull the ends down, so that cables stay taut, and to a side, because swaying costs the least.
     for x, z in ((0.3, 0.0), (-0.3, 0.0), (0.0, 0.3), (0.0, -0.3), (0.2, 0.2)):
         wanted = (truth + numpy.array([x, -1.0, z])).ravel()
 
@@ -107,19 +109,19 @@ def test_no_place_near_the_truth_that_its_links_allow_is_lower() -> None:
         assert abs(numpy.where(rods, left, numpy.minimum(left, 0.0))).max() < 1e-6
         near = found.x.reshape(12, 3)
         assert 0.02 < abs(near - truth).max() < 0.5
-        # Of 28 links with up to 33 N each is 3e-7 m too long: 3e-4 J. Found was 1 J.
+        # 28 links with up to 33 N, each 3e-7 m too long, have 3e-4 J. The measured value was 1 J.
         assert energy(near) > least + 1e-2
 
 
 @pytest.mark.parametrize("name", MODELS)
 def test_what_holds_the_bridge_gives_by_no_more_than_what_falls_in_a_step(name: str) -> None:
-    """What hangs falls g h^2 in a step before a contact is there to be resolved.
+    """In a step, the ends fall by g h^2 before there is a contact to resolve.
 
-    The worst is pymunk with ten iterations: 1.01, 0.86 and 0.88 of that.
+    The worst model is pymunk with ten iterations, with 1.01, 0.86 and 0.88 times that.
     """
     for steps in (1, 2, 4):
         falls = G / (60.0 * steps) ** 2
-        # Where nothing falls any more, the hair of the start is left.
+        # If nothing falls any more, the initial shift remains.
         assert outcome(name, steps)[0] < 1.5 * falls + 10.0 * bridge.HAIR
 
 
@@ -127,12 +129,12 @@ def test_what_holds_the_bridge_gives_by_no_more_than_what_falls_in_a_step(name: 
 def test_two_sided_rods_give_by_the_square_of_the_step(name: str) -> None:
     steps = (1, 2, 4)
     errors = [outcome(name, count)[0] for count in steps]
-    # The hair is 3 % of the least error; the next order, of a step's fall to a link, far less.
+    # The initial shift is 3 % of the least error. The next order is far smaller.
     assert slope([1.0 / count for count in steps], errors) == pytest.approx(2.0, abs=0.05)
 
 
 def test_iterations_are_what_rods_lack_and_what_cables_do_not_have_the_use_of() -> None:
-    """A cable that was just pulled taut is slack for what comes next, however often that is."""
+    """A cable that has just been pulled taut does not react further, whatever the iterations."""
     few, many = (outcome(name, 1)[0] for name in TWO_SIDED)
     assert few > 20.0 * many
     loose = outcome("semi-implicit Euler, cables", 1)[0]
@@ -142,7 +144,7 @@ def test_iterations_are_what_rods_lack_and_what_cables_do_not_have_the_use_of() 
 def test_pymunk_with_enough_iterations_stays_where_it_starts() -> None:
     started = numpy.subtract(bridge.hanging(bridge.HAIR), bridge.hanging())
     start = abs(started).max()
-    # A sag of 3 m cables: by their slopes a few times as much as they are too long.
+    # With 3 m of sag, the ends are lower by a few times the excess length of the cables.
     assert bridge.HAIR < start < 5.0 * bridge.HAIR
     for steps in (1, 4):
         assert outcome("pymunk, slide joints, 50 iterations", steps)[0] < 2.0 * start
@@ -150,16 +152,16 @@ def test_pymunk_with_enough_iterations_stays_where_it_starts() -> None:
 
 
 def test_work_is_contacts_resolved() -> None:
-    """22 cables in a plane; 28 links in space, of which a two-sided rod has two contacts each."""
+    """There are 22 cables in a plane, or 28 links in space. A two-sided rod has two contacts."""
     for steps in (1, 2):
         count = 60 * steps
         assert outcome("pymunk, slide joints", steps)[1] == count * 10 * 22
         assert outcome("pymunk, slide joints, 50 iterations", steps)[1] == count * 50 * 22
-        # Each of two phases ends with its iterations, since 1e-9 m are not reached before.
+        # Each of the two phases uses all iterations, because it does not reach 1e-9 m earlier.
         assert outcome(TWO_SIDED[0], steps)[1] == count * 2 * 2 * 2 * 28
         assert outcome(TWO_SIDED[1], steps)[1] == count * 2 * 400
         for name in ("explicit Euler, cables", "semi-implicit Euler, cables"):
-            # What is slack, or exact, has no contact; most are there.
+            # Slack or exact cables have no contact, but most cables have one.
             assert 0.8 < outcome(name, steps)[1] / (count * 2 * 2 * 28) <= 1.0
 
 

@@ -1,4 +1,4 @@
-"""Pymunk's time where it does not get to a tolerance: extrapolated by its order, and marked."""
+"""If pymunk does not reach a tolerance, its time is extrapolated by its order and marked."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ ERRORS, TIMES = [0.08, 0.04, 0.02, 0.01], [1.0, 2.0, 4.0, 8.0]
 
 
 def points(errors: list[float], model: str = "ours", by: str = "ours") -> list[Point]:
-    """Return points of doubled steps, with times that double from 1 s on."""
+    """Return points whose steps double and whose times double, starting at 1 s."""
     return [Point("s", model, by, 2**i, error, 2**i, [2.0**i]) for i, error in enumerate(errors)]
 
 
@@ -31,10 +31,10 @@ def test_an_order_is_that_of_errors_which_fall_steadily() -> None:
     assert order_of(points([0.5, *ERRORS])) == pytest.approx(1.0)
     assert order_of(points([0.5, 0.08, 0.02, 0.005, 0.00125])) == pytest.approx(2.0)
     for errors in (
-        [0.02, 0.01, 0.005],  # too few
-        [0.8, 0.4, 0.2, 0.1],  # not near enough to show an order
+        [0.02, 0.01, 0.005],  # too few points
+        [0.8, 0.4, 0.2, 0.1],  # too large to show an order
         [0.08, 0.04, 0.03, 0.01],  # not steady
-        [0.08, 0.079, 0.078, 0.077],  # it stalls
+        [0.08, 0.079, 0.078, 0.077],  # stalled
         [0.08, 0.04, 0.02, 0.0],
         [math.inf, 0.04, 0.02, 0.01],
     ):
@@ -44,14 +44,14 @@ def test_an_order_is_that_of_errors_which_fall_steadily() -> None:
 def test_a_time_is_extrapolated_by_the_order_and_marked() -> None:
     loose, middle, tight = table([*OURS, *THEIRS])
     assert (loose.is_extrapolated, loose.ratio) == (False, pytest.approx(8.0))
-    # A hundredth of the error takes a hundred times as many steps, and each takes as long.
+    # A hundredth of the error takes a hundred times as many steps, which are equally fast.
     assert middle.is_extrapolated
     assert middle.pymunk.time == pytest.approx(800.0)
     assert middle.ratio == pytest.approx(800.0)
     assert told(middle.pymunk) == "theirs, 800,000 ms (extrapolated, order 1.00)"
     assert told_ratio(middle) == "~ 800"
     assert said(middle).endswith("theirs 800 times as long (extrapolated)")
-    assert not tight.is_extrapolated  # a ten thousandth is too far
+    assert not tight.is_extrapolated  # a ten-thousandth is too far
     assert tight.pymunk.time is None
 
 
@@ -83,9 +83,9 @@ def test_a_line_of_the_benchmarks_is_extrapolated_by_the_order(
     monkeypatch.setattr(accuracy, "MOST", 64 * scene.frames)
     monkeypatch.setattr(accuracy, "versus", lambda *_: lambda: 3.0)
     line = accuracy.line(scene.name, None, "pymunk", 1, tolerance=1e-5)
-    assert "pymunk's time is extrapolated to 1e-05 by its order of 1.00" in line.what
-    # 64 steps a frame are not enough. With 1024 the error is what order 1 makes of it: the next
-    # order is a hundredth of that.
+    assert "pymunk's time is extrapolated to 1e-05 with its order of 1.00" in line.what
+    # 64 steps per frame are not enough. With 1024, the error follows order 1, apart from a
+    # hundredth of the next order.
     error = scene.error(accuracy.model_of(scene, "pymunk").run(1024))
     assert line.once() == pytest.approx(3.0 * 16.0 * error / 1e-5, rel=0.02)
 

@@ -1,4 +1,4 @@
-"""The pendulums and chains of the charts: true by other equations, and of the models' orders."""
+"""The pendulums and chains of the charts agree with other equations and have their orders."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from studies.drawing import slope
 
 NAMES = ("pendulum", "rods", "rope of")
 SCENES = {scene.name: scene for part in NAMES for scene in scenes_with(part)}
-# Length of a rod, masses, angle in degrees, gravity.
+# The length of a rod, the masses, the angle in degrees and gravity.
 CHAINS: dict[str, tuple[float, list[float], float, float]] = {
     "pendulum from horizontal": (1.0, [1.0], 90.0, 10.0),
     "double pendulum": (1.0, [1.0, 1.0], 60.0, 9.81),
@@ -25,21 +25,21 @@ CHAINS: dict[str, tuple[float, list[float], float, float]] = {
 
 
 def expect_truth(scene: Scene, rates: Any, start: Any, place: Any) -> None:
-    """Compare a scene's truth with SciPy's solution of some equations, ten times on the way."""
+    """Compare a scene's exact solution with SciPy's solution of other equations, at ten times."""
     times = numpy.linspace(0.1, 1.0, 10) * scene.frames / RATE
     span = (0.0, times[-1])
     found = solve_ivp(rates, span, start, "DOP853", times, rtol=1e-12, atol=1e-13)
     for time, state in zip(times, found.y.T, strict=True):
-        # SciPy's own error: 1e-12 a step, of some thousand steps, and grows along the path.
+        # SciPy's own error is 1e-12 per step. It adds up over some thousand steps along the path.
         assert scene.truth(time) == pytest.approx(place(state), abs=2e-9)
 
 
 @pytest.mark.parametrize("name", CHAINS)
 def test_the_truth_of_a_chain_is_that_of_points_held_by_tensions(name: str) -> None:
-    """Newton's equations of points in the plane, with tensions that keep the rods' lengths.
+    """Use Newton's equations of points in the plane, with tensions that keep the rods' lengths.
 
-    Each rod r has r.r'' = -r'.r'. With the rods' ends as rows of a matrix of 1 and -1, the tensions
-    for each m of length come from one dense solve. The scene's truth has angles, and no tensions.
+    For each rod, r.r'' = -r'.r'. With the rods' ends as rows of a matrix of 1 and -1, one dense
+    solve gives the tensions per m of length. The scene's own solution uses angles and no tensions.
     """
     length, masses, degrees, gravity = CHAINS[name]
     count, inverse = len(masses), 1.0 / numpy.array(masses)
@@ -64,7 +64,7 @@ def test_the_truth_of_a_chain_is_that_of_points_held_by_tensions(name: str) -> N
 
 def test_the_truth_of_the_elastic_pendulum_is_that_of_its_polar_equations() -> None:
     def rates(_: float, state: Any) -> list[float]:
-        r, angle, dr, turn = state  # the angle is from straight down
+        r, angle, dr, turn = state  # the angle is measured from straight down
         pull = 200.0 * (r - 1.0)
         ddr = r * turn**2 + 9.81 * math.cos(angle) - pull
         return [dr, turn, ddr, -(9.81 * math.sin(angle) + 2.0 * dr * turn) / r]
@@ -104,7 +104,7 @@ def test_errors_fall_by_the_order_of_the_model(scene: str, model: str, order: in
     steps = (4, 8, 16) if order == 4 else (16, 32, 64)
     (run,) = [found.run for found in SCENES[scene].models if found.name == model]
     errors = [SCENES[scene].error(run(count)) for count in steps]
-    # The next order is a twentieth of it at the most.
+    # The next order contributes at most a twentieth.
     assert slope([1.0 / count for count in steps], errors) == pytest.approx(order, abs=0.1)
 
 

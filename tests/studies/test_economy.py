@@ -1,4 +1,4 @@
-"""Every part of a model that a scene does not need is measured, told, written and drawn."""
+"""The cost of every unnecessary part of a model is measured, printed, written and drawn."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ def test_each_part_has_a_bar_and_a_row(
 
 @pytest.mark.parametrize("dimensions", [2, 3])
 def test_plain_particles_move_as_they_would(dimensions: int) -> None:
-    """A third coordinate is one more place that moves, and changes nothing else."""
+    """A third coordinate adds one more position to move and changes nothing else."""
     move = economy.plain(dimensions)
     places = [cell.cell_contents for cell in move.__closure__ or ()]
     move()
     moved = [values[0] for values in places if values[0] != 1.0]
-    # Places by v h with v = 1; the velocity upwards by -g h.
+    # Positions change by v h with v = 1, and the vertical velocity changes by -g h.
     wanted = [1.0 + economy.FRAME] * dimensions + [1.0 - 9.81 * economy.FRAME]
     assert sorted(moved) == pytest.approx(sorted(wanted))

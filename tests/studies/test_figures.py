@@ -15,7 +15,7 @@ from lab.plots import ch02_vectors as plots
 from studies import figures
 from studies.drawing import BLUE, ORANGE
 
-LARGEST = 300_000  # bytes, so that a page loads at once
+LARGEST = 300_000  # bytes, so that a page loads quickly
 STILLS = {f"{name}.png" for name in figures.PLOTS}
 STILLS |= {f"{name}_still.png" for name in figures.ANIMATIONS}
 MADE = STILLS | {f"{name}.gif" for name in figures.ANIMATIONS}
@@ -27,19 +27,19 @@ def test_a_lesson_has_pictures_that_load_at_once_and_say_what_they_show(chapter:
     shown = re.findall(r"!\[([^\]]*)\]\(([^)]+)\)", lesson)
     assert len(shown) >= 2
     for words, name in shown:
-        assert len(words.split()) >= 12, "what is to be seen, for one who does not see it"
+        assert len(words.split()) >= 12, "too short to describe the picture to a blind reader"
         picture = ROOT / "chapters" / chapter.name / name
         assert 2_000 < picture.stat().st_size < LARGEST
         with Image.open(picture) as image:
             assert image.width >= 480
-            assert image.convert("RGB").getpixel((3, 3)) == (255, 255, 255), "as white as the page"
+            assert image.convert("RGB").getpixel((3, 3)) == (255, 255, 255), "not white"
     of_chapter = {Path(name).name for name in MADE if Path(name).parent.name == chapter.name}
     animations = set(re.findall(r"\]\((\w+\.gif)\)", lesson))
-    assert {name for _, name in shown} | animations == of_chapter, "what is drawn is shown"
+    assert {name for _, name in shown} | animations == of_chapter, "a drawn picture is not shown"
 
 
 def test_no_page_shows_an_animation_that_its_reader_did_not_start() -> None:
-    """Motion of more than five seconds must be easy to stop (WCAG 2.2.2)."""
+    """Readers must be able to stop motion that lasts longer than five seconds (WCAG 2.2.2)."""
     for page in [*ROOT.glob("*.md"), *ROOT.glob("*/*.md"), *ROOT.glob("chapters/*/*.md")]:
         assert not re.search(r"!\[[^\]]*\]\([^)]+\.gif\)", page.read_text(encoding="utf-8")), page
 
@@ -65,7 +65,7 @@ def test_figures_draws_a_plot_and_an_animation_and_says_where(
         for i in range(animation.n_frames):
             animation.seek(i)
             time += animation.info["duration"]
-    assert time == 2000.0  # ms: as long as it was played
+    assert time == 2000.0  # ms, the length of the recording
     with Image.open(tmp_path / "chapters/ch02_vectors/cross_product.png") as picture:
         assert picture.size == (1100, 550)
         assert all(is_in(color, picture) for color in (BLUE, ORANGE))
@@ -73,12 +73,12 @@ def test_figures_draws_a_plot_and_an_animation_and_says_where(
 
 def test_an_animation_in_few_colors_still_tells_its_lines_apart() -> None:
     with Image.open(ROOT / "chapters/ch09_rotations/spin.gif") as animation:
-        for color in ("blue", "orange", "green"):  # the edges of the faces that are seen
+        for color in ("blue", "orange", "green"):  # the edges of the visible faces
             assert any(is_in(PAINT[color], frame) for frame in ImageSequence.Iterator(animation))
 
 
 def is_in(color: str, picture: Image.Image) -> bool:
-    """Say whether a picture has a color, or one that is hardly another."""
+    """Return whether a picture has this color, or a color that is almost the same."""
     wanted = ImageColor.getrgb(color)
     colors = [color for _, color in picture.convert("RGB").getcolors(1 << 20) or []]
     return min(max(map(abs, map(int.__sub__, c, wanted))) for c in colors) <= 16

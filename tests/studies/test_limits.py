@@ -1,4 +1,4 @@
-"""Limits are those of theory, on both sides of them; energies are those of the step's matrix."""
+"""Limits agree with theory on both sides, and energies agree with the matrix of a step."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ SPRINGS = {
     ("trapezoidal rule", "c h / m = 0"): math.inf,
     ("faked stiff spring", "undamped"): math.pi**2,
 }
-# Of the speed, by drag: what it grows above, and what it turns round above.
+# For a speed under drag: the limit of growth, and the limit of reversal.
 DRAGS = {
     "explicit Euler": (2.0, 1.0),
     "semi-implicit Euler": (2.0, 1.0),
@@ -44,7 +44,7 @@ DRAGS = {
     "pymunk's space.damping": (math.inf, math.inf),
 }
 
-# Where a map has 0.5 for the damping, the limit of each panel; there is none for the solvers.
+# The limit in each panel of the map at a damping of 0.5. The solvers have no limit.
 AT_HALF = (1.0, 6.0, 6.0, 4.0, 8.8351743, None, None, 2.0 * (1.0 + math.exp(0.5)), 0.5)
 
 
@@ -58,11 +58,11 @@ def test_limits_of_springs_are_found_within_a_millionth_of_theory(
 ) -> None:
     assert len(springs) == 5 * 3 + 2 * 2 + 2 + 2
     for key, wanted in SPRINGS.items():
-        # Bisection to 1e-14; explicit Euler's growth begins with the root of what it is beyond.
+        # Bisection reaches 1e-14, but explicit Euler grows only with the root of the excess.
         found = springs[key].found, springs[key].theory
         assert found == pytest.approx((wanted, wanted), rel=1e-6)
-    # At 2000 steps a growth of e^(ln 1e6 / 2000) = 1 + 2 sqrt(kappa / 4 - 1) a step is seen.
-    assert springs["penalty ground", "what lies"].found == pytest.approx(4.0, rel=2e-5)
+    # In 2000 steps, growth by e^(ln 1e6 / 2000) = 1 + 2 sqrt(kappa / 4 - 1) per step is visible.
+    assert springs["penalty ground", "at rest"].found == pytest.approx(4.0, rel=2e-5)
 
 
 @pytest.mark.parametrize(
@@ -128,21 +128,21 @@ def test_pymunk_damps_by_a_power_of_its_frame() -> None:
 def test_a_simulation_is_lost_when_the_eigenvalue_says(
     name: str, damping: float, share: float
 ) -> None:
-    # At 1.02 of 4 the eigenvalues -r and -1 / r add up to the trace, 2 - 4.08. A place from rest is
-    # A (-r)^n + B (-1 / r)^n, with A + B = 1; the first place after it gives A: -3.08, -1.04 (for
-    # leapfrog and Verlet) or 1.
-    # ``share`` is A times the size of the eigenvector of -r, whose place is 1.
+    # At 1.02 times 4, the eigenvalues -r and -1 / r add up to the trace, 2 - 4.08. The position
+    # from rest is A (-r)^n + B (-1 / r)^n with A + B = 1. The first position after it gives A,
+    # which is -3.08, -1.04 (for leapfrog and Verlet) or 1. ``share`` is A times the size of the
+    # eigenvector of -r, whose position is 1.
     rate = math.log(1.04 + math.sqrt(1.04**2 - 1.0))
     predicted = math.log(1e6) / rate
     rest, evenly = limit_maps.steps_to_loss(name, damping, 4.08, predicted)
-    # Steps are whole.
+    # The number of steps is a whole number.
     assert evenly == pytest.approx(predicted, abs=1.0)
     assert predicted <= rest + math.log(share) / rate <= predicted + 1.01
 
 
 def test_explicit_euler_is_lost_slowly() -> None:
-    # Half of the speed is kept: the determinant is (1 + 1.02) / 2. A swing's size goes to and fro
-    # as it turns, so that the steps are some more or fewer.
+    # Half of the speed is kept, so the determinant is (1 + 1.02) / 2. The size of an oscillation
+    # varies within a period, so that the number of steps is slightly larger or smaller.
     predicted = math.log(1e6) / (0.5 * math.log(1.01))
     rest, evenly = limit_maps.steps_to_loss("explicit Euler", 0.5, 1.02, predicted)
     assert (rest, evenly) == pytest.approx((predicted, predicted), rel=0.01)
@@ -153,7 +153,7 @@ def test_energies_after_many_swings_are_those_of_theory() -> None:
     kappa = limit_search.STIFFNESS * limit_search.FRAME**2
     for place, swings in enumerate((1, 100, 10_000)):
         steps = swings * 2.0 * math.pi / math.sqrt(kappa)
-        # The fourth order's series of e^(i x) is 1 - x^6 / 72 + x^8 / 576 in size, squared.
+        # The fourth-order series of e^(i x) has the squared size 1 - x^6 / 72 + x^8 / 576.
         kept = math.exp(steps * math.log1p(-(kappa**3) / 72.0 + kappa**4 / 576.0))
         assert drifts["Runge-Kutta 4"][place] == pytest.approx(kept, rel=1e-3)
         for name in (
@@ -163,9 +163,10 @@ def test_energies_after_many_swings_are_those_of_theory() -> None:
             "trapezoidal rule",
             "pymunk's spring",
         ):
-            # They keep a quadratic form near the energy; the mean is over 38 steps of 37.7 a swing.
+            # These conserve a quadratic form close to the energy. The mean is over 38 steps, but an
+            # oscillation has 37.7.
             assert drifts[name][place] == pytest.approx(1.0, abs=2e-3)
-    # Each of its steps divides the energy by 1 + kappa, and 38 are a swing.
+    # Each step divides the energy by 1 + kappa, and 38 steps are an oscillation.
     assert drifts["backward Euler"][0] == pytest.approx((1.0 + kappa) ** -38, rel=1e-9)
     assert drifts["backward Euler"][-1] < 1e-300
     assert "explicit Euler" not in drifts
@@ -182,10 +183,10 @@ def test_the_command_prints_writes_and_draws(
     assert limits.main(["--out", str(tmp_path / "limits.csv")]) == 0
     told = capsys.readouterr().out
     assert "Runge-Kutta 4" in told
-    assert "none to 1e6" in told
+    assert "over 1e6" in told
     with (tmp_path / "limits.csv").open(encoding="utf-8") as file:
         rows = [*csv.reader(file)]
-    assert rows[0] == ["method", "at", "limit of k h^2 / m", "theory", "steps to x 1e6"]
+    assert rows[0] == ["method", "case", "limit of k h^2 / m", "theory", "steps to x 1e6"]
     assert len(rows) == (1 + 23) + (1 + 20) + (1 + 7) + (1 + 7 * 2)
     drag = [row for row in rows if row[:2] == ["trapezoidal rule", "reversal"]]
     assert [float(cell) for cell in drag[0][2:4]] == pytest.approx([2.0, 2.0])
@@ -201,8 +202,8 @@ def test_the_command_prints_writes_and_draws(
         found = dict(zip(dots.get_ydata(), dots.get_xdata(), strict=True))
         assert found[0.5] == pytest.approx(wanted, rel=1e-6)
         near = min(theory.get_xydata(), key=lambda point: abs(point[1] - 0.5))
-        assert near[0] == pytest.approx(wanted, rel=0.01)  # it has 1000 points
-    # Seven methods with two lines each, a line at 0; seven methods and a theory.
+        assert near[0] == pytest.approx(wanted, rel=0.01)  # the curve has 1000 points
+    # Seven methods with two lines each; the same and a line at 0; seven methods and a theory.
     assert [len(axes.lines) for axes in curves.axes] == [14, 15, 8]
 
 
@@ -224,4 +225,5 @@ def test_a_limit_off_its_theory_is_a_failure(
         row = Bound("a", "b", found, theory, 9.0)
         monkeypatch.setattr(limit_search, "spring_limits", lambda row=row: [row])
         assert limits.main(["--out", str(tmp_path / "limits.csv")]) == status
-        assert ("off its theory by more than 5 %: a, b" in capsys.readouterr().out) == status
+        told = capsys.readouterr().out
+        assert ("differs from theory by more than 5 %: a, b" in told) == status

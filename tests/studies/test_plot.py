@@ -1,4 +1,4 @@
-"""Plots are drawn by the engine at hand: a wrong one gives a wrong picture, a stub none."""
+"""Plots show the chosen engine: a wrong engine gives a wrong picture, and a stub gives none."""
 
 from __future__ import annotations
 
@@ -63,9 +63,9 @@ NAMES = (
 
 @pytest.fixture(scope="module")
 def reference(drawn: tuple[Path, str]) -> Path:
-    """Where the reference's plots were drawn to."""
+    """Return the folder with the reference's plots."""
     out, told = drawn
-    names = [name for name in NAMES if (out / Path(name).parent).exists()]  # make test CH=6
+    names = [name for name in NAMES if (out / Path(name).parent).exists()]  # for make test CH=6
     assert names
     assert all(f"{name}.png" in told and f"{name}.csv" in told for name in names)
     return out
@@ -97,18 +97,18 @@ def test_the_damping_comparison_brackets_the_exact_loss(reference: Path) -> None
     rows = table(reference, "damping_comparison", "ch03_laws_of_motion")
     rates, exact = column(rows, "frame rate, Hz"), column(rows, "exact loss")
     by_frame, by_second, engine = (column(rows, heading) for heading in rows[0][1:4])
-    # Exactly 1 - (1 - d) / -ln d of the velocity is lost, for d = 0.5.
+    # For d = 0.5, the exact loss of velocity is 1 - (1 - d) / -ln d.
     assert exact == pytest.approx([1.0 - 0.5 / math.log(2.0)] * len(rates), rel=1e-12)
     assert all(a < b < c for a, b, c in zip(by_second, exact, engine, strict=True))
     assert by_frame == sorted(by_frame)
     for rate, low, high in zip(rates, by_second, engine, strict=True):
-        # The two differ by a h (1 - d), to which random frames add their variance, 3 % of h.
+        # They differ by a h (1 - d). Random frames add their variance, which is 3 % of h.
         assert high - low == pytest.approx(0.5 / rate, rel=0.05)
 
 
 def test_the_integration_error_is_what_theory_says(reference: Path) -> None:
     rows = table(reference, "integration_error", "ch03_laws_of_motion")
-    # Up to 3000 roundings of numbers up to 125.
+    # The tolerance allows for 3000 roundings of numbers up to 125.
     wanted = pytest.approx(column(rows, "g t h / 2, m"), rel=1e-9)
     assert column(rows, "error, m") == wanted
 
@@ -119,7 +119,7 @@ def test_the_shots_land_where_they_are_known_to(reference: Path) -> None:
         name: [[float(x) for x in row[2:]] for row in rows[1:] if row[0] == row[1] == name]
         for name in ("artillery", "laser", "grenade")
     }
-    # The step is a t h / 2 = 0.5 m too high at the end: it lands at most 2 frames late.
+    # At the end, the step is a t h / 2 = 0.5 m too high, so it lands at most 2 frames late.
     time, _, _, z, _ = flights["artillery"][-1]
     assert 3.0347583 - 1.0 / 60.0 < time < 3.0347583 + 2.0 / 60.0
     assert z == pytest.approx(119.557788, abs=1.5)
@@ -135,7 +135,7 @@ def test_every_type_of_firework_is_seen_and_goes_out(reference: Path) -> None:
     counts = {name: [int(row[2]) for row in rows[1:] if row[0] == name] for name, *_ in rows[1:]}
     assert [*counts] == [*map(str, range(1, 12)), "wheel"]
     assert all(max(of) > 0 for of in counts.values())
-    # Type 2 leaves two of type 4, and each of those twelve of type 7.
+    # Type 2 leaves two fireworks of type 4, each of which leaves twelve of type 7.
     assert (counts["2"][0], max(counts["2"])) == (1, 24)
 
 
@@ -144,7 +144,7 @@ def test_the_step_comes_to_the_closed_form_in_the_first_order(reference: Path) -
     for name in ("artillery", "fireball"):
         errors = [float(error) for shot, _, error in rows[1:] if shot == name]
         ratios = [a / b for a, b in itertools.pairwise(errors)]
-        # Frames are halved; the next order bends the ratio by h / t, at most a fifteenth.
+        # The frame is halved. The next order changes the ratio by h / t, at most a fifteenth.
         assert ratios == pytest.approx([2.0] * len(ratios), abs=0.01)
 
 
@@ -154,9 +154,8 @@ def test_falls_end_at_the_terminal_speed(reference: Path) -> None:
     assert len(ends) == 3 * 17
     for k1, k2, mass, _, speed, formula in ends:
         assert k1 * formula + k2 * formula**2 == pytest.approx(mass * 9.81, rel=1e-12)
-        assert speed == pytest.approx(
-            formula, rel=1e-9
-        )  # 600 frames, each takes at least a tenth of the rest
+        # There are 600 frames, each of which removes at least a tenth of the difference.
+        assert speed == pytest.approx(formula, rel=1e-9)
 
 
 def test_the_fall_with_drag_comes_to_the_closed_form_in_the_first_order(reference: Path) -> None:
@@ -165,7 +164,7 @@ def test_the_fall_with_drag_comes_to_the_closed_form_in_the_first_order(referenc
     ]
     for column in (1, 3):
         off = [abs(row[column] - row[column + 1]) for row in rows]
-        assert off[-2] / off[-1] == pytest.approx(2.0, abs=0.01)  # the next order is h, 0.003 s
+        assert off[-2] / off[-1] == pytest.approx(2.0, abs=0.01)  # the next order is h = 0.003 s
 
 
 def test_the_orbit_drifts_as_theory_says(reference: Path) -> None:
@@ -173,7 +172,7 @@ def test_the_orbit_drifts_as_theory_says(reference: Path) -> None:
     for frames in (5_000, 10_000):
         seen = {row[1]: row[2:] for row in rows if row[0] == frames}
         assert seen[0.0] == pytest.approx([-0.5, math.sqrt(0.75)], rel=1e-12)
-        # A step adds h^2 L / r^3, over a turn 2 pi h / (1 - e^2); the next order is a tenth of it.
+        # A step adds h^2 L / r^3, so a turn adds 2 pi h / (1 - e^2). The next order is 10 %.
         added = (2.0 * math.pi) ** 2 / frames / 0.75
         assert seen[1.0][1] - seen[0.0][1] == pytest.approx(added, rel=0.1)
         assert len(seen) == 20 * 40 + 1
@@ -185,7 +184,7 @@ def test_springs_push_where_the_page_pulls_and_ropes_are_slack(reference: Path) 
     assert forces["Spring", 1.0] == pytest.approx(10.0, rel=1e-12)  # k 10, rest 2
     assert forces["Bungee", 1.0] == 0.0
     assert forces["Bungee", 3.0] == pytest.approx(-10.0, rel=1e-12)
-    assert forces["ElasticLimitSpring", 4.0] == pytest.approx(-13.0, rel=1e-12)  # 10, and 0.3 of 10
+    assert forces["ElasticLimitSpring", 4.0] == pytest.approx(-13.0, rel=1e-12)  # 10 + 0.3 * 10
     assert forces["Buoyancy", 0.0] == pytest.approx(4.905, rel=1e-12)
     assert forces["LighterThanAir", 2.0] == pytest.approx(8.0 / math.e, rel=1e-12)
 
@@ -230,15 +229,16 @@ def test_the_energy_is_what_each_step_makes_of_it(reference: Path) -> None:
     rows = table(reference, "energy_over_time", "ch06_springs")[1:]
     energies = {name: [float(row[2]) for row in rows if row[0] == name] for name, *_ in rows}
     kappa = 100.0 / 60.0**2
-    assert len(energies["explicit Euler"]) < 601  # stopped at 10,000 m/s
+    assert len(energies["explicit Euler"]) < 601  # it stops at 10,000 m/s
     for name, rate in (("explicit Euler", 1.0 + kappa), ("backward Euler", 1.0 / (1.0 + kappa))):
         steps = len(energies[name]) - 1
         assert energies[name][-1] == pytest.approx(rate**steps, rel=1e-9)
     assert energies["trapezoidal rule"][-1] == pytest.approx(1.0, rel=1e-12)
     assert energies["semi-implicit Euler"][-1] == pytest.approx(1.06, abs=0.005)  # E-17
-    # From rest leapfrog keeps kappa x^2 + (1 - kappa / 4) w^2, where w = v h, and velocity Verlet
-    # keeps kappa (1 - kappa / 4) x^2 + w^2: at x = 0 the energies are 1 / (1 - kappa / 4) and
-    # 1 - kappa / 4. A step within 0.08 rad of there is off that by 0.7 % of the difference.
+    # From rest, leapfrog conserves kappa x^2 + (1 - kappa / 4) w^2, where w = v h, and velocity
+    # Verlet conserves kappa (1 - kappa / 4) x^2 + w^2. So at x = 0 the energies are
+    # 1 / (1 - kappa / 4) and 1 - kappa / 4. The step nearest to x = 0 is within 0.08 rad, where the
+    # energy deviates by 0.7 % of the difference.
     most = 1.0 / (1.0 - kappa / 4.0)
     assert max(energies["leapfrog"]) - 1.0 == pytest.approx(most - 1.0, rel=0.007)
     assert min(energies["velocity Verlet"]) - 1.0 == pytest.approx(-kappa / 4.0, rel=0.007)
@@ -267,7 +267,7 @@ def test_a_ground_of_springs_throws_the_higher_the_stiffer_it_is(reference: Path
     rows = table(reference, "penalty_bounces", "ch06_springs")[1:]
     rises = [(float(row[1]), float(row[3])) for row in rows if row[0] == "rise / fall"]
     assert rises[0][1] < 1.02  # at k h^2 / m = 0.03
-    assert 3.0 < rises[-1][1] <= 1.0 / (1.0 - rises[-1][0] / 4.0)  # at 3.6; the square of E-36's
+    assert 3.0 < rises[-1][1] <= 1.0 / (1.0 - rises[-1][0] / 4.0)  # at 3.6, the square of E-36
 
 
 def test_where_no_watch_is_written_an_explosion_is_drawn_all_the_same(tmp_path: Path) -> None:
@@ -310,7 +310,7 @@ def test_steps_that_do_nothing_or_return_nonsense_give_pictures(
 def test_an_engine_with_the_equation_s_damping_draws_another_picture(
     reference: Path, tmp_path: Path
 ) -> None:
-    done = plot("sample_class/cleo", tmp_path, "3")  # v d^h + a h in place of (v + a h) d^h
+    done = plot("sample_class/cleo", tmp_path, "3")  # her form is v d^h + a h, not (v + a h) d^h
     assert (tmp_path / "ch03_laws_of_motion/integration_error.png").exists(), done.stdout
     tables = [
         table(out, "damping_comparison", "ch03_laws_of_motion") for out in (tmp_path, reference)
@@ -322,7 +322,7 @@ def test_an_engine_with_the_equation_s_damping_draws_another_picture(
 
 
 def test_a_wrong_engine_gives_a_wrong_picture(reference: Path, tmp_path: Path) -> None:
-    done = plot("sample_class/cleo", tmp_path)  # a sign is wrong in her vector product
+    done = plot("sample_class/cleo", tmp_path)  # her vector product has a wrong sign
     assert done.returncode == 0, done.stdout
     assert table(tmp_path, "addition") == table(reference, "addition")
     assert table(tmp_path, "basis") != table(reference, "basis")

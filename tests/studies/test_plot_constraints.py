@@ -1,4 +1,4 @@
-"""The pictures of chapter 7 show what theory says, and what a wrong or unfinished engine does."""
+"""The pictures of chapter 7 agree with theory, and show a wrong or unfinished engine."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def table(out: Path, name: str) -> list[list[str]]:
 
 
 def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
-    """Return a copy of the reference with a line added to some modules of the chapter."""
+    """Return a copy of the reference with a line appended to some modules of the chapter."""
     copy_tree(ROOT / "solutions", tmp_path / "engine")
     for module, line in wrong.items():
         with (tmp_path / "engine" / CHAPTER / module).open("a", encoding="utf-8") as file:
@@ -35,7 +35,7 @@ def test_bounces_end_when_theory_says(reference: Path) -> None:
         (name, float(c)): [(float(row[2]), float(row[3])) for row in rows if row[:2] == [name, c]]
         for name, c, *_ in rows
     }
-    # sqrt(2 h / g), and each flight after that half as long as the one before it.
+    # The fall takes sqrt(2 h / g), and then each flight takes half as long as the one before.
     end = math.sqrt(0.4) * 3.0
     assert heights["time division", 0.5][-1][0] == pytest.approx(end, rel=1e-9)
     last = {
@@ -43,7 +43,7 @@ def test_bounces_end_when_theory_says(reference: Path) -> None:
         for (name, c), seen in heights.items()
         if c == 1.0
     }
-    # A frame's a h^2 / 8 below the top at most.
+    # A frame may miss the top by at most a h^2 / 8.
     assert last["time division"] == pytest.approx(2.0, abs=10.0 / 60.0**2 / 8.0)
     assert last["explicit Euler"] == pytest.approx(2.75, abs=1e-6)
     assert last["semi-implicit Euler"] < 0.01
@@ -59,7 +59,9 @@ def test_what_rests_jitters_by_the_book_s_step_alone(reference: Path) -> None:
             book = highest[c, f"explicit Euler, resting rule, {made}"]
             assert book == pytest.approx(wanted, abs=1e-6)
             assert highest[c, f"explicit Euler, no rule, {made}"] > 2.0 * book
-            assert highest[c, f"semi-implicit Euler, resting rule, {made}"] == 1e-6  # the start
+            assert (
+                highest[c, f"semi-implicit Euler, resting rule, {made}"] == 1e-6
+            )  # the start height
 
 
 def test_a_rule_that_goes_too_far_kills_a_bounce(reference: Path) -> None:
@@ -136,7 +138,7 @@ def test_stubs_are_said(tmp_path: Path) -> None:
             (tmp_path / "engine" / chapter / name).write_text(text, encoding="utf-8")
     done = drawn_plots.plot(tmp_path / "engine", tmp_path, "7")
     assert done.returncode == 1
-    # The direct solve is ready: a rope and a pendulum by it are drawn.
+    # The direct solve is given, so a rope and a pendulum are drawn with it.
     assert done.stdout.count("not drawn, not written yet: Exercise ") == PLOTS - 2, done.stdout
     assert (tmp_path / CHAPTER / "rope_by_method.png").exists()
     assert (tmp_path / CHAPTER / "pendulum_energy.png").exists()

@@ -1,4 +1,4 @@
-"""The pictures of chapter 8 show what theory says, and what an unfinished engine does."""
+"""The pictures of chapter 8 agree with theory, and show an unfinished engine."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def table(out: Path, name: str) -> list[list[str]]:
 
 
 def test_the_sags_are_those_of_the_equations() -> None:
-    """A catenary and polygons of span 2 and length 3, by SciPy to 9 digits."""
+    """Compare with a catenary and polygons of span 2 and length 3, found by SciPy to 9 digits."""
     assert catenary_sag() == pytest.approx(1.00526652, abs=1e-8)
     assert polygon_sag(10) == pytest.approx(1.01189186, abs=1e-8)
     assert polygon_sag(100) == pytest.approx(1.00533125, abs=1e-8)
@@ -37,10 +37,10 @@ def test_a_direct_chain_hangs_where_it_should_and_rods_the_better_the_shorter_th
     assert off[10, "DirectChain, 60 Hz"] < 1e-7
     assert off[100, "DirectChain, 240 Hz"] < 1e-8
     tens = [off[10, f"rods, {n} substep{'s' if n > 1 else ''}"] for n in (1, 4, 16)]
-    # Of the second order in the step: a quarter of it, a sixteenth of the error.
+    # The error is of order 2 in the step, so a quarter of the step gives a sixteenth of it.
     for coarse, fine in pairwise(tens):
         assert coarse / fine == pytest.approx(16.0, rel=0.2)
-    assert off[100, "rods, 16 substeps"] > 0.5  # a hundred rods are too many even so
+    assert off[100, "rods, 16 substeps"] > 0.5  # this is still too little for a hundred rods
 
 
 def test_energy_ends_at_rest_and_never_rises_above_its_start(reference: Path) -> None:
@@ -63,17 +63,17 @@ def test_a_fixed_step_gives_one_run_whatever_the_frames(reference: Path) -> None
         even = runs[scene, "even frames"]
         for run in (1, 2):
             seen = runs[scene, f"FixedStep, run {run}"]
-            # A picture of a frame is of the step that was made last, perhaps of the one before.
+            # A frame shows the last step, or perhaps the step before it.
             late = [h for i, h in seen.items() if h not in (even.get(i), even.get(i - 1))]
             assert late == []
-        raw = [float(h) for h in runs[scene, "as they come, run 2"].values()]
+        raw = [float(h) for h in runs[scene, "uneven frames, run 2"].values()]
         assert max(raw) > 5.0 or min(raw) < 1.0
 
 
 def test_heavier_loads_need_more(reference: Path) -> None:
     rows = table(reference, "mass_ratios")
     off = {(way, int(ratio)): float(worst) for way, ratio, _, worst in rows}
-    for way in ("default iterations", "200 iterations a phase", "default, 4 substeps"):
+    for way in ("default iterations", "200 iterations per phase", "default, 4 substeps"):
         worst = [off[way, ratio] for ratio in (1, 10, 30, 100, 300, 1000)]
         assert worst == sorted(worst)
         assert worst[0] < 2.0 < worst[-1]
@@ -87,7 +87,7 @@ def test_a_wheel_spins_up_as_its_torque_says_and_brakes_itself(reference: Path) 
             assert force == "10.0"
             ends[int(rate)] = (float(time), float(value))
     for rate, (time, spin) in ends.items():
-        # Eight times 10 N on eight times 1 kg, 1 m out: w' = 10 - w^3 h / 2, by small steps.
+        # 10 N on each of eight particles of 1 kg at 1 m: w' = 10 - w^3 h / 2, in small steps.
         wanted, steps = 0.0, 20_000
         for _ in range(steps):
             wanted += (10.0 - wanted**3 / (2.0 * rate)) * time / steps
@@ -96,7 +96,7 @@ def test_a_wheel_spins_up_as_its_torque_says_and_brakes_itself(reference: Path) 
 
 def test_the_design_is_where_its_throw_is(reference: Path) -> None:
     rows = [[float(x) for x in row] for row in table(reference, "trebuchet_range")]
-    # By Lagrange's equations my_design throws 99.6 m at 27 degrees; the machine 4 % less.
+    # By Lagrange's equations my_design throws 99.6 m at 27 degrees. The machine throws 4 % less.
     near = min((row for row in rows if row[0] == 400.0), key=lambda row: abs(row[1] - 27.0))
     assert near[2] == pytest.approx(99.55, rel=0.05)
 
@@ -129,6 +129,6 @@ def test_stubs_are_said(tmp_path: Path) -> None:
             (tmp_path / "engine" / chapter / name).write_text(text, encoding="utf-8")
     done = drawn_plots.plot(tmp_path / "engine", tmp_path, "8")
     assert done.returncode == 1
-    # The direct chain is ready: a rope by it is drawn.
+    # The direct chain is given, so a rope is drawn with it.
     assert done.stdout.count("not drawn, not written yet: Exercise ") == PLOTS - 1, done.stdout
     assert (tmp_path / CHAPTER / "hanging_rope.png").exists()

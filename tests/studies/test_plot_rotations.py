@@ -1,4 +1,4 @@
-"""The pictures of chapter 9 show what theory says, and what a wrong or unfinished engine does."""
+"""The pictures of chapter 9 agree with theory, and show a wrong or unfinished engine."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def table(out: Path, name: str) -> list[list[str]]:
 
 
 def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
-    """Return a copy of the reference with lines added to some modules of the chapter."""
+    """Return a copy of the reference with lines appended to some modules of the chapter."""
     copy_tree(ROOT / "solutions", tmp_path / "engine")
     for module, lines in wrong.items():
         with (tmp_path / "engine" / CHAPTER / module).open("a", encoding="utf-8") as file:
@@ -33,7 +33,7 @@ def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
 
 
 def errors(out: Path) -> dict[str, list[float]]:
-    """Return by how many degrees each way is off in the end, the longest step first."""
+    """Return each method's final error in degrees, starting with the longest step."""
     found = defaultdict(list)
     for what, way, _, _, value in table(out, "drift_of_first_order"):
         if what == "error":
@@ -42,7 +42,7 @@ def errors(out: Path) -> dict[str, list[float]]:
 
 
 def ends(out: Path) -> dict[tuple[str, str], list[list[float]]]:
-    """Return the axes of the L at the end, by the order of its turns and by what turned it."""
+    """Return the final axes of the L by order of rotations and by method."""
     found = defaultdict(list)
     for order, state, how, _, *v in table(out, "order_of_turns"):
         if state.startswith("then"):
@@ -64,10 +64,9 @@ def test_the_disc_turns_and_stays_stiff(reference: Path) -> None:
                 assert dot(a, b) == pytest.approx(float(i == j), abs=1e-12)
         angle = precession * row[1]  # about Y, from X to -Z
         spun = (math.cos(angle), 1.0 / math.tan(tilt), -math.sin(angle))
-        assert axes[1] == pytest.approx(
-            [math.sin(tilt) * c for c in spun], abs=0.016
-        )  # 0.9 degrees
-    # The step is right to the first order: half of it, half of the error.
+        # 0.016 is 0.9 degrees.
+        assert axes[1] == pytest.approx([math.sin(tilt) * c for c in spun], abs=0.016)
+    # The method is of order 1, so half the step gives half the error.
     assert worst[120.0] / worst[240.0] == pytest.approx(2.0, abs=0.02)
     assert worst[240.0] / worst[480.0] == pytest.approx(2.0, abs=0.02)
 
@@ -112,10 +111,10 @@ def test_each_way_to_step_has_its_order(reference: Path) -> None:
         f"{steady}Eq. 9.5": 2,
         f"{moving}Eq. 9.5, normalized": 1,
         f"{moving}rotate_by": 1,
-        f"{moving}rotate_by, velocity of mid-step": 2,
+        f"{moving}rotate_by, mid-step velocity": 2,
     }
     for way, order in orders.items():
-        # The next order bends the ratios: by a hundredth at steps of 1/320 s.
+        # The next order changes the ratios by a hundredth at steps of 1/320 s.
         ratios = [a / b for a, b in pairwise(off[way][-4:])]
         assert ratios == pytest.approx([2.0**order] * 3, rel=0.02), way
 
@@ -125,7 +124,7 @@ def test_a_direction_is_lost_at_90_degrees(reference: Path) -> None:
     for what, y, value in table(reference, "gimbal_lock"):
         sine = abs(math.sin(math.radians(float(y))))
         if what == "rates, rad/s":
-            left = math.radians(90.0 - float(y))  # 90 less it has 8 digits for the smallest
+            left = math.radians(90.0 - float(y))  # the difference has 8 digits at least
             wanted = 1.0 / (math.sqrt(2.0) * math.sin(0.5 * left))
             assert float(value) == pytest.approx(wanted, rel=1e-7)
         else:

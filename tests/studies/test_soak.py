@@ -1,4 +1,4 @@
-"""The long runs of bridge and platform tell what is wrong with an energy."""
+"""The long runs of the bridge and the platform report what is wrong with an energy."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ FRAMES = 2 * 60 * 5  # two minutes at 5 frames a second
 
 
 def told(energy_after: Callable[[int], float]) -> tuple[bool, str]:
-    """Return the verdict, and what is said, of a scene whose energy is known for every frame."""
+    """Return the verdict and the description of a scene whose energy is given for every frame."""
     frames = 0
 
     def step(duration: float) -> None:
@@ -29,7 +29,7 @@ def told(energy_after: Callable[[int], float]) -> tuple[bool, str]:
 def test_what_comes_to_rest_is_well() -> None:
     well, what = told(lambda frame: 100.0 + 10.0 * 0.9**frame)
     assert well
-    assert what.endswith("e-13 % over the last minute")  # 10 * 0.9^301 of 100 is 1.7e-13 %
+    assert what.endswith("e-13 % over the last minute")  # 10 * 0.9^301 is 1.7e-13 % of 100
     well, what = told(lambda frame: 100.0 - 0.09 * (frame % 2))
     assert well
     assert what == "its energy varies by 0.09 % over the last minute"

@@ -8,6 +8,7 @@ from enum import Enum
 from typing import Any
 
 INDENT = 10  # columns of a label
+LONG_CALL = 100  # characters: of a longer call each statement has a line
 Row = tuple[str, str]  # a label, empty for a title, and what it says
 
 
@@ -80,7 +81,8 @@ class Message:
 
     def rows(self, *, printed: bool = True) -> list[Row]:
         """Return the labels and what they say, in the order in which people read them."""
-        rows = [("", self.blocked), ("", self.title), ("called", self.called), ("got", self.got)]
+        rows = [("", self.blocked), ("", self.title)]
+        rows += [("called", one_a_line(self.called)), ("got", self.got)]
         rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]
         rows += [("likely", self.likely), ("or", self.other), ("read", self.read)]
         rows += [("printed", self.printed)] if printed else []
@@ -107,6 +109,20 @@ class Message:
 
     def __str__(self) -> str:
         return laid_out(self.rows())
+
+
+def one_a_line(call: str) -> str:
+    """Return a call with one statement a line if it is long. What is in brackets stays together."""
+    if len(call) <= LONG_CALL:
+        return call
+    lines, depth = [""], 0
+    for part in call.split("; "):
+        lines[-1] += f"; {part}" if depth else part
+        depth += sum(map(part.count, "([{")) - sum(map(part.count, ")]}"))
+        if depth <= 0:
+            depth = 0
+            lines.append("")
+    return "\n".join(line for line in lines if line)
 
 
 def laid_out(rows: list[Row]) -> str:

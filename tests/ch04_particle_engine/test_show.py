@@ -77,8 +77,9 @@ def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
-    about.call = "one at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
-    about.call += "show.update(0.001)"
+    start = "a firework at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
+    start += "show.update(0.0625)"
+    about.call = f"{start}, to y = 0; show.update(0.001), to y < 0"
     about.cause = (
         "A firework below the ground (y < 0) has burnt out, however much fuse is left, and its "
         "payload is lit."
@@ -86,19 +87,24 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
     a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
     a_show.update(0.0625)
-    name = f"{about.call.replace('0.001', '0.0625')}, types"
+    name = f"{start}, to y = 0; types"
     on_ground = "At y = 0 it is on the ground, not below it."
     expect_exactly(types(a_show), [1], call=name, cause=on_ground, read=READ)
     a_show.update(0.001)
     left = types(a_show)
     if left == []:
         about.cause = (
-            "A firework below the ground has burnt out. Light its payload behind those that still "
-            "burn, after all have moved. It moves from the next step on."
+            "The firework below the ground is gone, but its payload was not lit. Light it as if "
+            "the fuse had run out."
+        )
+    if left == [1]:
+        about.cause = (
+            "The firework still burns, although it is below the ground. y < 0 puts it out, however "
+            "much fuse is left."
         )
     if left == [2]:
         about.cause = "(2, 3) means three fireworks of type 2. It is one birth with this count."
-    expect_exactly(left, [2, 2, 2], then=", types", read=READ)
+    expect_exactly(left, [2, 2, 2], then="; types", read=READ)
     about.cause = (
         "The payload starts at the position of the burnt-out firework, although that is below the "
         "ground."
@@ -110,7 +116,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
             "The payload starts on the ground, as if it had no parent. Pass the burnt-out "
             "particle as the parent."
         )
-    expect_close(height, wanted, then=", a height", read=READ)
+    expect_close(height, wanted, then="; the height of the first", read=READ)
 
 
 @pytest.mark.exercise("B4.6")

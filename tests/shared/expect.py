@@ -91,6 +91,23 @@ def expect_close(
         _complain(_shown(got), _shown(wanted), words, tolerance)
 
 
+def expect_between(
+    got: Any, least: float, most: float, *, tolerance: float = 0.0, **words: Unpack[Words]
+) -> None:
+    """Expect a number from least to most; an infinite bound is none."""
+    __tracebackhide__ = True
+    if _are_numbers((got,), 1) and least - tolerance <= got <= most + tolerance:
+        return
+    wanted = f"a number from {_shown(least)} to {_shown(most)}"
+    if least == -most:
+        wanted = f"at most {_shown(most)} in size"
+    elif math.isinf(least):
+        wanted = f"at most {_shown(most)}"
+    elif math.isinf(most):
+        wanted = f"at least {_shown(least)}"
+    _complain(_shown(got), wanted, words)
+
+
 def expect_exactly(got: Any, wanted: Any, **words: Unpack[Words]) -> None:
     """Expect exactly this value of exactly this type, such as a word or True."""
     __tracebackhide__ = True

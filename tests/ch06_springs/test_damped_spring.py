@@ -69,10 +69,22 @@ def test_the_three_cases_by_known_values() -> None:
         * (math.cos(5.0) + 0.1 * math.sin(5.0)),
         "This is e^(-half t) alone. Add half t e^(-half t).": math.exp(-5.0),
     }
-    for c, x, cause in (
-        (2.0, 0.09855066761858595, "Under-damped: e^(-half t) times cos and sin of gamma t."),
+    over = math.sqrt(300.0)  # gamma for c = 40
+    slips |= {
+        "This uses sinh for both terms. The first one needs cosh(gamma t), half of the sum "
+        "e^(gamma t) + e^(-gamma t).": math.exp(-1.0)
+        * (1.0 + 20.0 / over)
+        * math.sinh(0.05 * over),
+        "This is e^(-half t) cosh(gamma t) alone. Add half sinh(gamma t) / gamma.": math.exp(-1.0)
+        * math.cosh(0.05 * over),
+        "This has cos and sin of gamma t.": math.exp(-1.0)
+        * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
+    }
+    for c, t, x, cause in (
+        (2.0, 0.5, 0.09855066761858595, "Under-damped: e^(-half t) times cos and sin of gamma t."),
         (
             20.0,
+            0.5,
             0.04042768199451279,
             (
                 "Critically damped, a case that the book leaves out (E-23): gamma is 0, and "
@@ -81,16 +93,22 @@ def test_the_three_cases_by_known_values() -> None:
         ),
         (
             40.0,
-            0.2821711739751533,
+            0.05,
+            0.9302947940980407,
             (
-                "Over-damped, a case that the book leaves out (E-23): use cosh and sinh of gamma "
-                "t. One part, e^(-(half + gamma) t), decays fast, and the other, e^(-(half - "
-                "gamma) t), slowly."
+                "Over-damped, a case that the book leaves out (E-23): e^(-half t) times cosh and "
+                "sinh of gamma t."
             ),
         ),
+        (
+            40.0,
+            0.5,
+            0.2821711739751533,
+            "Over-damped, when only the slow part, which decays as e^(-(half - gamma) t), is left.",
+        ),
     ):
-        about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, 0.5)", cause=cause)
-        state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, 0.5)
+        about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, {t})", cause=cause)
+        state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, t)
         count = len(state) if isinstance(state, (tuple, list)) else 1
         both = "Return both the position and the velocity."
         expect_exactly(count, 2, then=": how many numbers", cause=both)

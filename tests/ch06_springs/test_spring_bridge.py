@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import hung_bridge, loaded, settled_bridge
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from draw import Components, components, number, positive_number
-from expect import about, expect_close, expect_error, named, xyz
+from expect import about, expect_between, expect_close, expect_error, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 HANG = "the docstring of hang_bridge"
@@ -187,7 +187,7 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     about.call = "the same bridge: the sag in the middle, less that at the end"
     about.cause = "The planks beside the walker sag more than those far away."
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
-    expect_close(sags[3] - sags[0], 0.35, tolerance=0.15)
+    expect_between(sags[3] - sags[0], 0.2, 0.5)
 
 
 @pytest.mark.exercise("G6.2")

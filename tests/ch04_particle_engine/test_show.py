@@ -75,6 +75,29 @@ def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
     expect_exactly(counts, [1, 1, 1, 1, 0], read=READ)
 
 
+def why_no_payload() -> str:
+    """Return why nothing burns after a firework has burnt out below the ground."""
+    high = show_with([fixed(1, 0.05, STILL, (2, 3)), fixed(2, 9.0)], [(1, 1, at((0, 20, 0)))])
+    high.update(0.0625)
+    if types(high) == []:
+        return (
+            "The payload is lost, also that of a firework that burns out high above the ground. "
+            "Keep those that still burn first, and then light the payloads behind them."
+        )
+    fast = fixed(2, 9.0, (0.0, 90.0, 0.0))
+    low = show_with([fixed(1, 9.0, STILL, (2, 3)), fast], [(1, 1, at((0.0, -0.001, 0.0)))])
+    low.update(0.001)
+    if types(low) == [2, 2, 2]:
+        return (
+            "The payload was lit, but it moved in the same step and burnt out below the ground. "
+            "Light payloads after all have moved, so that they move from the next step on."
+        )
+    return (
+        "The firework below the ground is gone, but its payload was not lit. Light it as if the "
+        "fuse had run out."
+    )
+
+
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
     start = "a firework at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
@@ -93,10 +116,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     a_show.update(0.001)
     left = types(a_show)
     if left == []:
-        about.cause = (
-            "The firework below the ground is gone, but its payload was not lit. Light it as if "
-            "the fuse had run out."
-        )
+        about.cause = why_no_payload()
     if left == [1]:
         about.cause = (
             "The firework still burns, although it is below the ground. y < 0 puts it out, however "

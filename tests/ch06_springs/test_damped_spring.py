@@ -137,18 +137,30 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         half, (x, v) = c / (2.0 * m), wanted
         fade = math.exp(-half * t)
         slips = {
-            "The damping is not divided by the mass.": by_roots(x0, v0, k, c * m, m, t),
-            "The stiffness is not divided by the mass.": by_roots(x0, v0, k * m, c, m, t),
-            "The position lacks the contribution of v0.": (by_roots(x0, 0.0, k, c, m, t)[0], v),
-            "The velocity lacks the contribution of x0.": (x, by_roots(0.0, v0, k, c, m, t)[1]),
-            "This treats the spring as critically damped although c^2 is not 4 k m.": (
+            "The damping is not divided by the mass. Use c / (2 m).": by_roots(
+                x0, v0, k, c * m, m, t
+            ),
+            "The stiffness is not divided by the mass. Use k / m.": by_roots(
+                x0, v0, k * m, c, m, t
+            ),
+            "The position lacks the contribution of v0. Add it.": (
+                by_roots(x0, 0.0, k, c, m, t)[0],
+                v,
+            ),
+            "The velocity lacks the contribution of x0. Differentiate the position.": (
+                x,
+                by_roots(0.0, v0, k, c, m, t)[1],
+            ),
+            "This treats the spring as critically damped although c^2 is not 4 k m. Compare them "
+            "exactly.": (
                 (x0 + (v0 + half * x0) * t) * fade,
                 (v0 - (half * v0 + k / m * x0) * t) * fade,
             ),
         }
-        about.cause = f"{name}: Divide c by 2 m and k by m. Both x0 and v0 contribute."
+        about.cause = f"{name.capitalize()}: Divide c by 2 m and k by m. Both x0 and v0 contribute."
         if isinstance(got, tuple) and abs(got[0] - x) < 1e-10:
-            about.cause = f"{name}: The position is right, but the velocity is not its derivative."
+            about.cause = f"{name.capitalize()}: The position is right, but the velocity is not "
+            about.cause += "its derivative."
         blame(got, slips)
         # The roots' formula takes differences of numbers up to 10^4.
         expect_close(got, wanted, tolerance=1e-10)

@@ -85,6 +85,8 @@ def test_a_soft_spring_is_faked_too() -> None:
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
     got = xyz(p.force_accumulator)
+    only = "There is no force along z. Compute it for x, y and z alike."
+    blame(got, [(ZERO, only)])
     # cos loses three digits, and is multiplied by 100.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
 

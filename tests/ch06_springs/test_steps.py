@@ -79,7 +79,7 @@ def slips_of(
     }
     if frames == 1:
         axes = [
-            wrong_steps(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)
+            wrong_steps(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h, a[i])
             for i in range(3)
         ]
         slips |= {s: [axis[s][0] for axis in axes] + [axis[s][1] for axis in axes] for s in axes[0]}
@@ -290,9 +290,10 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
 def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    about.cause = "Refuse it with ValueError before you change anything. positive() does that."
+    refuse = "Refuse it with ValueError. positive() does that."
+    late = "The step is refused, but too late. Check the duration before you change anything."
     for bad in (0.0, -1.0, math.inf, math.nan):
-        about.call = f"{method}([p], apply_forces, {bad})"
+        about(f"{method}([p], apply_forces, {bad})", cause=refuse)
         expect_error(
             lambda bad=bad: stepped(method, [body], (5.0, 0.0), bad, 1),
             ValueError,
@@ -305,6 +306,7 @@ def test_a_step_needs_a_duration(method: str) -> None:
             got,
             wanted,
             then=" was refused; p.position, p.velocity and p.force_accumulator",
+            cause=late,
             tolerance=0.0,
         )
         about.cause = "Check the duration before you evaluate the forces."

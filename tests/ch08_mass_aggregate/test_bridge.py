@@ -74,6 +74,9 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     wrong += [f"{pair} should not be joined" for pair in ends if pair not in right]
     why = f"{wrong[0]}. {about.cause}" if wrong else about.cause
     expect_exactly(ends, right, then=": the ends of each by index (-1 is an anchor)", cause=why)
+    lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}
+    about.cause = f"The length of this {'cable' if which != 'rod' else 'rod'} is wrong. It is "
+    about.cause += f"{lengths[which]}."
     for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
         # Lengths of some meters, rounded a few times.
         expect_close(

@@ -256,14 +256,15 @@ def cause_of(
 
 
 def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) -> str:
-    """Return the cause, after the slip that gives exactly the numbers in got, if one does.
+    """Return the slip that gives exactly the numbers in got; without one, return the cause.
 
-    A slip is a sentence, or a name that "This is" makes one.
+    A slip is a name that "This is" makes a sentence, or it is one sentence or more. The cause
+    follows a single sentence. Two say themselves what to do.
     """
-    mistakes = [
-        (gives, f"{slip if slip.endswith('.') else f'This is {slip}.'} {cause}")
-        for slip, gives in slips.items()
-    ]
+    mistakes = []
+    for slip, gives in slips.items():
+        words = slip if slip.endswith(".") else f"This is {slip}."
+        mistakes.append((gives, words if ". " in words else f"{words} {cause}"))
     return cause_of(got, mistakes, cause)
 
 

@@ -38,9 +38,20 @@ def one_step(
 
 
 def wrong_steps(
-    method: str, x: float, v: float, a: float, k: float, c: float, d: float, h: float
+    method: str,
+    x: float,
+    v: float,
+    a: float,
+    k: float,
+    c: float,
+    d: float,
+    h: float,
+    acceleration: float,
 ) -> dict[str, tuple[float, float]]:
-    """Return place and velocity after steps that are nearly that of one_step, by their mistake."""
+    """Return place and velocity after steps that are nearly that of one_step, by their mistake.
+
+    ``acceleration`` is that part of a which is not due to forces added by hand.
+    """
 
     def force(place: float, velocity: float) -> float:
         return a - k * place - c * velocity
@@ -94,6 +105,11 @@ def wrong_steps(
             "This uses the sum of the forces. Use their mean.": (
                 half,
                 (v + (first + second - a) * h) * keep,
+            ),
+            "The forces of the first evaluation are still there in the second one. Clear the "
+            "accumulators in between, and add again what was added by hand.": (
+                half,
+                (v + 0.5 * (first + second + first - acceleration) * h) * keep,
             ),
             "This evaluates b with the old velocity, not v + a h.": (
                 half,

@@ -258,9 +258,9 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
             about.cause = "The lowest point of the ball, y - radius, is not above the deck, so it "
-            about.cause += "touches."
+            about.cause += "touches. Is the radius included?"
             if not depth:
-                about.cause += " A penetration of 0 counts."
+                about.cause = "The ball just touches the deck. A penetration of 0 counts."
         elif ends in ([(0, 3)], [(0, 4)]):
             about.cause = "Only one end of the row has a contact. Return one for each end."
         elif ends == [(3, 0), (4, 0)]:

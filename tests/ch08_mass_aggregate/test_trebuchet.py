@@ -83,11 +83,12 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
 
     steep = "The projectile still flies too steeply. release_angle is in degrees, but math.atan2 "
     steep += "returns radians."
+    lower = "It lets go at the release angle or lower. Use the angle above the horizontal, "
+    lower += "atan2(v.y, v.x)."
+    about.cause = lower
     if not lets_go(design, [flight(angle - 0.1)])[0]:
         steep = "The comparison is reversed: it lets go above the release angle. It must let go at "
         steep += "the release angle or lower."
-    lower = "It lets go at the release angle or lower. Use the angle above the horizontal, "
-    lower += "atan2(v.y, v.x)."
     forward = "The projectile must fly forward: v.x > 0."
     high = "The projectile must be above the pivot."
     for what, how, wanted, cause in (

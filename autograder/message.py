@@ -8,6 +8,7 @@ from enum import Enum
 from typing import Any
 
 INDENT = 10  # width of the label column
+LONG_CALL = 100  # characters; a longer call is shown with one statement per line
 Row = tuple[str, str]  # a label, which is empty for a title, and its text
 
 
@@ -81,7 +82,8 @@ class Message:
 
     def rows(self, *, printed: bool = True) -> list[Row]:
         """Return the labels and their texts, in the order in which people read them."""
-        rows = [("", self.blocked), ("", self.title), ("called", self.called), ("got", self.got)]
+        rows = [("", self.blocked), ("", self.title)]
+        rows += [("called", one_per_line(self.called)), ("got", self.got)]
         rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]
         rows += [("likely", self.likely), ("or", self.other), ("read", self.read)]
         rows += [("printed", self.printed)] if printed else []
@@ -108,6 +110,20 @@ class Message:
 
     def __str__(self) -> str:
         return laid_out(self.rows())
+
+
+def one_per_line(call: str) -> str:
+    """Return a call, with one statement per line if it is long. Brackets are kept together."""
+    if len(call) <= LONG_CALL:
+        return call
+    lines, depth = [""], 0
+    for part in call.split("; "):
+        lines[-1] += f"; {part}" if depth else part
+        depth += sum(map(part.count, "([{")) - sum(map(part.count, ")]}"))
+        if depth <= 0:
+            depth = 0
+            lines.append("")
+    return "\n".join(line for line in lines if line)
 
 
 def laid_out(rows: list[Row]) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from ch03_laws_of_motion import exercises
-from expect import about, expect_close, expect_error, expect_exactly, scoped
+from expect import about, expect_between, expect_close, expect_error, expect_exactly, scoped
 
 
 @scoped
@@ -44,13 +44,14 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
         *frames, last = frames_of(mean, jitter, 8.0, seed)
         about.call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
         about.cause = "Each frame must last from mean (1 - jitter) to mean (1 + jitter)."
-        within = all(abs(frame / mean - 1.0) <= jitter + 1e-9 for frame in frames)
-        name = f"is every frame but the last of {about.call} within the jitter?"
-        expect_exactly(within, True, call=name)
-        about.cause = "The last frame is the rest of the total: above zero and no longer than "
-        about.cause += "others."
-        short = 0.0 < last <= mean * (1.0 + jitter) + 1e-9
-        expect_exactly(short, True, call=f"is the last frame of {about.call} short enough?")
+        farthest = max(frames, key=lambda frame: abs(frame - mean))
+        least, most = mean * (1.0 - jitter), mean * (1.0 + jitter)
+        name = ": of all frames but the last, the one that is farthest from the mean"
+        expect_between(farthest, least, most, then=name, tolerance=1e-9 * mean)
+        about.cause = "The last frame is the rest of the total, so it is above 0 and no longer "
+        about.cause += "than others may be."
+        expect_exactly(last > 0.0, True, then=": is the last frame longer than 0")
+        expect_between(last, 0.0, most, then=": the last frame", tolerance=1e-9)
 
 
 @pytest.mark.exercise("3.5a")

@@ -14,7 +14,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import probes
 from draw import components
-from expect import about, expect_close, expect_error, expect_exactly, scoped
+from expect import about, expect_between, expect_close, expect_error, expect_exactly, scoped
 
 # The book's first rule, without its payload.
 FIRST: probes.RuleData = (
@@ -41,6 +41,11 @@ def burning(a_show: Any) -> list[int]:
 
 
 @scoped
+def rounded_bounds(middle: float, reach: float) -> tuple[int, int]:
+    """Return the least and the largest whole number within the reach of the middle."""
+    return math.ceil(middle - reach), math.floor(middle + reach)
+
+
 def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
     """Expect numbers that were drawn evenly between two limits."""
     about.call = call
@@ -51,7 +56,8 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
     tolerance = 5.0 * (high - low) / math.sqrt(12.0 * len(drawn))
     middle = (low + high) / 2.0
     mean = math.fsum(drawn) / len(drawn)
-    expect_close(mean, middle, then=f": the mean of {len(drawn)}", tolerance=tolerance)
+    least, most = middle - tolerance, middle + tolerance
+    expect_between(mean, least, most, then=f": the mean of {len(drawn)}")
     # A quarter of even draws lies in each outer quarter. The standard deviation is sqrt(n 3 / 16).
     quarter = (high - low) / 4.0
     for part, inside in (
@@ -59,13 +65,9 @@ def expect_even(call: str, drawn: list[float], low: float, high: float) -> None:
         ("highest", sum(number > high - quarter for number in drawn)),
     ):
         spread = 5.0 * math.sqrt(len(drawn) * 3.0 / 16.0)
-        wanted = len(drawn) / 4.0
-        expect_close(
-            inside,
-            wanted,
-            then=f": how many of {len(drawn)} are in the {part} quarter",
-            tolerance=spread,
-        )
+        least, most = rounded_bounds(len(drawn) / 4.0, spread)
+        name = f": how many of {len(drawn)} are in the {part} quarter"
+        expect_between(inside, least, most, then=name)
 
 
 # B4.4 A firework from its rule
@@ -102,9 +104,8 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
         correlation = statistics.correlation(columns[one], columns[other])
         # The standard deviation of the correlation of n independent pairs is 1 / sqrt(n).
         tolerance = 5.0 / math.sqrt(MANY)
-        expect_close(
-            correlation, 0.0, then=f": correlation of {one} and {other}", tolerance=tolerance
-        )
+        name = f": correlation of {one} and {other}"
+        expect_between(correlation, -tolerance, tolerance, then=name)
 
 
 @pytest.mark.exercise("B4.4")
@@ -118,9 +119,9 @@ def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Ra
         # A third is expected, within five standard deviations of sqrt(n 2 / 9).
         spread = 5.0 * math.sqrt(MANY * 2.0 / 9.0)
         found = places.count((x, 0.0, 0.0))
-        expect_close(
-            found, MANY / 3.0, then=f": how many of {MANY} are at ({x}, 0, 0)", tolerance=spread
-        )
+        least, most = rounded_bounds(MANY / 3.0, spread)
+        name = f": how many of {MANY} are at ({x}, 0, 0)"
+        expect_between(found, least, most, then=name)
 
 
 @pytest.mark.exercise("B4.4")

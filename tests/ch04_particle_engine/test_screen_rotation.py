@@ -9,7 +9,7 @@ import pytest
 
 from ch04_particle_engine import screen_rotation
 from draw import number
-from expect import about, blame, expect_close, expect_error
+from expect import about, blame, expect_between, expect_close, expect_error
 
 ANGLE, CORNERS = "the docstring of screen_angle", "the docstring of screen_corners"
 
@@ -46,17 +46,24 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
     for angle in (way * (turns * 2.0 * math.pi + part) for way in (1.0, -1.0) for part in beyond):
         rate = round((angle - 0.5) / 20.0, 3)
         about.call = f"screen_angle(0.5, {rate}, 20)"
-        about.cause = (
-            "The result must be from -pi to pi. An angle beyond that contains whole turns."
-        )
+        about.cause = "The result is not from -pi to pi. Remove whole turns of 2 pi."
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
-        most = min(abs(got), math.pi)
-        expect_close(abs(got), most, then=", size", tolerance=1e-9)
+        angle, turn = 0.5 + 20.0 * rate, 2.0 * math.pi
+        mistakes = [
+            (angle, "This is start + rate x time. Remove the whole turns of 2 pi from it."),
+            (
+                math.fmod(angle, turn),
+                "This is more than half a turn. Removing whole turns gave a result from -2 pi to "
+                "2 pi, and one more turn must go, so that it is from -pi to pi.",
+            ),
+            (angle % turn, "This is from 0 to 2 pi. Above pi, subtract one more turn of 2 pi."),
+        ]
+        blame(got, mistakes)
+        expect_between(got, -math.pi, math.pi, tolerance=1e-9)
         about.cause = (
             "Remove only whole turns, so that the direction is that of start + rate x time."
         )
         direction = (math.cos(got), math.sin(got))
-        angle = 0.5 + 20.0 * rate
         wanted = (math.cos(angle), math.sin(angle))
         expect_close(direction, wanted, then=", its cosine and sine", tolerance=ROUNDED)
 

@@ -75,10 +75,34 @@ def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
     expect_exactly(counts, [1, 1, 1, 1, 0], read=READ)
 
 
+def why_no_payload() -> str:
+    """Return why nothing burns after a firework has burnt out below the ground."""
+    high = show_with([fixed(1, 0.05, STILL, (2, 3)), fixed(2, 9.0)], [(1, 1, at((0, 20, 0)))])
+    high.update(0.0625)
+    if types(high) == []:
+        return (
+            "The payload is lost, also that of a firework that burns out high above the ground. "
+            "Keep those that still burn first, and then light the payloads behind them."
+        )
+    fast = fixed(2, 9.0, (0.0, 90.0, 0.0))
+    low = show_with([fixed(1, 9.0, STILL, (2, 3)), fast], [(1, 1, at((0.0, -0.001, 0.0)))])
+    low.update(0.001)
+    if types(low) == [2, 2, 2]:
+        return (
+            "The payload was lit, but it moved in the same step and burnt out below the ground. "
+            "Light payloads after all have moved, so that they move from the next step on."
+        )
+    return (
+        "The firework below the ground is gone, but its payload was not lit. Light it as if the "
+        "fuse had run out."
+    )
+
+
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
-    about.call = "one at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
-    about.call += "show.update(0.001)"
+    start = "a firework at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
+    start += "show.update(0.0625)"
+    about.call = f"{start}, to y = 0; show.update(0.001), to y < 0"
     about.cause = (
         "A firework below the ground (y < 0) has burnt out, however much fuse is left, and its "
         "payload is lit."
@@ -86,19 +110,21 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
     a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
     a_show.update(0.0625)
-    name = f"{about.call.replace('0.001', '0.0625')}, types"
+    name = f"{start}, to y = 0; types"
     on_ground = "At y = 0 it is on the ground, not below it."
     expect_exactly(types(a_show), [1], call=name, cause=on_ground, read=READ)
     a_show.update(0.001)
     left = types(a_show)
     if left == []:
+        about.cause = why_no_payload()
+    if left == [1]:
         about.cause = (
-            "A firework below the ground has burnt out. Light its payload behind those that still "
-            "burn, after all have moved. It moves from the next step on."
+            "The firework still burns, although it is below the ground. y < 0 puts it out, however "
+            "much fuse is left."
         )
     if left == [2]:
         about.cause = "(2, 3) means three fireworks of type 2. It is one birth with this count."
-    expect_exactly(left, [2, 2, 2], then=", types", read=READ)
+    expect_exactly(left, [2, 2, 2], then="; types", read=READ)
     about.cause = (
         "The payload starts at the position of the burnt-out firework, although that is below the "
         "ground."
@@ -110,7 +136,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
             "The payload starts on the ground, as if it had no parent. Pass the burnt-out "
             "particle as the parent."
         )
-    expect_close(height, wanted, then=", a height", read=READ)
+    expect_close(height, wanted, then="; the height of the first", read=READ)
 
 
 @pytest.mark.exercise("B4.6")

@@ -102,8 +102,8 @@ def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: 
     for sign, turn in ((1.0, 0), (-1.0, 0), (1.0, 1), (1.0, 2)):  # the last face on each axis
         sizes, away = sizes[turn:] + sizes[:turn], away[turn:] + away[:turn]
         start = tuple(c + sign * a for c, a in zip(center, away, strict=True))
-        about.call = f"hit_fraction(Vector3{start}, Vector3{center}, block), block = "
-        about.call += f"TargetBlock(Vector3{center}, {sizes}, mass=10)"
+        about.call = f"block = TargetBlock(Vector3{center}, {sizes}, mass=10); "
+        about.call += f"hit_fraction(Vector3{start}, Vector3{center}, block)"
         block = TargetBlock(Vector3(*center), sizes, mass=10.0)
         got = targets.hit_fraction(Vector3(*start), Vector3(*center), block)
         expect_exactly(got is None, False, then=" is None", read=READ)

@@ -16,6 +16,7 @@ from expect import (
     UNCHANGED,
     about,
     blame,
+    expect_between,
     expect_close,
     expect_error,
     expect_exactly,
@@ -39,7 +40,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     about.read = READ
     v, k = components(rng), round(rng.uniform(0.1, 0.9), 3)
     pulled = tuple(-k * v[i] for i in range(3))
-    about.call = f"p = Particle(velocity=Vector3{v}, mass=2.0); brake = Airbrake({k})"
+    about.call, switched = f"brake = Airbrake({k})", ""
     p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k)
     for on, wanted, cause in (
         (None, ZERO, "A new brake is off and adds no force."),
@@ -51,8 +52,9 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         about.cause = cause
         if on is not None:
             brake.on = on
-            about.call += f"; brake.on = {on}"
-        about.call += "; brake.update_force(p, 0.5)"
+            switched = f"{switched}, {'on' if on else 'off'}".lstrip(", ")
+        about.call = f"p = Particle(velocity=Vector3{v}, mass=2.0); a new Airbrake({k}), switched "
+        about.call += f"{switched or 'neither on nor off'}; brake.update_force(p, 0.5)"
         brake.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         if wanted is pulled:
@@ -70,7 +72,6 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
             blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator")
         p.clear_forces()
-        about.call += "; p.clear_forces()"
     expect_unchanged("p.velocity", xyz(p.velocity), v, cause=UNCHANGED)
 
 
@@ -169,15 +170,14 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     tries = 400
     about.call = f"brake.update_force(p, h) in {tries} steps with k above m / h, each with "
     about.call += "another k, mass, h and speed: the smallest fraction of the velocity that is "
-    about.call += "left, from 0 to 1e-9"
+    about.call += "left"
     shares = braked(rng.randrange(10**6), tries)
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
-    # A fraction from 0 to 1e-9: the middle, within half of the range.
-    expect_close(least, 5e-10, tolerance=5e-10)
+    expect_between(least, 0.0, 1e-9)
     about.cause = "A brake of this strength leaves only a rounding error."
     name = about.call.replace("smallest", "largest")
-    expect_close(most, 5e-10, call=name, tolerance=5e-10)
+    expect_between(most, 0.0, 1e-9, call=name)
     expect_close(len(shares), tries, call="how many steps", cause="One for each try.")
 
 

@@ -12,7 +12,7 @@ from ch05_forces.forces import Drag, drag_force
 from ch05_forces.particle import Particle
 from ch05_forces.probes import with_drag
 from draw import Components, components
-from expect import about, blame, expect_close, expect_unchanged, named, xyz
+from expect import about, blame, expect_between, expect_close, expect_unchanged, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "book 5.2.4, Eq. 5.1"
@@ -171,7 +171,7 @@ def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) 
     For a method of order 1, the ratio is 2 plus a term of order h: at most 0.02 with these steps.
     """
     long, short = errors
-    expect_close(long, 0.0, then=f": error of {what}", tolerance=scale)
+    expect_between(long, -scale, scale, then=f": error of {what}, at h = 1/100")
     expect_close(
         long / short, 2.0, then=f": error of {what}, at h = 1/100 over h = 1/200", tolerance=0.05
     )

@@ -14,6 +14,7 @@ from expect import (
     UNCHANGED,
     about,
     blame,
+    cause_of,
     expect_close,
     expect_error,
     expect_exactly,
@@ -189,6 +190,16 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
         "The rings have radii of 0.1, 0.25 and 0.5 m and give 10, 5 and 2 points. Use the "
     )
     about.cause += "distance from the center."
+    use = "Use the distance from the center, math.hypot(x, y)."
+    for x, y, points, slip, gives in (
+        (0.0, 0.3, 2, "x alone counts here.", 10),
+        (0.3, 0.0, 2, "y alone counts here.", 10),
+        (0.08, -0.08, 5, "x and y are added here.", 10),
+        (0.2, 0.2, 2, "The rings are square here, because the larger of x and y counts.", 5),
+    ):
+        about.call = f"ring_points({x}, {y}), {math.hypot(x, y):.4f} m from the center"
+        got = ring_points(x, y)
+        expect_exactly(got, points, cause=cause_of(got, [(gives, f"{slip} {use}")], about.cause))
     turn = rng.uniform(0.1, 1.4)
     for away, points in (
         (0.0, 10),

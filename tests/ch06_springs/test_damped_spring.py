@@ -69,10 +69,22 @@ def test_the_three_cases_by_known_values() -> None:
         * (math.cos(5.0) + 0.1 * math.sin(5.0)),
         "This is e^(-half t) alone. Add half t e^(-half t).": math.exp(-5.0),
     }
-    for c, x, cause in (
-        (2.0, 0.09855066761858595, "Under-damped: e^(-half t) times cos and sin of gamma t."),
+    over = math.sqrt(300.0)  # gamma for c = 40
+    slips |= {
+        "This uses sinh for both terms. The first one needs cosh(gamma t), half of the sum "
+        "e^(gamma t) + e^(-gamma t).": math.exp(-1.0)
+        * (1.0 + 20.0 / over)
+        * math.sinh(0.05 * over),
+        "This is e^(-half t) cosh(gamma t) alone. Add half sinh(gamma t) / gamma.": math.exp(-1.0)
+        * math.cosh(0.05 * over),
+        "This has cos and sin of gamma t.": math.exp(-1.0)
+        * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
+    }
+    for c, t, x, cause in (
+        (2.0, 0.5, 0.09855066761858595, "Under-damped: e^(-half t) times cos and sin of gamma t."),
         (
             20.0,
+            0.5,
             0.04042768199451279,
             (
                 "Critically damped, a case that the book leaves out (E-23): gamma is 0, and "
@@ -81,16 +93,22 @@ def test_the_three_cases_by_known_values() -> None:
         ),
         (
             40.0,
-            0.2821711739751533,
+            0.05,
+            0.9302947940980407,
             (
-                "Over-damped, a case that the book leaves out (E-23): use cosh and sinh of gamma "
-                "t. One part, e^(-(half + gamma) t), decays fast, and the other, e^(-(half - "
-                "gamma) t), slowly."
+                "Over-damped, a case that the book leaves out (E-23): e^(-half t) times cosh and "
+                "sinh of gamma t."
             ),
         ),
+        (
+            40.0,
+            0.5,
+            0.2821711739751533,
+            "Over-damped, when only the slow part, which decays as e^(-(half - gamma) t), is left.",
+        ),
     ):
-        about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, 0.5)", cause=cause)
-        state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, 0.5)
+        about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, {t})", cause=cause)
+        state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, t)
         count = len(state) if isinstance(state, (tuple, list)) else 1
         both = "Return both the position and the velocity."
         expect_exactly(count, 2, then=": how many numbers", cause=both)
@@ -119,18 +137,30 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         half, (x, v) = c / (2.0 * m), wanted
         fade = math.exp(-half * t)
         slips = {
-            "The damping is not divided by the mass.": by_roots(x0, v0, k, c * m, m, t),
-            "The stiffness is not divided by the mass.": by_roots(x0, v0, k * m, c, m, t),
-            "The position lacks the contribution of v0.": (by_roots(x0, 0.0, k, c, m, t)[0], v),
-            "The velocity lacks the contribution of x0.": (x, by_roots(0.0, v0, k, c, m, t)[1]),
-            "This treats the spring as critically damped although c^2 is not 4 k m.": (
+            "The damping is not divided by the mass. Use c / (2 m).": by_roots(
+                x0, v0, k, c * m, m, t
+            ),
+            "The stiffness is not divided by the mass. Use k / m.": by_roots(
+                x0, v0, k * m, c, m, t
+            ),
+            "The position lacks the contribution of v0. Add it.": (
+                by_roots(x0, 0.0, k, c, m, t)[0],
+                v,
+            ),
+            "The velocity lacks the contribution of x0. Differentiate the position.": (
+                x,
+                by_roots(0.0, v0, k, c, m, t)[1],
+            ),
+            "This treats the spring as critically damped although c^2 is not 4 k m. Compare them "
+            "exactly.": (
                 (x0 + (v0 + half * x0) * t) * fade,
                 (v0 - (half * v0 + k / m * x0) * t) * fade,
             ),
         }
-        about.cause = f"{name}: Divide c by 2 m and k by m. Both x0 and v0 contribute."
+        about.cause = f"{name.capitalize()}: Divide c by 2 m and k by m. Both x0 and v0 contribute."
         if isinstance(got, tuple) and abs(got[0] - x) < 1e-10:
-            about.cause = f"{name}: The position is right, but the velocity is not its derivative."
+            about.cause = f"{name.capitalize()}: The position is right, but the velocity is not "
+            about.cause += "its derivative."
         blame(got, slips)
         # The roots' formula takes differences of numbers up to 10^4.
         expect_close(got, wanted, tolerance=1e-10)

@@ -95,9 +95,8 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         ("q.velocity", q.velocity, w),
     ):
         expect_unchanged(name, xyz(now), before)
-    about.call += "; p.clear_forces(); b.stiffness = 4.0; b.look_ahead = 1.0; q.velocity = "
-    about.call += f"Vector3{v}; "
-    about.call += "b.update_force(p, 0.5)"
+    about.call = f"p at {here}, velocity {v}; q at {there}, velocity {v}; b.stiffness changed from "
+    about.call += "2 to 4, b.look_ahead from 3 to 1; b.update_force(p, 0.5)"
     about.cause = "Read stiffness, look_ahead and the target's position and velocity in each call."
     p.clear_forces()
     b.stiffness, b.look_ahead, q.velocity = 4.0, 1.0, Vector3(*v)
@@ -105,7 +104,10 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     wanted = tuple(4.0 * (there[i] - here[i]) for i in range(3))
     got = xyz(p.force_accumulator)
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
-    about.call += f"; p.clear_forces(); b.target = an immovable one at {w}; b.update_force(p, 0.5)"
+    about.call = (
+        f"p at {here}, velocity {v}; b.stiffness 4, b.look_ahead 1, b.target changed to an "
+    )
+    about.call += f"immovable particle at {w}; b.update_force(p, 0.5)"
     about.cause = "Read self.target in each call. An immovable particle can be a target too."
     p.clear_forces()
     b.target = Particle(Vector3(*w), mass=math.inf)

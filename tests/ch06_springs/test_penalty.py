@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.penalty import PenaltyGround
 from ch06_springs.probes import on_penalty_ground
 from draw import components, number, positive_number
-from expect import about, blame, expect_close, xyz
+from expect import about, blame, expect_between, expect_close, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 READ = "the docstring of PenaltyGround"
@@ -109,6 +109,8 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
             "This pulls down. The ground only pushes.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
+        if got[0] or got[2]:
+            about.cause = "The damping also acts along the ground. Only v_y counts."
         expect_close(got, wanted, tolerance=1e-11)
 
 
@@ -123,7 +125,7 @@ def test_a_body_comes_to_rest_in_the_sponge() -> None:
     expect_close(end, -0.05, tolerance=1e-9)
     about.cause = "It arrives with the root of 10 m/s, and the spring stops it within about 0.2 m."
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
-    expect_close(lowest, 0.8 * deepest, then=", at its lowest", tolerance=0.2 * -deepest)
+    expect_between(lowest, deepest, 0.6 * deepest, then=", at its lowest")
     about.call = "PenaltyGround(0, 400, 0) with height, stiffness and damping changed to 1, 3 and "
     about.call += "0.5; p at (0, 0, 0), velocity (0, 2, 0); update_force(p, 0.5); "
     about.call += "p.force_accumulator"

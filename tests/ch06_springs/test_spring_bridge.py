@@ -12,7 +12,7 @@ from ch05_forces.particle import Particle
 from ch06_springs.probes import hung_bridge, loaded, settled_bridge
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
 from draw import Components, components, number, positive_number
-from expect import about, expect_close, expect_error, named, xyz
+from expect import about, blame, expect_between, expect_close, expect_error, named, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 HANG = "the docstring of hang_bridge"
@@ -54,7 +54,10 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     )
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
+    height, k, _ = numbers
     for i, force in enumerate(forces):
+        slack = "The hangers have no rest length. It is the height, their length at the start."
+        blame(force, [((0.0, k * height, 0.0), slack)])
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator", tolerance=1e-12)
     about.call += ", the first plank 0.5 m lower"
     about.cause = "A plank that is moved is pulled back."
@@ -187,7 +190,7 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     about.call = "the same bridge: the sag in the middle, less that at the end"
     about.cause = "The planks beside the walker sag more than those far away."
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
-    expect_close(sags[3] - sags[0], 0.35, tolerance=0.15)
+    expect_between(sags[3] - sags[0], 0.2, 0.499)
 
 
 @pytest.mark.exercise("G6.2")

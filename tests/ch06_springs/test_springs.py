@@ -40,9 +40,8 @@ def spring_slips(
         return [size * part for part in d]
 
     return {
-        "This uses abs(l - l0), so a compressed spring pulls. Remove abs (E-3).": along(
-            -abs(pull) - c * rate
-        ),
+        "This uses abs(l - l0), so a compressed spring pulls. Remove abs (E-3), because a "
+        "compressed spring pushes this end away, along the offset.": along(-abs(pull) - c * rate),
         "The damping pushes along the motion. Check its sign.": along(c * rate - pull),
         "This force points along the offset. The minus sign is missing.": along(pull + c * rate),
         "This is -k l d^. Subtract the rest length from the length.": along(-k * length - c * rate),
@@ -214,7 +213,9 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
         "The velocity is q's minus p's. Use p's minus q's.": hooke(
             offset, tuple(-part for part in relative), k, rest, c
         ),
-        "The velocity is p's alone. Subtract q's velocity.": hooke(offset, v, k, rest, c),
+        "The velocity is p's alone. Subtract q's position and velocity from p's.": hooke(
+            offset, v, k, rest, c
+        ),
         "The damping is missing.": hooke(offset, relative, k, rest, 0.0),
         "The force points the wrong way.": tuple(-part for part in pull),
         "The force is divided by the mass of p.": tuple(part / 2.0 for part in pull),

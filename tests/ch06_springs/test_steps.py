@@ -79,7 +79,7 @@ def slips_of(
     }
     if frames == 1:
         axes = [
-            wrong_steps(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)
+            wrong_steps(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h, a[i])
             for i in range(3)
         ]
         slips |= {s: [axis[s][0] for axis in axes] + [axis[s][1] for axis in axes] for s in axes[0]}
@@ -93,7 +93,7 @@ def draw_body(rng: Random, hand: Components = ZERO) -> Body:
 
 
 def call_of(method: str, what: str) -> str:
-    return f"{method}(particles, apply_forces, h) with {what}"
+    return f"{method}(particles, apply_forces, h); {what}"
 
 
 @methods
@@ -119,9 +119,9 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     ):
         about.cause = cause
         p, v, a, mass, d, hand = body
-        pushed = f", by hand {hand}" if any(hand) else ""
-        about.call = call_of(method, f"{what}: m = {mass}, d = {d}, a = {a}{pushed}, forces ")
-        about.call += f"-{k} x - {c} v, from {p}, velocity {v}, h = {h}"
+        pushed = f" and by hand {hand}" if any(hand) else ""
+        about.call = call_of(method, f"p at {p}, velocity {v}, a = {a}, m = {mass}, d = {d}; ")
+        about.call += f"forces -{k} x - {c} v{pushed}; {what} of h = {h}"
         ends = stepped(method, [body], (k, c), h, frames)
         states = walk(method, body, k, c, h, frames)
         slips = slips_of(method, body, k, c, h, frames)
@@ -145,9 +145,7 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     one, two = components(rng), components(rng)
     v, w = components(rng), components(rng)
     bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
-    about.call = call_of(
-        method, f"two particles of {mass} kg joined by a spring of {s} N/m, h = {h}"
-    )
+    about.call = call_of(method, f"two particles of {mass} kg on a spring of {s} N/m, h = {h}")
     about.cause = (
         "Move all particles before you evaluate the forces again, because each force depends on "
         "the others' positions."
@@ -174,7 +172,7 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     h, hand = positive_number(rng, 0.05, 0.2), components(rng)
     frames = rng.randint(2, 5)
     bodies = [draw_body(rng, hand), draw_body(rng)]
-    about.call = call_of(method, f"{frames} steps of h = {h}, {hand} N added by hand before each")
+    about.call = call_of(method, f"{frames} steps of h = {h}; before each, {hand} N by hand")
     about.cause = f"The method makes exactly {EVALUATIONS[method]} evaluations per step."
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
     expect_exactly(
@@ -187,13 +185,18 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
         then=": the durations that apply_forces is called with",
     )
     about.cause = (
-        "Before each evaluation clear the accumulators, and add the forces again that were there "
-        "before the step. After the step they must be empty."
+        "Forces of an earlier evaluation are still there. Before each evaluation clear the "
+        "accumulators, and add again what was there before the step."
+    )
+    gone = (
+        "The force that was added by hand before the step is gone. Keep it, and add it again "
+        "before each evaluation."
     )
     for number, (_, sums, _) in enumerate(asked, 1):
-        for one, got, wanted in (("first", sums[0], hand), ("other", sums[1], ZERO)):
-            then = f": force_accumulator of the {one} one when apply_forces is called, no. {number}"
-            expect_close(got, wanted, then=then, tolerance=1e-12)
+        for i, wanted in enumerate((hand, ZERO)):
+            then = f": particles[{i}].force_accumulator at call {number} of apply_forces"
+            why = gone if i == 0 and sums[i] == ZERO else about.cause
+            expect_close(sums[i], wanted, then=then, cause=why, tolerance=1e-12)
 
 
 @methods
@@ -203,7 +206,7 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
     body = draw_body(rng)
     p, v, a, mass, _, _ = body
     about.call = call_of(
-        method, f"m = {mass}, a = {a}, force -{k} x, from {p}, velocity {v}, h = {h}"
+        method, f"p at {p}, velocity {v}, a = {a}, m = {mass}; force -{k} x; h = {h}"
     )
     about.cause = RULES[method]
     asked = stepped(method, [body], (k, 0.0), h, 1)["asked"]
@@ -240,7 +243,7 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     body = draw_body(rng, components(rng))
     p, v, a, mass, d, hand = body
     about.call = call_of(
-        method, f"m = {mass}, a = {a}, by hand {hand}, forces -{k} x - {c} v, h = {h}"
+        method, f"a = {a}, m = {mass}; by hand {hand}, forces -{k} x - {c} v; h = {h}"
     )
     about.cause = "At the end of the step the accumulators must be empty."
     ends = stepped(method, [body], (k, c), h, 1)
@@ -287,9 +290,10 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
 def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    about.cause = "Refuse it with ValueError before you change anything. positive() does that."
+    refuse = "Refuse it with ValueError. positive() does that."
+    late = "The step is refused, but too late. Check the duration before you change anything."
     for bad in (0.0, -1.0, math.inf, math.nan):
-        about.call = f"{method}([p], apply_forces, {bad})"
+        about(f"{method}([p], apply_forces, {bad})", cause=refuse)
         expect_error(
             lambda bad=bad: stepped(method, [body], (5.0, 0.0), bad, 1),
             ValueError,
@@ -302,6 +306,7 @@ def test_a_step_needs_a_duration(method: str) -> None:
             got,
             wanted,
             then=" was refused; p.position, p.velocity and p.force_accumulator",
+            cause=late,
             tolerance=0.0,
         )
         about.cause = "Check the duration before you evaluate the forces."

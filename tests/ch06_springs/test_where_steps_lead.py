@@ -114,7 +114,7 @@ def test_the_order_of_a_step(method: str) -> None:
             f"With half the duration, the error must be {0.5**order:g} of the error before, "
             f"because the method is of order {order}."
         )
-        about.call = f"{method}(particles, apply_forces, h) with {what} for 1 s, in 80, 160 and "
+        about.call = f"{method}(particles, apply_forces, h); {what} for 1 s, in 80, 160 and "
         about.call += "320 steps"
         ends = [stepped(method, [body], forces, 1.0 / n, n)["positions"][0] for n in (80, 160, 320)]
         long, short = math.dist(ends[0], ends[1]), math.dist(ends[1], ends[2])

@@ -265,8 +265,6 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_push_is_not_longer_than_its_frame() -> None:
     about.read = PUSH
-    about.cause = "Refuse a contact time that is negative, not finite or longer than the frame, "
-    about.cause += "and a frame that is not positive."
     for numbers, error in (
         ((0.5, 0.25), ValueError),
         ((-0.5, 1.0), ValueError),
@@ -279,6 +277,12 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
         (("0.5", 1.0), TypeError),
         ((0.5, "1.0"), TypeError),
     ):
+        contact, frame = numbers
+        about.cause = "The contact time must be from 0 to the frame's duration."
+        if isinstance(contact, str) or isinstance(frame, str):
+            about.cause = "A text is not a number. Raise TypeError."
+        elif not 0.0 < frame < math.inf:
+            about.cause = "Refuse a frame that is not positive and finite. Call positive."
         expect_error(
             lambda numbers=numbers: force_for_frame(Vector3(1.0, 2.0, 3.0), *numbers),
             error,

@@ -21,7 +21,7 @@ from ch07_constraints.probes import (
     told,
 )
 from draw import Components, components, direction, number, positive_number
-from expect import about, cause_of, expect_close, expect_exactly, scoped
+from expect import about, cause_of, expect_between, expect_close, expect_exactly, scoped
 
 UP = (0.0, 1.0, 0.0)
 GROUND = "exercise 7.5, and the docstring of GroundPlane.contacts"
@@ -212,12 +212,12 @@ def test_every_pair_is_found_once(rng: Random) -> None:
 @pytest.mark.exercise("B7.9")
 def test_not_every_pair_is_looked_at() -> None:
     about("400 spheres of radius 0.5 m in a cube of 40 m; ParticlePairs(spheres, ", read=PAIRS)
-    about.call += "0.5).contacts(): accesses to positions (at most 100,000 are accepted)"
+    about.call += "0.5).contacts(): accesses to positions"
     about.cause = "Comparing all 79,800 pairs reads the positions more than 400,000 times. Compare "
     about.cause += "only particles that are near each other, in a grid or sorted along an axis."
     asked, found, wanted = looked(400, 40.0)
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
-    expect_close(asked, 0, tolerance=100_000)
+    expect_between(asked, 0, 100_000)
     name = "the same: number of touching pairs"
     expect_exactly(found, wanted, call=name, cause="A pair that touches is missing.")
 
@@ -274,4 +274,4 @@ def test_a_pile_of_ten_holds() -> None:
     wanted = tuple(i + 0.5 for i in range(10))
     # Measured: 0.02 m of overlap at most; 6 % of the diameter is allowed.
     expect_close(heights, wanted, then=": heights", tolerance=0.06)
-    expect_close(overlap, 0.0, then=": the largest overlap after a step, m", tolerance=0.06)
+    expect_between(overlap, -0.06, 0.06, then=": the largest overlap after a step, m")

@@ -33,7 +33,7 @@ PAIRS = "the docstring of ParticlePairs.next_impact"
 @scoped
 def expect_impact(impact: Any) -> Any:
     """Expect an impact, as time and contact, and return it."""
-    about.cause = f"There is an impact here. Return (time, contact). {about.cause}"
+    about.cause = f"Return (time, contact), since there is an impact here. {about.cause}"
     pair = isinstance(impact, (tuple, list)) and len(impact) == 2
     expect_exactly(pair, True, then=" is (time, contact)")
     return impact
@@ -46,8 +46,8 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     speeds = [positive_number(rng, 1.0, 2.0) for _ in range(4)]
     falls = [3.0, 2.0, 1.0, 2.5]
     places = [(number(rng), height + radius + fall, number(rng)) for fall in falls]
-    about.call = f"four spheres {falls} m above the ground, with the speeds {speeds} downwards; g "
-    about.call += f"= GroundPlane(particles, {height}, {radius}, {c}); g.next_impact(9.0)"
+    about.call = f"four spheres {falls} m above the ground, with the speeds {speeds} downwards; "
+    about.call += f"g = GroundPlane(particles, {height}, {radius}, {c}); g.next_impact(9.0)"
     particles = [
         Particle(Vector3(*place), Vector3(5.0, -speed, 5.0))
         for place, speed in zip(places, speeds, strict=True)
@@ -55,8 +55,7 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ground = GroundPlane(particles, height, radius, c)
     times = [fall / speed for fall, speed in zip(falls, speeds, strict=True)]
     first = min(times)
-    about.cause = "Return (time, contact) of the earliest impact. The contact has the particle, no "
-    about.cause += "other, the normal (0, 1, 0), the detector's restitution and a penetration of 0."
+    about.cause = "The earliest of the four impacts counts."
     impact = expect_impact(ground.next_impact(9.0))
     time, contact = impact[0], impact[1]
     whole = min((fall + radius) / speed for fall, speed in zip(falls, speeds, strict=True))
@@ -71,8 +70,18 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ((a, b, normal, restitution, depth),) = told([contact], particles)
     seen = (a, b, *normal, restitution, depth)
     wanted = (times.index(first), -1, *UP, c, 0.0)
-    if depth:
-        about.cause = "The contact describes the moment of the impact. Its penetration is 0."
+    about.cause = "The contact is wrong. It has the particle, no other, the normal (0, 1, 0), the "
+    about.cause += "detector's restitution and a penetration of 0."
+    for part, cause in (
+        (0, "The particle must be the one that arrives first."),
+        (1, "The ground is no particle. other must be None."),
+        (3, "The normal must be (0, 1, 0), from the ground to the particle."),
+        (5, "Pass the detector's restitution to the contact."),
+        (6, "The contact describes the moment of the impact. Its penetration is 0."),
+    ):
+        if seen[part] != wanted[part]:
+            about.cause = cause
+            break
     name = f"{about.call}: index of particle and other (-1 is None), normal, restitution, depth"
     expect_close(seen, wanted, call=name)
     about.cause = "This impact comes after the duration. Return None."

@@ -9,7 +9,7 @@ import pytest
 
 from ch07_constraints.probes import resolved, stacked
 from draw import Components, components, direction, dot, positive_number
-from expect import about, blame, cause_of, expect_close, expect_exactly
+from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly
 
 ZERO = (0.0, 0.0, 0.0)
 RIGHT = (1.0, 0.0, 0.0)
@@ -193,17 +193,17 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
     got = max(dot(after[b][1], n) - dot(after[a][1], n) for a, b, n, _, _ in contacts)
     name = f"{about.call}: the largest closing speed left (negative when all separate)"
     # VELOCITY_TOLERANCE is 1e-12. Separating is fine, and nothing separates faster than 100 m/s.
-    expect_close(got, -50.0, call=name, tolerance=50.0 + 2e-12)
+    expect_between(got, -100.0, 2e-12, call=name)
     # One resolution changes two bodies, and no two bodies take part in all of the contacts.
     about.cause = "Return the number of contacts you resolved: more than 1 and less than the limit."
-    expect_close(used, 1000, then=": returned", tolerance=998)
+    expect_between(used, 2, 1998, then=": returned")
     before, now = (
         sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:8], velocities, strict=False))
         for velocities in ([v for _, v, _ in bodies], [v for _, v in after])
     )
     about.cause = "Impulses at restitution 0.5 can only reduce the kinetic energy."
     name = f"{about.call}: ratio of the kinetic energy to its value before"
-    expect_close(now / before, 0.5, call=name, tolerance=0.5)
+    expect_between(now / before, 0.0, 1.0, call=name)
 
 
 @pytest.mark.exercise("B7.5")
@@ -374,4 +374,4 @@ def test_a_stack_of_three_settles() -> None:
     heights, overlap = stacked(3, 0.5, None, 300, 1.0 / 60.0)
     # Measured: at most 0.015 m of overlap, which is what two iterations per contact leave.
     expect_close(heights, (0.5, 1.5, 2.5), then=": heights", tolerance=0.02)
-    expect_close(overlap, 0.0, then=": the largest overlap after a step, m", tolerance=0.02)
+    expect_between(overlap, -0.02, 0.02, then=": the largest overlap after a step, m")

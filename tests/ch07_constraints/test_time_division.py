@@ -240,9 +240,8 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
         ((9.0, 90.0, 0.0), ZERO, ZERO, (8.0, 0.0, 0.0), 2.0),
         ((9.0, 9.0, 9.0), (1.0, 2.0, 3.0), ZERO, (1.0, 2.0, 3.0), math.inf),
     ]
-    about.call = f"p of {mass} kg, damping {d}, at (0, {high}, 0), velocity (3, -4, 0), "
-    about.call += f"acceleration {own}, and a force {force}; a step of {h} s, ground at 0, "
-    about.call += "restitution 0.5; "
+    about.call = f"p of {mass} kg, damping {d}, at (0, {high}, 0), v (3, -4, 0), a {own}, force "
+    about.call += f"{force}; a step of {h} s, ground of restitution 0.5; "
     speed, rest = 0.5 * (4.0 - a * fall), h - fall
     height = speed * rest + 0.5 * a * rest * rest
     end = 0.5 * (speed + a * rest)
@@ -268,14 +267,19 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     name = f"{about.call}p.last_acceleration"
     expect_close(bouncing[2], wanted, call=name, tolerance=1e-14)
     expect_close(bouncing[3], ZERO, then="p.force_accumulator")
-    about.cause = "Each particle has its own forces: here 8 N act on 2 kg, and there is no impact."
+    about.cause = "Each particle has its own forces. For this one a = f / m = 8 N / 2 kg."
     got = falling[0] + falling[1]
-    name = f"{about.call}a second particle, at rest at (9, 90, 0), 8 N along x: position, velocity"
+    name = "the second of three particles: 2 kg, damping 0.25, at rest at (9, 90, 0), with a force "
+    name += f"of (8, 0, 0); a step of {h} s without an impact: position, velocity"
     wanted = (9.5, 90.0, 0.0, 1.0, 0.0, 0.0)
+    still = "Its own forces, 8 N along x, had no effect, but those of the first particle had. Use "
+    still += "up the forces of every particle at the start of the step, not of the first one alone."
+    blame(got, [((9.0, 90.0, 0.0, 0.0, 0.0, 0.0), still)])
     expect_close(got, wanted, call=name, tolerance=1e-13)
     about.cause = "An immovable particle keeps its position and velocity. Its forces are used up."
     got = fixed[0] + fixed[1] + fixed[3]
-    name = f"{about.call}an immovable particle, velocity (1, 2, 3): position, velocity, force"
+    name = "an immovable particle at (9, 9, 9), velocity (1, 2, 3), with a force of (1, 2, 3); a "
+    name += f"step of {h} s: position, velocity, force"
     wanted = (9.0, 9.0, 9.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0)
     expect_close(got, wanted, call=name)
     about.call += "a second step; "
@@ -309,8 +313,6 @@ def test_a_frame_needs_numbers_that_mean_something() -> None:
     about.read = READ
     p = Particle(Vector3(0.0, 5.0, 0.0), Vector3(1.0, 2.0, 3.0))
     p.add_force(Vector3(1.0, 0.0, 0.0))
-    about.cause = "Refuse a bad duration or max_impacts before anything moves. Call positive and "
-    about.cause += "whole from arguments.py."
     bad: list[tuple[tuple, type[Exception]]] = [
         ((duration, 10), ValueError) for duration in (0.0, -1.0, math.nan, math.inf)
     ]
@@ -319,6 +321,13 @@ def test_a_frame_needs_numbers_that_mean_something() -> None:
     for numbers, error in bad:
         about.call = "p with velocity (1, 2, 3) and a force of 1 N; time_division_step([p], "
         about.call += f"ground, {numbers[0]!r}, {numbers[1]!r})"
+        about.cause = f"max_impacts may not be {numbers[1]!r}. Call whole from arguments.py first."
+        if numbers[1] is True:
+            about.cause = "max_impacts may not be True, although Python counts it as an int. "
+            about.cause += "Call whole from arguments.py, which refuses it."
+        elif numbers[1] == 10:
+            about.cause = f"The duration may not be {numbers[0]!r}. Call positive from "
+            about.cause += "arguments.py first."
         expect_error(
             lambda numbers=numbers: time_division_step([p], GroundPlane([p]), *numbers),
             error,
@@ -329,4 +338,5 @@ def test_a_frame_needs_numbers_that_mean_something() -> None:
         got = (*xyz(p.position), *xyz(p.velocity), *xyz(p.force_accumulator))
         before = (0.0, 5.0, 0.0, 1.0, 2.0, 3.0, 1.0, 0.0, 0.0)
         name = "position, velocity and force"
-        expect_unchanged(name, got, before)
+        late = "The step is refused, but too late. Check both arguments before anything moves."
+        expect_unchanged(name, got, before, cause=late)

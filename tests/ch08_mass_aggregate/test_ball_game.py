@@ -49,9 +49,12 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     won = seen[rows + falls - 1]
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
+    missing = "The bonus is missing. When the last row is visited, add BONUS for each life left."
+    if won[0] == points and ruled(rows, order)[-1][0] != points:
+        missing = "The game is not won here, but it is if there is no fall. A fall must not remove "
+        missing += "visited rows."
     mistakes = [
-        (points, "The bonus is missing. Is it added at all? Or does a fall remove visited rows, so "
-         "that the game is not won?"),
+        (points, missing),
         (points + 50, "The bonus was given once. It is 50 for each life that is left."),
         (points + 150, "The bonus counts all three lives. Count only those that are left."),
         (score - 10, "10 points are missing. The last row gives its POINTS in addition to the "

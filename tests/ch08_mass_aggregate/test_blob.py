@@ -91,7 +91,8 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
     for i, (length, holds, what) in enumerate(story):
         if what == "holds" and i == 0:
             continue  # rounding may have made it slightly longer
-        name = f"{about.call}, set to the lengths {lengths[: i + 1]} in turn"
+        shown = ", ".join(f"{one:.6g}" for one in lengths[: i + 1])
+        name = f"{about.call}; its length is {shown} m in turn"
         about.cause = causes[what]
         expect_exactly(seen[i][2], holds, call=f"{name}: holds")
         force = pull(length, k, rest, limit, share) if holds else 0.0

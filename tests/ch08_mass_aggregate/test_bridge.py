@@ -11,7 +11,7 @@ import pytest
 
 from ch08_mass_aggregate.scene_probes import bridge_links, deck, hung_bridge
 from draw import Components, positive_number
-from expect import about, blame, cause_of, expect_close, expect_exactly
+from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly
 
 LINKS = "the docstring of links_of"
 NEAREST = "the docstring of Deck.nearest"
@@ -74,6 +74,9 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     wrong += [f"{pair} should not be joined" for pair in ends if pair not in right]
     why = f"{wrong[0]}. {about.cause}" if wrong else about.cause
     expect_exactly(ends, right, then=": the ends of each by index (-1 is an anchor)", cause=why)
+    lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}
+    about.cause = f"The length of this {'cable' if which != 'rod' else 'rod'} is wrong. It is "
+    about.cause += f"{lengths[which]}."
     for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
         # Lengths of some meters, rounded a few times.
         expect_close(
@@ -115,17 +118,18 @@ def test_nothing_else_holds_them() -> None:
 @pytest.mark.exercise("B8.4")
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
     about("the bridge, released, after 2.5 s at 60 steps per second", read=LINKS)
-    about.cause = "The anchored cables must hold the bridge. Does each end hang on one with the "
-    about.cause += "length for its row?"
+    about.cause = "The anchored cables must hold the bridge. Give each end one with the length for "
+    about.cause += "its row."
     places = hung_bridge(150, 1.0 / 60.0)
     lowest = min(y for _, y, _ in places)
-    expect_exactly(lowest > 0.0, True, then=": is its lowest end above the ground")
+    expect_between(lowest, 0.01, math.inf, then=": the height of its lowest end, in m")
     over = [math.dist(places[i], places[i + 2]) / 1.9 - 1.0 for i in range(10)]
     for i, (x, _, z) in enumerate(START):
         anchor = (1.1 * x, 6.0, 0.8 * z)
         over.append(math.dist(anchor, places[i]) / SUPPORTS[i // 2] - 1.0)
     # The resolver's default leaves 0.4 % at 60 steps per second.
-    expect_exactly(max(over) < 0.02, True, then=": is every cable at most 2 % too long")
+    name = ": the largest extension of a cable, as a fraction of its length"
+    expect_between(max(over), -math.inf, 0.02, then=name)
 
 
 def draw_rows(rng: Random, count: int) -> list[tuple[Components, Components]]:
@@ -243,18 +247,20 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     height = y + 0.75 * (v - y)
     for depth in (0.3, 0.01, 0.0):
         center = height + radius - depth
-        about.call = f"a deck through {middles(rows)}, a ball of radius {radius} at ({at}, "
-        about.call += f"{center}, 0), restitution {c}: contacts() (the ball is 0, the ends of the "
-        about.call += "nearest row are 3 and 4)"
+        about.call = f"a deck through {middles(rows)}; a ball of radius {radius} at ({at:g}, "
+        about.call += f"{center:.6g}, 0), restitution {c}; contacts() (the ball is 0, the ends of "
+        about.call += "the nearest row are 3 and 4)"
         about.cause = "Return a contact with each end of the nearest row. The ball is the "
-        about.cause += "particle, the normal is +Y and the penetration is height + radius - y."
+        about.cause += "particle, and the end is the other."
         if not depth:
             center = height + radius - 1e-13  # rounding must not lift it off
         got = sorted(deck((at, center, 0.0), rows, radius, c)["contacts"])
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
             about.cause = "The lowest point of the ball, y - radius, is not above the deck, so it "
-            about.cause += "touches. Is the radius included? A penetration of 0 counts."
+            about.cause += "touches. Is the radius included?"
+            if not depth:
+                about.cause = "The ball just touches the deck. A penetration of 0 counts."
         elif ends in ([(0, 3)], [(0, 4)]):
             about.cause = "Only one end of the row has a contact. Return one for each end."
         elif ends == [(3, 0), (4, 0)]:
@@ -264,7 +270,9 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             about.cause = "Other rows have contacts too. Use only the two ends of the nearest row."
         expect_exactly(ends, [(0, 3), (0, 4)], then=": ends")
         for _, _, normal, restitution, penetration in list(got):
-            expect_close(normal, UP, tolerance=1e-15)
+            about.cause = "The normal is +Y, since the deck pushes the ball up."
+            expect_close(normal, UP, then=": the normal", tolerance=1e-15)
+            about.cause = "The penetration is height + radius - y."
             mistakes = [
                 ((0.0, depth), "The restitution is missing. Pass self.restitution."),
                 ((c, 0.5 * depth), "Do not divide the depth between the two contacts."),

@@ -209,10 +209,13 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     turning = math.fsum(
         m * (x * w[1] - y * w[0]) for m, (x, y), w in zip(masses, seen, v, strict=True)
     )
-    about.call = f"spin(hub, rim) of a rim at {rim}, velocities {v}, masses {masses}, the hub at "
-    about.call += "rest"
-    about.cause = "Divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + y^2). Heavy and "
-    about.cause += "distant particles count most."
+    about.call = f"spin(hub, rim), the hub at rest at {hub}; "
+    about.call += "; ".join(
+        f"{m} kg at ({x:.6g}, {y:.6g}, {z:.6g}), velocity {w}"
+        for m, (x, y, z), w in zip(masses, rim, v, strict=True)
+    )
+    about.cause = "Divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + y^2), where "
+    about.cause += "x and y are relative to the hub."
     got = spun((hub, (0.0, 0.0, 0.0)), list(zip(rim, v, masses, strict=True)))
     expect_close(got, turning / inertia, tolerance=1e-12)
     about.cause = "If the moment of inertia is 0, return 0."

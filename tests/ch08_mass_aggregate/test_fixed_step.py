@@ -26,16 +26,15 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
     done = advanced(STEP, elapsed)
     left = 0
     for i, (quarter, row) in enumerate(zip(quarters, done["rows"], strict=True)):
+        about.call = f"call {i + 1} of advance of a FixedStep of {STEP} s: advance({elapsed[i]}), "
+        about.call += f"while {0.25 * STEP * left} s are left from before"
         steps, left = divmod(left + quarter, 4)
-        about.call = f"a FixedStep of {STEP} s; advance by {elapsed[: i + 1]} in turn"
         mistakes = [
             (steps + 1, "One step too many. Keep a time shorter than a step for the next call."),
             (1, "Only one step was made. Repeat while there is enough time left."),
         ]
         seen = cause_of(row[0], mistakes, about.cause)
-        expect_exactly(
-            row[0], steps, then=": the number of steps that the last call returns", cause=seen
-        )
+        expect_exactly(row[0], steps, then=": the number of steps that it returns", cause=seen)
         mistakes = [((0.0, 0.0), "The rest of the time is lost. Keep it in left.")]
         seen = cause_of(row[1:], mistakes, about.cause)
         wanted = (0.25 * STEP * left, 0.0)
@@ -190,8 +189,8 @@ def test_a_run_is_the_same_whatever_the_frames(rng: Random) -> None:
     odd.append(160.0 * STEP - math.fsum(odd))
     about.call = "a ball bounces for 2.5 s, with elapsed times from 0.016 to 0.5 s; FixedStep of "
     about.call += f"{STEP} s"
-    about.cause = "With a fixed time step, the result must not depend on the elapsed times. Was "
-    about.cause += "only one step made per call?"
+    about.cause = "With a fixed time step, the result must not depend on the elapsed times. Repeat "
+    about.cause += "steps while self.left is a step or more."
     place, velocity = bounced(even, STEP)
     about.call += ": position and velocity"
     got = bounced(odd, STEP)

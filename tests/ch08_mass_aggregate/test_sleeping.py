@@ -29,7 +29,10 @@ def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
     if seen[0]:
         about.cause = "One slow step is not enough. Wait for sleep_frames of them in a row."
     elif not any(seen):
-        about.cause = "No particle falls asleep. Does run_physics call fall_asleep at its end?"
+        about.cause = (
+            "No particle falls asleep. Call fall_asleep at the end of run_physics, and put "
+        )
+        about.cause += "particles into self.asleep there."
     elif seen[:frames] == wanted[:frames]:
         about.cause = "They fall asleep but do not stay asleep. Set velocity and inverse_mass to "
         about.cause += "0, and wake a particle only if something has changed."
@@ -73,13 +76,27 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
     fast = last + rng.randint(1, 4)
     about.call = f"a particle touches a fast one in steps 1 to {last}, and is slow except in step "
     about.call += f"{fast}; sleep_frames 5; fall_asleep(): who sleeps after each step"
-    wanted = [[]] * (fast + 4) + [[0]] * 3
-    expect_exactly(parted(last, fast + 7, fast), wanted)
-    about.call = "two slow particles touch, and number 1 becomes immovable after 4 steps; "
-    about.call += "sleep_frames 5; fall_asleep(): who sleeps after 12 steps"
-    about.cause = "Skip immovable particles. They join nothing, wake nothing and never sleep, "
-    about.cause += "whatever they touched before."
-    expect_exactly(made_immovable(4, 12), [0])
+    wanted, seen = [[]] * (fast + 4) + [[0]] * 3, parted(last, fast + 7, fast)
+    if not any(seen):
+        about.cause = "It never falls asleep. Forget every contact that is sleep_frames steps old, "
+        about.cause += "in each step."
+    elif any(seen[: fast + 4]):
+        about.cause = f"It was fast in step {fast}, so count its slow steps from there."
+    expect_exactly(seen, wanted)
+    about.call = "two slow particles touch all the time, and number 1 becomes immovable after 4 "
+    about.call += "steps; sleep_frames 5; fall_asleep(): who sleeps after 12 steps"
+    about.cause = "Number 0 must sleep, and the immovable number 1 must not."
+    seen = made_immovable(4, 12)
+    if [0] in seen and seen[-1] == []:
+        about.cause = "Number 0 falls asleep, but the contact with the immovable number 1 wakes it "
+        about.cause += "again. In wake_touched only a particle that can move wakes another one."
+    elif not any(seen):
+        about.cause = "Number 0 stays awake because it touches the immovable number 1. In "
+        about.cause += "fall_asleep leave out immovable particles: they keep nothing awake."
+    elif any(1 in one for one in seen):
+        about.cause = "Number 1 is immovable and must not fall asleep, since it would get a mass "
+        about.cause += "when it wakes. Leave it out in fall_asleep."
+    expect_exactly(seen[-1], [0])
 
 
 @pytest.mark.exercise("G8.1")

@@ -50,8 +50,8 @@ def test_what_is_moved_by_hand_wakes(
     about.cause += "wake_moved before the integrator, so that this step already moves it."
     if how == "nothing":
         about.call = "a particle of 2 kg asleep on the ground; a step of 1/60 s, wake_moved()"
-        about.cause = "Nothing has changed, so the particle must stay asleep. Is its inverse_mass "
-        about.cause += "0, and is its velocity 0?"
+        about.cause = "Nothing has changed, so the particle must stay asleep. Wake it only if its "
+        about.cause += "velocity, position, mass or force differ from those in its Sleep."
     before, got, now, fast = woken_by_hand(how)
     expect_exactly(before, [0], then=": who slept before")
     expect_exactly(got, sleeps, then=": who sleeps afterward")
@@ -97,11 +97,12 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         about.cause = "After the comparison, clear the accumulator of a sleeping particle and set "
         about.cause += "its inverse_mass back to 0."
         expect_exactly(done["sums"], [(0.0, 0.0, 0.0)], then=": its accumulator while it slept")
-        about.cause = "A change of more than SAME, 1 %, of what acts must wake the particle. The "
-        about.cause += "step in which it wakes already moves it, by each force once."
+        about.cause = "A change of more than SAME, 1 %, of what acts must wake the particle. "
+        about.cause += "run_physics calls wake_pushed in every LOOK_EVERY-th step."
         woken = done["velocity"] is not None
         expect_exactly(woken, True, then=": does it wake within 10 steps")
         got = done["velocity"] or (math.nan,) * 3
+        about.cause = "The step in which it wakes already moves it, by each force once."
         twice = tuple(2.0 * part for part in velocity)
         if any(velocity):
             seen = "The forces count twice. Clear the accumulator after the comparison."

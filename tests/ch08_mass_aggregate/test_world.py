@@ -56,7 +56,8 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
         ("one particle", bodies[:1], parts[0]),
         ("three particles", bodies, math.fsum(parts)),
     ):
-        about.call = f"mechanical_energy of {name} (position, velocity, acceleration, mass): {some}"
+        bodies_in_words = "; ".join(f"{m} kg at {p}, v {v}, a {a}" for p, v, a, m in some)
+        about.call = f"mechanical_energy of {name}: {bodies_in_words}"
         got = energy_of(some)
         # Rounding of terms of some hundreds of J.
         expect_close(got, wanted, tolerance=1e-10)

@@ -32,16 +32,21 @@ def parted(touching: int, frames: int, fast: int = 0) -> list[list[int]]:
     return seen
 
 
-def made_immovable(late: int, frames: int) -> list[int]:
-    """Let two particles that lie still touch, until one becomes immovable; return who sleeps."""
+def made_immovable(late: int, frames: int) -> list[list[int]]:
+    """Let two particles that lie still touch, until one becomes immovable.
+
+    Return who sleeps after each frame.
+    """
     particles = [Particle(), Particle(Vector3(9.0))]
     touch = Touch(particles, [(0, 1)])
     world = SleepingWorld(particles, [touch], sleep_energy=0.5, sleep_frames=5)
+    seen = []
     for i in range(frames):
         if i == late:
             particles[1].mass = math.inf
         world.step(FRAME)
-    return asleep(world, particles)
+        seen.append(asleep(world, particles))
+    return seen
 
 
 def group_woken(pairs: Sequence[tuple[int, int]], first: int) -> tuple[list[int], list[int]]:

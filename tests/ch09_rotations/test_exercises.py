@@ -20,6 +20,7 @@ from draw import components, number, positive_number
 from expect import (
     UNCHANGED,
     about,
+    expect_between,
     expect_close,
     expect_error,
     expect_exactly,
@@ -85,9 +86,7 @@ def test_the_angles_are_within_half_a_turn() -> None:
     about.call = "two_other_turns()"
     about.cause = "Give the angles in degrees from -180 to 180, so -90 instead of 270."
     for letter, angle in zip("ab", two_other_turns(), strict=True):
-        name = f"{about.call}, {letter} = {angle}; is it from -180 to 180?"
-        allowed = isinstance(angle, (int, float)) and abs(angle) <= 180.0
-        expect_exactly(allowed, True, call=name)
+        expect_between(angle, -180.0, 180.0, then=f", {letter}")
 
 
 # 9.2 One rotation back to the reference
@@ -109,9 +108,7 @@ def way_back(q: Quad) -> tuple:
     slips = {"the angle in degrees": turn, "the angle in degrees, about the opposite axis": -turn}
     if angle:
         about.cause = named(angle, about.cause, slips)
-    name = f"{about.call}, angle = {angle}; is it from -pi to pi?"
-    allowed = isinstance(angle, (int, float)) and abs(angle) <= math.pi + 1e-12
-    expect_exactly(allowed, True, call=name)
+    expect_between(angle, -math.pi, math.pi, then=", the angle", tolerance=1e-12)
     return unit, angle
 
 

@@ -22,6 +22,7 @@ from turning import (
     named,
     times,
     transposed,
+    written,
 )
 
 TIMES = "book 9.4.2"
@@ -41,7 +42,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     about.read = TIMES
     m, a = draw_matrix(rng), components(rng)
     v = Vector3(*a)
-    about.call = f"Matrix3{m}.transform(Vector3{a})"
+    about.call = f"{written(m)}.transform(Vector3{a})"
     about.cause = "Each component is the dot product of a row of the matrix with the vector."
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
@@ -53,7 +54,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     # Three products of numbers up to 90.
     expect_close(got, wanted, cause=why, tolerance=1e-11)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
-    about.call = f"Matrix3{m} @ Vector3{a}, which calls Matrix3.transform"
+    about.call = f"{written(m)} @ Vector3{a}, which calls Matrix3.transform"
     got = xyz(Matrix3(*m) @ v)
     expect_close(got, wanted, tolerance=1e-11)
 
@@ -62,7 +63,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
 def test_a_matrix_times_a_matrix(rng: Random) -> None:
     about.read = TIMES
     m, n = draw_matrix(rng), draw_matrix(rng)
-    about.call = f"Matrix3{m}.product(Matrix3{n})"
+    about.call = f"{written(m)}.product({written(n)})"
     about.cause = "Each number is a row of self times a column of m. The order matters."
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))
@@ -77,7 +78,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     expect_close(got, times(m, n), cause=why, tolerance=1e-11)
     expect_unchanged("the first matrix", entries(first), m, cause=UNCHANGED)
     expect_unchanged("the second matrix", entries(second), n, cause=UNCHANGED)
-    about.call = f"Matrix3{m} @ Matrix3{n}, which calls Matrix3.product"
+    about.call = f"{written(m)} @ {written(n)}, which calls Matrix3.product"
     got = entries(first @ second)
     expect_close(got, times(m, n), tolerance=1e-11)
 
@@ -110,7 +111,7 @@ def test_rows_become_columns(rng: Random) -> None:
     about.read = "book 9.4.3"
     m = draw_matrix(rng)
     matrix = Matrix3(*m)
-    about.call = f"Matrix3{m}.transpose()"
+    about.call = f"{written(m)}.transpose()"
     about.cause = "The number in row i and column j moves to row j and column i."
     got = entries(matrix.transpose())
     other = transposed(m)[::-1]
@@ -169,19 +170,19 @@ def test_the_determinant(rng: Random) -> None:
     about.cause = "With the rows as vectors it is first . (second x third). It may be negative."
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
-        about.call = f"Matrix3{n}.determinant()"
+        about.call = f"{written(n)}.determinant()"
         got = Matrix3(*n).determinant()
         # Six products of up to 700.
         why = named(got, about.cause, determinant_slips(n))
         expect_close(got, determinant(n), cause=why, tolerance=1e-10)
     about.cause += " Zeros on the diagonal do not make it zero."
     for n in ring_and_swap():
-        about.call = f"Matrix3{n}.determinant()"
+        about.call = f"{written(n)}.determinant()"
         got = Matrix3(*n).determinant()
         expect_close(got, determinant(n))
     about.cause = "The determinant is small but not zero. Do not round it."
     n = tuple(number * 1e-7 for number in m)
-    about.call = f"Matrix3{n}.determinant()"
+    about.call = f"{written(n)}.determinant()"
     got = Matrix3(*n).determinant()
     expect_close(got, determinant(n), tolerance=1e-31)
 
@@ -203,7 +204,7 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     ):
         n = tuple(number * scale for number in rows)
         matrix = Matrix3(*n)
-        about.call = f"m = Matrix3{n}; m @ m.inverse()"
+        about.call = f"m = {written(n)}; m @ m.inverse()"
         about.cause = f"The determinant is {determinant(n):.4g}, so the matrix has an inverse."
         if scale != 1.0:
             about.cause = small
@@ -230,7 +231,7 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     about.cause = "Zeros on the diagonal, or rows of very different lengths, do not make a matrix "
     about.cause += "singular."
     for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):
-        about.call = f"m = Matrix3{n}; m @ m.inverse()"
+        about.call = f"m = {written(n)}; m @ m.inverse()"
         got = entries(Matrix3(*n).inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         expect_close(product, IDENTITY, tolerance=TIGHT)
@@ -241,7 +242,7 @@ def expect_no_inverse(m: Nine) -> None:
     expect_error(
         lambda: Matrix3(*m).inverse(),
         ValueError,
-        call=f"Matrix3{m}.inverse()",
+        call=f"{written(m)}.inverse()",
         allowed=lambda: Matrix3(2.0, 0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 4.0).inverse(),
         read=INVERSE,
     )
@@ -278,7 +279,7 @@ def test_how_near_to_singular_is_too_near() -> None:
             about.cause += "does not exceed 1e-13, so refuse it."
             expect_no_inverse(m)
             continue
-        about.call = f"Matrix3{m}.inverse().entries[0]"
+        about.call = f"{written(m)}.inverse().entries[0]"
         got = entries(Matrix3(*m).inverse())[0]
         expect_close(got, 0.5)
 

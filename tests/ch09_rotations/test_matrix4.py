@@ -27,6 +27,7 @@ from turning import (
     subtracted,
     times,
     transposed,
+    written,
 )
 
 POINT = "book 9.4.2, and the docstring of Matrix4.transform"
@@ -41,7 +42,7 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     m, p, a = draw_matrix(rng), components(rng), components(rng)
     twelve = joined(m, p)
     v = Vector3(*a)
-    about.call = f"Matrix4{twelve}.transform(Vector3{a})"
+    about.call = f"{written(twelve)}.transform(Vector3{a})"
     about.cause = "Multiply the first three numbers of each row by the vector, then add the fourth."
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
@@ -54,7 +55,7 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     why = named(got, about.cause, slips)
     expect_close(got, moved(m, p, a), cause=why, tolerance=LOOSE)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
-    about.call = f"Matrix4{twelve} @ Vector3{a}, which calls Matrix4.transform"
+    about.call = f"{written(twelve)} @ Vector3{a}, which calls Matrix4.transform"
     got = xyz(Matrix4(*twelve) @ v)
     expect_close(got, moved(m, p, a), tolerance=LOOSE)
 
@@ -65,7 +66,7 @@ def test_one_transformation_after_another(rng: Random) -> None:
     m, p, n, q = draw_matrix(rng), components(rng), draw_matrix(rng), components(rng)
     first, second = joined(m, p), joined(n, q)
     one, other = Matrix4(*first), Matrix4(*second)
-    about.call = f"Matrix4{first}.product(Matrix4{second})"
+    about.call = f"{written(first)}.product({written(second)})"
     about.cause = "The translation of m is transformed by self, as any point is."
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
@@ -91,7 +92,7 @@ def test_one_transformation_after_another(rng: Random) -> None:
     expect_close(got, wanted, cause=why, tolerance=LOOSE)
     expect_unchanged("the first matrix", entries(one), first, cause=UNCHANGED)
     expect_unchanged("the second matrix", entries(other), second, cause=UNCHANGED)
-    about.call = f"Matrix4{first} @ Matrix4{second}, which calls Matrix4.product"
+    about.call = f"{written(first)} @ {written(second)}, which calls Matrix4.product"
     got = entries(one @ other)
     expect_close(got, wanted, tolerance=LOOSE)
 
@@ -136,7 +137,7 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and E-28"
     m, p = draw_mirror(rng), components(rng)
     twelve = joined(m, p)
-    about.call = f"Matrix4{twelve}.determinant()"
+    about.call = f"{written(twelve)}.determinant()"
     about.cause = "Use the nine numbers without the last column."
     got = Matrix4(*twelve).determinant()
     slips = {
@@ -149,7 +150,7 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     expect_close(got, determinant(m), cause=why, tolerance=1e-10)
     about.cause = "The determinant is small but not zero. Do not round it."
     small = tuple(1e-7 * number for number in m)
-    about.call = f"Matrix4{joined(small, p)}.determinant()"
+    about.call = f"{written(joined(small, p))}.determinant()"
     got = Matrix4(*joined(small, p)).determinant()
     expect_close(got, determinant(small), tolerance=1e-31)
 
@@ -169,7 +170,7 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         twelve = joined(m, p)
         matrix = Matrix4(*twelve)
         there = moved(m, p, a)
-        about(f"m = Matrix4{twelve}; m.inverse() @ Vector3{there}, which is m @ Vector3{a}")
+        about(f"m = {written(twelve)}; m.inverse() @ (m @ Vector3{a})")
         about.cause = how
         got = entries(matrix.inverse())
         about.cause = "Invert the nine numbers with Matrix3.inverse. The translation is then -I p."
@@ -221,7 +222,7 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
         expect_error(
             lambda twelve=twelve: Matrix4(*twelve).inverse(),
             ValueError,
-            call=f"Matrix4{twelve}.inverse()",
+            call=f"{written(twelve)}.inverse()",
             allowed=lambda: Matrix4(*joined(IDENTITY, (1.0, 2.0, 3.0))).inverse(),
         )
 

@@ -31,6 +31,7 @@ from turning import (
     subtracted,
     times,
     transposed,
+    written,
 )
 
 WORLD = "book 9.4.5"
@@ -170,7 +171,7 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
         ),
     }[method]
     v, matrix = Vector3(*a), Matrix4(*twelve)
-    about.call = f"Matrix4{twelve}.{method}(Vector3{a})"
+    about.call = f"{written(twelve)}.{method}(Vector3{a})"
     got = xyz(getattr(matrix, method)(v))
     why = named(got, about.cause, world_slips(m, p, a))
     # Rounding of numbers up to 30.
@@ -188,7 +189,7 @@ def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
     expect_error(
         lambda: getattr(matrix, method)(a),
         TypeError,
-        call=f"Matrix4{twelve}.{method}({a})",
+        call=f"{written(twelve)}.{method}({a})",
         allowed=lambda: getattr(matrix, method)(Vector3(*a)),
         cause="The argument must be a Vector3. Raise TypeError for a tuple.",
         read=FIRST_LINES,
@@ -200,7 +201,7 @@ def test_a_turn_told_in_other_axes() -> None:
     about.read = BASIS
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
-    about.call = f"change_basis(Matrix3{about_z}, Matrix3{z_to_x})"
+    about.call = f"change_basis({written(about_z)}, {written(z_to_x)})"
     about.cause = "The result is basis m basis^-1. This basis takes Z to X, so a rotation about Z "
     about.cause += "becomes one about X."
     got = entries(change_basis(Matrix3(*about_z), Matrix3(*z_to_x)))
@@ -224,7 +225,7 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     about.read = BASIS
     m, basis = draw_matrix(rng), draw_mirror(rng)
     one, other = Matrix3(*m), Matrix3(*basis)
-    about.call = f"change_basis(Matrix3{m}, Matrix3{basis}) @ basis"
+    about.call = f"change_basis({written(m)}, {written(basis)}) @ basis"
     about.cause = "The result is basis m basis^-1. The axes need not be at right angles."
     got = entries(change_basis(one, other))
     product = times(got, basis) if isinstance(got, tuple) and len(got) == 9 else got
@@ -242,7 +243,7 @@ def test_a_motion_told_from_another_place(rng: Random) -> None:
     m, p, basis, q = draw_matrix(rng), components(rng), draw_mirror(rng), components(rng)
     first, second = joined(m, p), joined(basis, q)
     a = components(rng)
-    about.call = f"change_basis(Matrix4{first}, Matrix4{second}) @ (basis @ Vector3{a})"
+    about.call = f"change_basis({written(first)}, {written(second)}) @ (basis @ Vector3{a})"
     about.cause = "The result is basis m basis^-1, including both translations."
     told = change_basis(Matrix4(*first), Matrix4(*second))
     got = entries(told)

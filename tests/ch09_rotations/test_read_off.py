@@ -32,6 +32,7 @@ from turning import (
     named,
     subtracted,
     transposed,
+    written,
 )
 
 OFF = "the docstring of read_off"
@@ -44,7 +45,7 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     m, p = draw_slight_turn(rng), components(rng)
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
-    about.call = f"read_off(Matrix4{twelve})"
+    about.call = f"read_off({written(twelve)})"
     about.cause = "The first three columns are the rotation, a Matrix3. The last is the position."
     rotation, position = read_off(matrix)
     name = f"{about.call}, the rotation"
@@ -74,7 +75,7 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     m, p = draw_slight_turn(rng), components(rng)
     good = joined(m, p)
     near = tuple(n * (1.0 + 4e-6) for n in m)
-    about.call = f"len(read_off(Matrix4{joined(near, p)}))"
+    about.call = f"len(read_off({written(joined(near, p))}))"
     about.cause = "The rows have the length 1 + 4e-6, which is_rotation() accepts."
     expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
     about.cause = "The first three columns are not a rotation. Check them with is_rotation()."
@@ -90,13 +91,13 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
         expect_error(
             lambda twelve=twelve: read_off(Matrix4(*twelve)),
             ValueError,
-            call=f"read_off(Matrix4{twelve})",
+            call=f"read_off({written(twelve)})",
             allowed=lambda: [
                 read_off(Matrix4(*good)),
                 read_off(Matrix4(*joined(near, p))),
             ],
         )
-    for name, other in ((f"{good}", good), ("Matrix3(...)", Matrix3(*m))):
+    for name, other in (("a tuple of twelve numbers", good), ("Matrix3(...)", Matrix3(*m))):
         expect_error(
             lambda other=other: read_off(other),
             TypeError,
@@ -112,7 +113,7 @@ def test_the_easy_inverse(rng: Random) -> None:
     m, p = matrix_of(draw_quad(rng)), components(rng)
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
-    about.call = f"easy_inverse(Matrix4{twelve})"
+    about.call = f"easy_inverse({written(twelve)})"
     about.cause = "The rotation becomes its transpose T, and the position p becomes -T p."
     got = entries(easy_inverse(matrix))
     t = transposed(m)
@@ -157,7 +158,7 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
     m, p = tuple(2.0 * n for n in matrix_of(draw_quad(rng))), components(rng)
     for linear in (m, (0.0,) * 9):
         twelve = joined(linear, p)
-        about.call = f"easy_inverse(Matrix4{twelve}), which is not a rotation"
+        about.call = f"easy_inverse({written(twelve)}), which is not a rotation"
         about.cause = "Use the transpose without any check or division, for every matrix. A "
         about.cause += "general inverse would divide by the determinant."
         got = entries(easy_inverse(Matrix4(*twelve)))
@@ -173,7 +174,7 @@ def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     m, p, a = matrix_of(draw_quad(rng)), components(rng), components(rng)
     twelve = joined(m, p)
     there = moved(m, p, a)
-    about.call = f"easy_inverse(Matrix4{twelve}) @ Vector3{there}, which is the matrix @ Vector3{a}"
+    about.call = f"m = {written(twelve)}; easy_inverse(m) @ (m @ Vector3{a})"
     about.cause = "Subtract the position first, then rotate back."
     got = entries(easy_inverse(Matrix4(*twelve)))
     if isinstance(got, tuple) and len(got) == 12:

@@ -35,6 +35,7 @@ from turning import (
     rijk,
     same_sign,
     transposed,
+    written,
 )
 
 IS_ROTATION = "the docstring of is_rotation"
@@ -47,7 +48,7 @@ HALF_TURN = tuple(n / 9.0 for n in (-1.0, 8.0, 4.0, 8.0, -1.0, 4.0, 4.0, 4.0, -7
 @scoped
 def expect_rotation(m: Nine, wanted: bool) -> None:
     """Expect is_rotation to accept or refuse a matrix."""
-    about(f"Matrix3{m}.is_rotation()", read=IS_ROTATION)
+    about(f"{written(m)}.is_rotation()", read=IS_ROTATION)
     expect_exactly(Matrix3(*m).is_rotation(), wanted)
 
 
@@ -208,7 +209,7 @@ def expect_back(q: Quad) -> None:
     """Expect q or -q from the matrix of the quaternion q."""
     about.read = TO
     m = matrix_of(q)
-    about.call = f"Matrix3{m}.to_quaternion()"
+    about.call = f"{written(m)}.to_quaternion()"
     got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
     r, i, j, k = q
     slips = {
@@ -276,7 +277,7 @@ def test_what_comes_back_has_length_one(rng: Random) -> None:
     half_turns.append((0.0, 2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0))
     for q in (draw_quad(rng), quad(components(rng), 0.3), *half_turns):
         m = tuple(number * (1.0 + 3e-6) for number in matrix_of(q))
-        about.call = f"Matrix3{m}.to_quaternion(); its length"
+        about.call = f"{written(m)}.to_quaternion(); its length"
         got = math.hypot(*rijk(Matrix3(*m).to_quaternion()))
         expect_close(got, 1.0, tolerance=TIGHT)
 
@@ -296,6 +297,6 @@ def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
         expect_error(
             lambda n=n: Matrix3(*n).to_quaternion(),
             ValueError,
-            call=f"Matrix3{n}.to_quaternion()",
+            call=f"{written(n)}.to_quaternion()",
             allowed=lambda: Matrix3(*m).to_quaternion(),
         )

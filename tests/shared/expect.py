@@ -91,6 +91,23 @@ def expect_close(
         _complain(_shown(got), _shown(wanted), words, tolerance)
 
 
+def expect_between(
+    got: Any, least: float, most: float, *, tolerance: float = 0.0, **words: Unpack[Words]
+) -> None:
+    """Expect a number from least to most; an infinite bound is none."""
+    __tracebackhide__ = True
+    if _are_numbers((got,), 1) and least - tolerance <= got <= most + tolerance:
+        return
+    wanted = f"a number from {_shown(least)} to {_shown(most)}"
+    if least == -most:
+        wanted = f"at most {_shown(most)} in size"
+    elif math.isinf(least):
+        wanted = f"at most {_shown(most)}"
+    elif math.isinf(most):
+        wanted = f"at least {_shown(least)}"
+    _complain(_shown(got), wanted, words)
+
+
 def expect_exactly(got: Any, wanted: Any, **words: Unpack[Words]) -> None:
     """Expect exactly this value of exactly this type, such as a word or True."""
     __tracebackhide__ = True
@@ -239,14 +256,16 @@ def cause_of(
 
 
 def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) -> str:
-    """Return the cause, preceded by the slip that gives exactly the numbers in got, if any.
+    """Return the slip that gives exactly the numbers in got, or the cause if there is none.
 
-    A slip is a whole sentence, or a phrase that "This is" completes.
+    A slip is a phrase that "This is" completes, or one sentence or more. The cause follows a single
+    sentence. Two sentences already say what to do.
     """
-    mistakes = [
-        (gives, f"{slip if slip.endswith('.') else f'This is {slip}.'} {cause}")
-        for slip, gives in slips.items()
-    ]
+    """
+    mistakes = []
+    for slip, gives in slips.items():
+        words = slip if slip.endswith(".") else f"This is {slip}."
+        mistakes.append((gives, words if ". " in words else f"{words} {cause}"))
     return cause_of(got, mistakes, cause)
 
 

@@ -38,9 +38,20 @@ def one_step(
 
 
 def wrong_steps(
-    method: str, x: float, v: float, a: float, k: float, c: float, d: float, h: float
+    method: str,
+    x: float,
+    v: float,
+    a: float,
+    k: float,
+    c: float,
+    d: float,
+    h: float,
+    acceleration: float,
 ) -> dict[str, tuple[float, float]]:
-    """Return position and velocity after steps with a mistake, keyed by its explanation."""
+    """Return position and velocity after steps with a mistake, keyed by its explanation.
+
+    ``acceleration`` is the part of a that is not due to forces added by hand.
+    """
 
     def force(position: float, velocity: float) -> float:
         return a - k * position - c * velocity
@@ -94,6 +105,11 @@ def wrong_steps(
             "This uses the sum of the forces. Use their mean.": (
                 half,
                 (v + (first + second - a) * h) * keep,
+            ),
+            "The forces of the first evaluation are still there in the second one. Clear the "
+            "accumulators in between, and add again what was added by hand.": (
+                half,
+                (v + 0.5 * (first + second + first - acceleration) * h) * keep,
             ),
             "This evaluates b with the old velocity, not v + a h.": (
                 half,

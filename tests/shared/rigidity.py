@@ -7,8 +7,10 @@ rank.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import combinations
 
 Position = Sequence[float]
 
@@ -54,11 +56,23 @@ def motions(
     return found_motions
 
 
+def changed(places: Sequence[Place], motion: Sequence[float]) -> tuple[int, int]:
+    """Return the first two places whose distance a motion changes. A rod there forbids it."""
+    for i, j in combinations(range(len(places)), 2):
+        rates = (
+            (places[i][k] - places[j][k]) * (motion[3 * i + k] - motion[3 * j + k])
+            for k in range(3)
+        )
+        if abs(math.fsum(rates)) > 1e-9:
+            return i, j
+    raise ValueError("the motion changes no distance")
+
+
 def told(motion: Sequence[float], name: str) -> str:
     """Return in words which points move in a motion, and in which direction."""
     words = []
     for i in range(0, len(motion), 3):
         x, y, z = motion[i : i + 3]
         if x or y or z:
-            words.append(f"{name} {i // 3} along ({x:g}, {y:g}, {z:g})")
+            words.append(f"{name} {i // 3} along ({x:.3g}, {y:.3g}, {z:.3g})".lstrip())
     return ", ".join(words)

@@ -183,3 +183,11 @@ def same_sign(got: Any, wanted: Sequence[float]) -> Any:
         return got
     along = math.fsum(g * w for g, w in zip(got, wanted, strict=True))
     return tuple(-number for number in got) if along < 0.0 else got
+
+
+def written(numbers: Sequence[float]) -> str:
+    """Return the call that makes a Matrix3 or Matrix4, with a line for each row if it is long."""
+    across = len(numbers) // 3
+    rows = [", ".join(map(repr, numbers[i : i + across])) for i in range(0, 3 * across, across)]
+    between = ", " if sum(map(len, rows)) < 60 else ",\n    "
+    return f"Matrix{across}({between.join(rows)})"

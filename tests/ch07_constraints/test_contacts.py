@@ -185,8 +185,8 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
              "to -v_s."),
             (c * (closing - size * h), "This uses the whole |a|. Only a . n, its component along "
              "the normal, closes the contact."),
-            (0.0, "Nothing bounces here, but the time step added only 0.1962 of the 5 m/s: a . n "
-             "times the duration. The rest bounces: return c (-v_s + a . n h)."),
+            (0.0, "Nothing bounces here, but the time step added only 0.1962 of the 5 m/s. Did you "
+             "multiply a . n by the duration? Return c (-v_s + a . n h)."),
         ]  # fmt: skip
         v = along(n, -closing, rng)
         about.call = f"a of 3 kg with velocity {v}, acceleration {pull}, damping 0.25; Contact(a, "

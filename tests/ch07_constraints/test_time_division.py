@@ -272,8 +272,10 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     name = "the second of three particles: 2 kg, damping 0.25, at rest at (9, 90, 0), with a force "
     name += f"of (8, 0, 0); a step of {h} s without an impact: position, velocity"
     wanted = (9.5, 90.0, 0.0, 1.0, 0.0, 0.0)
-    still = "Its own forces, 8 N along x, had no effect, but those of the first particle had. Use "
-    still += "up the forces of every particle at the start of the step, not of the first one alone."
+    still = (
+        "Only the first particle's forces acted. This particle has its own forces, 8 N along x, "
+    )
+    still += "which had no effect. Call kick(0.0) of every particle at the start of the step."
     blame(got, [((9.0, 90.0, 0.0, 0.0, 0.0, 0.0), still)])
     expect_close(got, wanted, call=name, tolerance=1e-13)
     about.cause = "An immovable particle keeps its position and velocity. Its forces are used up."

@@ -85,7 +85,7 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
     expect_exactly(seen, wanted)
     about.call = "two slow particles touch all the time, and number 1 becomes immovable after 4 "
     about.call += "steps; sleep_frames 5; fall_asleep(): who sleeps after 12 steps"
-    about.cause = "Number 0 must sleep, and the immovable number 1 must not."
+    about.cause = "Skip immovable particles in fall_asleep, also those that have become immovable."
     seen = made_immovable(4, 12)
     if [0] in seen and seen[-1] == []:
         about.cause = "Number 0 falls asleep, but the contact with the immovable number 1 wakes it "

@@ -261,7 +261,6 @@ def named(got: Any, cause: str, slips: Mapping[str, float | Sequence[float]]) ->
     A slip is a phrase that "This is" completes, or one sentence or more. The cause follows a single
     sentence. Two sentences already say what to do.
     """
-    """
     mistakes = []
     for slip, gives in slips.items():
         words = slip if slip.endswith(".") else f"This is {slip}."

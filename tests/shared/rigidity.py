@@ -56,11 +56,14 @@ def motions(
     return found_motions
 
 
-def changed(places: Sequence[Place], motion: Sequence[float]) -> tuple[int, int]:
-    """Return the first two places whose distance a motion changes. A rod there forbids it."""
-    for i, j in combinations(range(len(places)), 2):
+def changed(positions: Sequence[Position], motion: Sequence[float]) -> tuple[int, int]:
+    """Return the first two points whose distance a motion changes. A rod between them forbids it.
+
+    Raises ValueError if the motion changes no distance.
+    """
+    for i, j in combinations(range(len(positions)), 2):
         rates = (
-            (places[i][k] - places[j][k]) * (motion[3 * i + k] - motion[3 * j + k])
+            (positions[i][k] - positions[j][k]) * (motion[3 * i + k] - motion[3 * j + k])
             for k in range(3)
         )
         if abs(math.fsum(rates)) > 1e-9:

@@ -159,7 +159,7 @@ def test_nothing_of_the_chapters_is_a_zero_that_says_what_was_looked_for(tree: P
     (tree / "submission_metadata.json").unlink()
     results, printed = run(tree)
     assert results["score"] == 0
-    assert "no files such as ch02_vectors/vector.py were found" in results["output"]
+    assert "no files such as ch02_vectors/vector.py, " in results["output"]
     assert "grading submission, seed" in printed
 
 

@@ -223,10 +223,8 @@ def better(design: Sequence[float], distance: float) -> str:
             farther, _ = thrown(*other)
             if farther > most:
                 word = "smaller" if change < 1.0 else "larger"
-                most, advice = (
-                    farther,
-                    f" Try a {word} {name} next: with 10 % it is {farther:.1f} m.",
-                )
+                advice = f" Try a {word} {name} next: {other[i]:g} would throw {farther:.1f} m."
+                most = farther
     return advice
 
 

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from lab.pen import Item, Pen
 from lab.scene import Scene
 
-# The page's colors on light paper (page/style.css).
+# The page's colors on light paper (page/colors.css).
 PAINT = {
     "blue": "#0072b2",
     "orange": "#d08a00",

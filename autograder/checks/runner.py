@@ -6,27 +6,21 @@ Nothing here needs POSIX, where the code is not behind walls.
 
 from __future__ import annotations
 
-import json
 import re
-import tempfile
 import time
 from collections.abc import Callable
-from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.checks import events
-from autograder.checks.apart import how_it_ended
-from autograder.checks.arrange import Behind, Config, arrange, root_of_checks
+from autograder.checks.arrange import Behind, Config, arrange
 from autograder.checks.events import Event, read_event
-from autograder.checks.explain import explain_hang
-from autograder.checks.judge import Judge, SilentError, is_stopped
+from autograder.checks.judge import Ending, is_stopped, judge
 from autograder.checks.missing import while_imported
 from autograder.checks.verdict import Verdict, mark_blocked, needs_of, with_needs
 from autograder.clean import clean
 from autograder.manifest import ROOT, Chapter
 from autograder.message import Kind, Message
-from autograder.records import to_json
 
 HURRIED = 0.25  # of the time for the checks that are left, once one function has not ended twice
 LONGEST_MESSAGE = 8000  # characters: what a student returns may be large, and is shown
@@ -40,6 +34,9 @@ class Limits:
 
     check: float = 3.0
     run: float = 90.0
+
+
+Judging = Callable[["Run"], Ending]
 
 
 class GraderError(Exception):
@@ -74,15 +71,17 @@ def run_checks(
     limits: Limits | None = None,
     behind: Behind | None = None,
     root: Path = ROOT,
+    judge: Judging = judge,
 ) -> list[Verdict]:
     """Run the checks of a chapter on an engine and return a verdict for each.
 
     ``exercises`` limits the run to some and what they need; ``on_verdict`` hears how many verdicts
-    there are, of how many checks; the rest is as in Order. Raises GraderError where the checks
-    themselves cannot be run.
+    there are, of how many checks; the rest is as in Order and Run. Raises GraderError where the
+    checks themselves cannot be run.
     """
     wanted = with_needs(chapter, exercises)
-    run = Run(Order(chapter, engine, wanted, seed, limits or Limits(), behind, root), on_verdict)
+    order = Order(chapter, engine, wanted, seed, limits or Limits(), behind, root)
+    run = Run(order, on_verdict, judge)
     while not run.finished:
         if is_stopped():
             raise GraderError("the run was stopped")
@@ -96,10 +95,19 @@ def run_checks(
 
 
 class Run:
-    """The state of a run over the processes that it may take."""
+    """The state of a run over the processes that it may take.
 
-    def __init__(self, order: Order, on_verdict: Callable[[int, int], None] | None = None) -> None:
+    ``judge`` starts such a process, has the run take its events, and returns how it ended.
+    """
+
+    def __init__(
+        self,
+        order: Order,
+        on_verdict: Callable[[int, int], None] | None = None,
+        judge: Judging = judge,
+    ) -> None:
         self.order = order
+        self.judge = judge
         self.on_verdict = on_verdict or (lambda *_: None)
         self.checks: dict[str, events.Check] = {}
         self.verdicts: dict[str, Verdict] = {}
@@ -138,32 +146,13 @@ class Run:
         return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
-        """Start a process for the checks that have no verdict yet, and follow it to its end."""
-        order, silent, self.current = self.order, False, None
-        # Windows holds on to the files of a process for a moment after its end.
-        with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
-            folder = Path(name)
-            stack_file = folder / "stack.txt"
-            stack_file.touch()
-            config = folder / "config.json"  # it may be longer than a command line
-            config.write_text(json.dumps(to_json(self.config(folder))), encoding="utf-8")
-            place = root_of_checks(folder, order.root, order.behind)
-            judge = Judge(config, place, holds_input=order.behind is not None)
-            try:
-                with closing(judge.lines(self.limit, self.deadline)) as lines:
-                    for line in lines:
-                        self.take(_event(line))
-            except SilentError:
-                silent = True
-            self.stderr = judge.stderr
-            if self.finished or self.current is None or time.monotonic() > self.deadline:
-                return
-            stack = stack_file.read_text(encoding="utf-8", errors="replace")
-        if stack or silent:
-            why = explain_hang(stack, self.limit, order.engine)
-        else:
-            why = Message(how_it_ended(judge.code), kind=Kind.LEFT)
-        self._break_off(self.current, why)
+        """Have the checks run that have no verdict yet, in one process, until it ends."""
+        self.current = None
+        ending = self.judge(self)
+        self.stderr = ending.stderr
+        if self.finished or self.current is None or time.monotonic() > self.deadline:
+            return
+        self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
         """Return what the process of the checks is told."""
@@ -178,6 +167,14 @@ class Run:
             broken=self.broken,
             done=list(self.verdicts),
         )
+
+    def hear(self, line: str) -> None:
+        """Take the event that a line of the process stands for."""
+        try:
+            event = read_event(line)
+        except ValueError as error:
+            raise GraderError(f"the process of the checks sent {line[:200]!r}") from error
+        self.take(event)
 
     def take(self, event: Event) -> None:
         """Take one event of the process. Raises GraderError for a check that there is not."""
@@ -265,9 +262,3 @@ def _cut(text: str) -> str:
         return text
     return f"{text[: LONGEST_PART - 50]} ... {len(text)} characters in all"
 
-
-def _event(line: str) -> Event:
-    try:
-        return read_event(line)
-    except ValueError as error:
-        raise GraderError(f"the process of the checks sent {line[:200]!r}") from error

@@ -48,8 +48,11 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Return the line that runs a command: make's, or Python's own where there is no make."""
-    if shutil.which("make"):
+    """Return the line that runs a command: make's, or Python's own where there is no make.
+
+    In a browser there are no commands. The page has buttons with the names of make's.
+    """
+    if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
     words = [shown_python(), "-m", MODULES.get(name, f"autograder {name}")]
     for key, value in variables.items():

@@ -14,7 +14,7 @@ import sys
 import traceback
 from collections.abc import Callable
 
-CAN_COPY = hasattr(os, "fork")
+CAN_COPY = hasattr(os, "fork") and sys.platform != "emscripten"  # which has it, but only fails
 DONE = 87  # the exit code of a copy that has done all of its work
 
 

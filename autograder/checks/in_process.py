@@ -55,10 +55,7 @@ class InProcess:
 
     def open(self, modules: list[str], broken: Mapping[str, Message], tell: Tell) -> None:
         """Import the student's modules before any check does, so that a bad one stops no other."""
-        leave_home()
-        code = StudentsCode(self.engine, self.graded)
-        limit_imports(code)
-        limit_acts(code)
+        self.surround()
         for module, message in broken.items():
             sys.modules[module] = broken_module(module, message)
         for module in modules:
@@ -72,6 +69,13 @@ class InProcess:
         # is an ImportError here as well as behind the walls.
         for imported in filter(None, map(sys.modules.get, modules)):
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
+
+    def surround(self) -> None:
+        """Let the code find the surroundings of a grader, and do no more than there."""
+        leave_home()
+        code = StudentsCode(self.engine, self.graded)
+        limit_imports(code)
+        limit_acts(code)
 
     def after_collection(self) -> None:
         """Leave what exists by now to itself: copies of this process then share it for longer."""
@@ -97,17 +101,25 @@ class InProcess:
         return read_definitions(file)
 
     def start(self) -> None:
-        """Write the stack and end the process when the time is up, whatever the code is doing."""
+        """Start the clock, and keep what the code prints."""
         self.depth.adapt(CALLS)
         sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - stop closes it
         sys.stdout = sys.stderr = CappedText(self.printed.append)
-        faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
+        self.start_clock()
 
     def stop(self) -> str:
         """Stop the clock, and return what was printed."""
-        faulthandler.cancel_dump_traceback_later()
+        self.stop_clock()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams
         printed = "".join(self.printed).strip()
         self.printed.clear()
         return printed
+
+    def start_clock(self) -> None:
+        """Write the stack and end the process when the time is up, whatever the code is doing."""
+        faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
+
+    def stop_clock(self) -> None:
+        """Forget the time limit."""
+        faulthandler.cancel_dump_traceback_later()

@@ -261,4 +261,3 @@ def _cut(text: str) -> str:
     if len(text) <= LONGEST_PART:
         return text
     return f"{text[: LONGEST_PART - 50]} ... {len(text)} characters in all"
-

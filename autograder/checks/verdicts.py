@@ -45,12 +45,15 @@ MOST_KEPT = (40, 2000)  # lines, and characters, of what the student's code prin
 
 
 class Recorder:
-    """A pytest plugin that picks the checks to run, limits their time and reports verdicts."""
+    """A pytest plugin that picks the checks to run, limits their time and reports verdicts.
 
-    def __init__(self, config: Config, tell: Tell) -> None:
+    ``engine`` holds the student's code; by default it is what the configuration asks for.
+    """
+
+    def __init__(self, config: Config, tell: Tell, engine: InProcess | None = None) -> None:
         self.config = config
         self.tell = tell
-        self.engine = _engine(config)
+        self.engine = engine or _engine(config)
         self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:

@@ -33,9 +33,13 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
+        self.ours = ours
+        self.change(folders, graded)
+
+    def change(self, folders: Iterable[Path], graded: Mapping[str, Collection[str]]) -> None:
+        """Know another engine from now on: what limits it may be installed once alone."""
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
-        self.ours = ours
         self._known: dict[str, bool | None] = {}
 
     def asks(self) -> bool:

@@ -1,0 +1,100 @@
+"""Run checks in this interpreter as a new process would, since a browser starts no processes.
+
+What a process leaves behind is removed: modules, entries of sys.path, and the working folder.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import io
+import os
+import re
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from autograder.checks.allowed_acts import limit_acts
+from autograder.checks.allowed_imports import limit_imports
+from autograder.checks.arrange import Config
+from autograder.checks.in_process import InProcess, Tell
+from autograder.checks.judge import MOST_STDERR, Ending
+from autograder.checks.students_code import StudentsCode
+from autograder.checks.surroundings import leave_home
+from autograder.checks.verdicts import Recorder, pytest_arguments
+from autograder.manifest import ROOT
+from web.python.browser.page import start_clock, stop_clock
+
+OF_A_RUN = re.compile(r"ch\d\d_\w+|tests|conftest")  # packages whose modules one run imports
+code = StudentsCode([], {})  # whose acts are limited: the engine that is checked
+
+
+def install_limits() -> None:
+    """Limit what the student's code may import and do, once for all runs."""
+    limit_imports(code)
+    limit_acts(code)
+
+
+class InBrowser(InProcess):
+    """The student's modules, imported in a browser, where there is no process to end."""
+
+    def surround(self) -> None:
+        """Let the code find a grader's surroundings, and do no more than there."""
+        leave_home()
+        code.change(self.engine, self.graded)
+
+    def after_collection(self) -> None:
+        """Do nothing: this process is not copied."""
+
+    def start_clock(self) -> None:
+        """Have the watchdog look when the time is up."""
+        start_clock(self.time_limit)
+
+    def stop_clock(self) -> None:
+        """Forget the time limit."""
+        stop_clock()
+
+
+def run_here(config: Config, tell: Tell) -> Ending:
+    """Run the checks that a configuration names, and tell what becomes of them."""
+    said = io.StringIO()
+    with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
+        os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
+        engine = InBrowser(
+            config.arranged.engine,
+            config.time_limit,
+            config.stack_file,
+            config.arranged.complete,
+            config.arranged.graded,
+            apart=False,
+        )
+        pytest.main(pytest_arguments(config), plugins=[Recorder(config, tell, engine)])
+    return Ending(stderr=said.getvalue()[-MOST_STDERR:].strip())
+
+
+@contextlib.contextmanager
+def as_a_process() -> Iterator[None]:
+    """Have what is done here leave nothing behind in the interpreter."""
+    path, limit = list(sys.path), sys.getrecursionlimit()
+    forget_modules()
+    importlib.invalidate_caches()
+    os.chdir(ROOT)
+    try:
+        yield
+    finally:
+        forget_modules()
+        sys.path[:] = path
+        sys.setrecursionlimit(limit)
+        os.chdir(ROOT)
+
+
+def forget_modules() -> None:
+    """Forget the student's modules and the checks, and what checks share."""
+    shared = str(ROOT / "tests")
+    for name, module in list(sys.modules.items()):
+        file = getattr(module, "__file__", None) or ""
+        if OF_A_RUN.match(name) or str(file).startswith(shared):
+            del sys.modules[name]

@@ -43,9 +43,8 @@ def main() -> int:
 
 def build(out: Path, *, with_solutions: bool) -> None:
     """Build the site into a folder that is new, empty, or an earlier build."""
-    if out.exists() and any(out.iterdir()):
-        if not (out / "sw.js").is_file():
-            raise ValueError(f"{out} is not empty, and is no earlier build of the site")
+    if out.exists() and any(out.iterdir()) and not (out / "sw.js").is_file():
+        raise ValueError(f"{out} is not empty, and is no earlier build of the site")
     shutil.rmtree(PARTS, ignore_errors=True)
     PARTS.mkdir(parents=True)
     _say("Reading the chapters ...")

@@ -1,7 +1,8 @@
 """Draw the pictures that stand for scenes until a reader starts them: python -m web.stills FOLDER.
 
-There is one for each scene, after the scripted player has played on the reference for a moment, and
-one for each `make lab SCENE=... SET=...` of a lesson, at its start: it must not give away what happens.
+There is one for each scene, after the scripted player has played on the reference for a moment,
+and one for each `make lab SCENE=... SET=...` of a lesson, at its start: it must not give away what
+happens.
 """
 
 from __future__ import annotations

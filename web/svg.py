@@ -1,4 +1,4 @@
-"""Draw what a scene's pen has recorded as an SVG, which follows the reader's light or dark colors."""
+"""Draw what a scene's pen has recorded as an SVG with the page's light and dark colors."""
 
 from __future__ import annotations
 

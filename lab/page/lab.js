@@ -7,6 +7,7 @@
 //   connect        connect(engine, onAnswer) returns a link to an engine: send, close and busy
 //   absent         what cannot be compared here, with the reason: {pymunk: "..."}
 //   opened         is called with the description of a scene that has been opened
+//   troubled       troubled(words, place) may add to what is shown where a scene cannot run
 //   address        address(lab) returns an address that brings all of this back
 //   changed        is called when that address changes
 //   record         record(scene, values) promises an animation, where there is a way to make one
@@ -26,7 +27,7 @@ const nothing = () => {};
 
 export class Lab {
   constructor(place, options) {
-    const defaults = {prefix: "", compact: false, absent: {}, opened: nothing, changed: nothing, address: () => location.href};
+    const defaults = {prefix: "", compact: false, absent: {}, opened: nothing, troubled: nothing, changed: nothing, address: () => location.href};
     Object.assign(this, {...defaults, ...options});
     this.place = place;
     place.innerHTML = markup(this.prefix, this.compact);
@@ -159,6 +160,7 @@ export class Lab {
   trouble(words) {
     this.$("trouble").hidden = !words;
     this.$("trouble").textContent = words;
+    if (words) this.troubled(words, this.$("trouble"));
   }
 
   say(words) {

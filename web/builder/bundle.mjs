@@ -7,7 +7,7 @@ import {copyFile, mkdir, readFile, writeFile} from "node:fs/promises";
 import {build} from "esbuild";
 
 export const WEB = path.join(import.meta.dirname, "..");
-const PYODIDE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "pyodide-lock.json"]; // pack.py has the rest
+const PYODIDE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"]; // and what pack.py has written
 
 // Write assets/, and return the names of the entries: a name changes whenever its content does.
 export async function bundle(out, define) {
@@ -47,6 +47,9 @@ export async function copyPyodide(out) {
   for (const name of PYODIDE) {
     await copyFile(path.join(WEB, "node_modules", "pyodide", name), path.join(out, "pyodide", name));
   }
+  // Its list of packages stays behind: none is used.
+  const lock = await readJson(path.join(WEB, "node_modules", "pyodide", "pyodide-lock.json"));
+  await writeFile(path.join(out, "pyodide", "pyodide-lock.json"), JSON.stringify({...lock, packages: {}}));
 }
 
 // Data that a script fetches and unpacks: a third of the size, on any server.

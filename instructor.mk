@@ -7,6 +7,7 @@ TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED
 TAKES_handout := CHAPTERS GIVEN OUT
 TAKES_classroom := CHAPTERS GIVEN OUT
 TAKES_gradescope := CHAPTERS GIVEN OUT
+TAKES_site := OUT SOLUTIONS
 TAKES_test := CH
 TAKES_lint :=
 TAKES_update :=
@@ -21,7 +22,7 @@ TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
 
-.PHONY: grade handout classroom gradescope update stubs test say-what-test-is lint bench charts limits
+.PHONY: grade handout classroom gradescope site update stubs test say-what-test-is lint bench charts limits
 .PHONY: economy soak figures mutants seeds table
 
 # == For instructors ==
@@ -36,6 +37,9 @@ classroom: $(READY) ## a hand-out for GitHub Classroom (CHAPTERS=2 OUT=dir)
 
 gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
+
+site: $(READY) ## the course as static pages, needs Node.js (OUT=dir SOLUTIONS=1)
+	@$(RUN) -m web --out "$(or $(OUT),build/site)" $(if $(SOLUTIONS),--with-solutions)
 
 # == For those who work on the companion itself ==
 test: say-what-test-is lint .venv/extras ## test the companion itself; CH=6: what is about a chapter

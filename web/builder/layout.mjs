@@ -13,7 +13,6 @@ const POLICY = [
 ].join("; ");
 
 const LINKS = [
-  ["index.html", "Start"],
   ["lab.html", "Lab"],
   ["glossary.html", "Glossary"],
   ["learning_path.html", "Learning path"],

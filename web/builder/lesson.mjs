@@ -5,6 +5,7 @@ import {termLink} from "./terms.mjs";
 
 const CHECK = /^make check EX=(\S+)/;
 const LAB = /make lab SCENE=([\w-]+)(?:\s+SET="([^"]*)")?/;
+const SHORT = 20; // letters of code that stay in one line
 const STARS = ["", "★☆☆", "★★☆", "★★★"];
 
 export const anchor = (id) => `ex-${id.replace(".", "-")}`;
@@ -55,7 +56,7 @@ ${following}
 
 // Commands in the middle of a sentence: a link to what they do, where the site can do it.
 export function inlineCode(content, env) {
-  const html = `<code>${escape(content)}</code>`;
+  const html = `<code${content.length <= SHORT ? ' class="short"' : ""}>${escape(content)}</code>`;
   const lab = LAB.exec(content);
   if (lab) return `<a href="${labAddress(lab[1], lab[2])}">${html}</a>`;
   const whole = /^make check CH=(\d+)$/.exec(content);

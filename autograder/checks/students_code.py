@@ -11,6 +11,8 @@ from autograder.checks.faults import is_inside, short
 from autograder.manifest import Chapter
 
 LIBRARY = [Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "platstdlib")]
+# Python may have its library in a zip beside that: in a browser it does.
+LIBRARY.append(LIBRARY[0].with_name("python{0.major}{0.minor}.zip".format(sys.version_info)))
 PACKAGES = ("site-packages", "dist-packages")  # they may lie inside the library's folder
 
 
@@ -33,13 +35,18 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        self.ours = ours
-        self.change(folders, graded)
+        self.change(folders, graded, ours)
 
-    def change(self, folders: Iterable[Path], graded: Mapping[str, Collection[str]]) -> None:
-        """Know another engine from now on: what limits it may be installed once alone."""
+    def change(
+        self,
+        folders: Iterable[Path],
+        graded: Mapping[str, Collection[str]],
+        ours: Collection[str] = (),
+    ) -> None:
+        """Know the code of another engine from now on; what limits it stays installed."""
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
+        self.ours = ours
         self._known: dict[str, bool | None] = {}
 
     def asks(self) -> bool:

@@ -55,8 +55,8 @@ async function start(base) {
   python.registerJsModule("worker", forPython);
   python.setInterruptBuffer(clock);
   const main = python.pyimport("web.python.browser.main");
-  main.start();
   receive = main.receive;
+  main.start();
 }
 
 // What went wrong below Python: an os._exit in the student's code, or the end of the memory.
@@ -71,7 +71,6 @@ self.onmessage = async ({data}) => {
       receive(data);
     } else {
       await start(JSON.parse(data).base);
-      self.postMessage(JSON.stringify({kind: "ready"}));
     }
   } catch (error) {
     say(error);

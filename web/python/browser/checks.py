@@ -13,7 +13,6 @@ from autograder.student.screen import ProgressBar
 from web.python.browser.folder import CHAPTERS, Folder
 from web.python.browser.page import post
 from web.python.browser.past import Processes
-from web.python.browser.process import run_here
 from web.python.browser.report import report_of_written, report_to_page
 
 
@@ -41,7 +40,7 @@ def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
     engine = [CHAPTERS]
     if exercise and exercise.kind == "written":
         return report_of_written(chapter, exercise, engine)
-    processes = Processes(request["past"], run_here)
+    processes = Processes(request["past"])
     run = partial(run_checks, seed=request["seed"], judge=processes.judge)
     with with_given(given, engine) as folders:
         report = report_on(chapter, exercise, folders, given, run, Progress(processes))

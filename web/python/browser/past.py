@@ -6,19 +6,25 @@ starts from the beginning: what is known already is not run again.
 
 from __future__ import annotations
 
+import os
 import tempfile
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from autograder.checks.arrange import Config
-from autograder.checks.events import Event, write_event
-from autograder.checks.in_process import Tell
+from autograder.checks.events import Event, Started, write_event
+from autograder.checks.explain import explain_hang
 from autograder.checks.judge import Ending
 from autograder.checks.runner import Run
+from autograder.checks.verdict import Verdict
+from autograder.manifest import ROOT
+from autograder.scores import result_of
+from autograder.student.failure import failure_of
 from web.python.browser.page import post
+from web.python.browser.process import run_here
+from web.python.browser.report import failure_to_page
+from web.python.browser.watchdog import watchdog
 
 
 @dataclass(frozen=True)
@@ -39,9 +45,8 @@ class Past:
 class Processes:
     """The processes of a check, in the order in which they are run."""
 
-    def __init__(self, past: list[dict[str, Any]], run: Callable[[Config, Tell], Ending]) -> None:
+    def __init__(self, past: list[dict[str, Any]]) -> None:
         self.past = [Past(**one) for one in past]
-        self.run = run
 
     @property
     def is_live(self) -> bool:
@@ -60,7 +65,8 @@ class Processes:
             run.take(event)
 
         with tempfile.TemporaryDirectory(prefix="checks-") as folder:
-            ending = self.run(run.config(Path(folder)), tell)
+            watchdog.explain = lambda stack: {"failure": failure_of_hang(run, stack)}
+            ending = run_here(run.config(Path(folder)), tell)
         post("ended")
         return ending
 
@@ -70,5 +76,22 @@ class Processes:
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds
+        if past.silent and len(self.past) == 1:
+            post("trouble", failure=failure_of_hang(run, ""))
         del self.past[0]
         return Ending(past.stack, past.silent, past.code)
+
+
+def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
+    """Return what to show of the check that has just not ended, before the others are done."""
+    if not isinstance(run.current, Started):
+        return None
+    check, order = run.checks[run.current.name], run.order
+    why = explain_hang(stack, run.limit, order.engine)
+    verdict = Verdict(
+        check.name, check.exercise, check.weight, "failed", why, robust=check.robust
+    )
+    result = result_of(order.chapter.exercise(check.exercise), [verdict])
+    os.chdir(ROOT)  # the student's code was elsewhere
+    failure = failure_of(order.chapter, result, order.engine)
+    return failure and failure_to_page(failure)

@@ -25,7 +25,7 @@ from autograder.checks.students_code import StudentsCode
 from autograder.checks.surroundings import leave_home
 from autograder.checks.verdicts import Recorder, pytest_arguments
 from autograder.manifest import ROOT
-from web.python.browser.page import start_clock, stop_clock
+from web.python.browser.watchdog import watchdog
 
 OF_A_RUN = re.compile(r"ch\d\d_\w+|tests|conftest")  # packages whose modules one run imports
 code = StudentsCode([], {})  # whose acts are limited: the engine that is checked
@@ -50,11 +50,11 @@ class InBrowser(InProcess):
 
     def start_clock(self) -> None:
         """Have the watchdog look when the time is up."""
-        start_clock(self.time_limit)
+        watchdog.start(self.time_limit)
 
     def stop_clock(self) -> None:
         """Forget the time limit."""
-        stop_clock()
+        watchdog.stop()
 
 
 class BrowserRecorder(Recorder):
@@ -102,12 +102,17 @@ def as_a_process() -> Iterator[None]:
 
 
 def forget_modules() -> None:
-    """Forget the student's modules, the checks, what checks share, and where all of it was."""
+    """Forget the student's modules, the checks, and what checks share."""
     shared = str(ROOT / "tests")
     for name, module in list(sys.modules.items()):
         file = getattr(module, "__file__", None) or ""
         if OF_A_RUN.match(name) or str(file).startswith(shared):
             del sys.modules[name]
+    forget_folders()
+
+
+def forget_folders() -> None:
+    """Forget which files are in the folders of the course; Python's own stay as they are."""
     for folder in list(sys.path_importer_cache):
         if not folder.startswith(sys.prefix):
             del sys.path_importer_cache[folder]

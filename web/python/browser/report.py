@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from autograder.answers import questions_of
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import result_of, total
 from autograder.student.failure import Failure, failure_of
@@ -41,7 +42,7 @@ def report_to_page(
         "earned": earned,
         "points": points,
         "results": _results(report, engine),
-        "failure": failure and _failure(failure),
+        "failure": failure and failure_to_page(failure),
         "notes": notes,
         "finish": [words for words, _ in end_of(reports, exercise, engine, given)],
     }
@@ -51,7 +52,10 @@ def report_of_written(
     chapter: Chapter, exercise: Exercise, engine: list[Path]
 ) -> dict[str, Any]:
     """Return what there is to tell of a written exercise, which has no checks."""
-    return report_to_page(Report(chapter, [result_of(exercise, [])], [], []), exercise, engine, [])
+    report = Report(chapter, [result_of(exercise, [])], [], [])
+    question = next(one for one in questions_of(chapter, engine) if one.exercise == exercise)
+    told = report_to_page(report, exercise, engine, [])
+    return told | {"summary": "", "notes": question.problems, "finish": []}
 
 
 def _results(report: Report, engine: list[Path]) -> list[dict[str, Any]]:
@@ -73,7 +77,7 @@ def _results(report: Report, engine: list[Path]) -> list[dict[str, Any]]:
     ]
 
 
-def _failure(failure: Failure) -> dict[str, Any]:
+def failure_to_page(failure: Failure) -> dict[str, Any]:
     """Return a failure; the place to open as file and line, 0 for a file without lines."""
     file, _, line = failure.place.removeprefix("chapters/").partition(":")
     return {

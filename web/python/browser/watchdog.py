@@ -2,28 +2,44 @@
 
 No other thread and no alarm can interrupt it. But Python asks the worker, some thousands of times in
 a second, whether a signal has come. From when the time is up, the worker says SIGALRM, and Python
-calls ``hear`` in the middle of whatever the code is doing. The page then ends the worker. A loop
-inside a function of C, such as sum, never asks: the page ends that a second later.
+calls ``Watchdog.hear`` in the middle of whatever the code is doing. The page then ends the worker. A
+loop inside a function of C, such as sum, never asks: the page ends that a second later.
 """
 
 from __future__ import annotations
 
 import signal
+from collections.abc import Callable
 from types import FrameType
+from typing import Any
 
-from web.python.browser.page import post
-
-
-def install() -> None:
-    """Have Python call us when the worker says that the time is up."""
-    signal.signal(signal.SIGALRM, hear)
+from web.python.browser.page import post, start_clock, stop_clock
 
 
-def hear(_: int, frame: FrameType | None) -> None:
-    """Tell the page where the code is, and wait for the end."""
-    post("hung", stack=stack_of(frame))
-    while True:
-        pass
+class Watchdog:
+    """Tells the page of code that does not end, in the words of who has started the clock."""
+
+    def __init__(self) -> None:
+        self.explain: Callable[[str], dict[str, Any]] = lambda _: {}
+
+    def install(self) -> None:
+        """Have Python call us when the worker says that the time is up."""
+        signal.signal(signal.SIGALRM, self.hear)
+
+    def start(self, seconds: float) -> None:
+        """Start the clock."""
+        start_clock(seconds)
+
+    def stop(self) -> None:
+        """Stop the clock."""
+        stop_clock()
+
+    def hear(self, _: int, frame: FrameType | None) -> None:
+        """Tell the page where the code is, and wait for the end."""
+        stack = stack_of(frame)
+        post("hung", stack=stack, **self.explain(stack))
+        while True:
+            pass
 
 
 def stack_of(frame: FrameType | None) -> str:
@@ -34,3 +50,6 @@ def stack_of(frame: FrameType | None) -> str:
         lines.append(f'  File "{code.co_filename}", line {frame.f_lineno} in {code.co_name}\n')
         frame = frame.f_back
     return "".join(lines)
+
+
+watchdog = Watchdog()

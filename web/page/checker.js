@@ -1,0 +1,77 @@
+// Check in one worker after the other. A check that does not end costs its worker; what the worker has
+// told goes to the next one, which continues. What the check is worth is for Python's runner to say.
+
+const MORE = 1; // s beyond the limit of a check, for a loop that Python cannot interrupt
+const SILENCE = 10; // s beyond it in which nothing is told between two checks
+const CRASHED = -11; // as a process would end that has overrun its stack
+const nothing = () => undefined;
+
+// Return the report on what is asked. `next` promises the interpreter to go on with. `onProgress` hears
+// how many checks are done, of how many; `onTrouble` hears at once of one that did not end.
+export async function runChecks(asked, next, {onProgress = nothing, onTrouble = nothing}) {
+  const past = [];
+  for (;;) {
+    const interpreter = await next();
+    const end = await attempt(interpreter, asked, past, {onProgress, onTrouble});
+    if (end.kind === "report") return end.report;
+    if (end.kind === "failed" || end.kind === "lost") throw new Error(end.why);
+    interpreter.end("It was checking something that did not end.");
+    if (end.kind === "crashed" && !end.during) throw new Error(`Python stopped: ${end.why}`);
+  }
+}
+
+// Have one interpreter check, as far as it comes, and add what it tells to the past.
+function attempt(interpreter, asked, past, {onProgress, onTrouble}) {
+  return new Promise((resolve) => {
+    let process = null;
+    let timer = null;
+    const close = (how) => {
+      clearTimeout(timer);
+      if (!process) return;
+      const {lines, left, begun} = process;
+      const seconds = (performance.now() - begun) / 1000;
+      past.push({lines, left, seconds, stack: "", silent: false, code: 0, ...how});
+      process = null;
+    };
+    const finish = (end, how = {}) => {
+      const during = process !== null;
+      close(how);
+      interpreter.hear = () => undefined;
+      resolve({...end, during});
+    };
+    const wait = (more) => {
+      clearTimeout(timer);
+      timer = setTimeout(() => finish({kind: "silent"}, {silent: true}), 1000 * (process.limit + more));
+    };
+    const takes = {
+      process: ({limit, left}) => {
+        process = {limit, left, lines: [], begun: performance.now()};
+        wait(SILENCE);
+      },
+      event: ({line}) => {
+        process.lines.push(line);
+        wait(isBegun(line) ? MORE : SILENCE);
+      },
+      ended: () => close({}),
+      progress: ({done, of}) => onProgress(done, of),
+      trouble: ({failure}) => failure && onTrouble(failure),
+      hung: ({stack, failure}) => {
+        finish({kind: "hung"}, {stack});
+        takes.trouble({failure});
+      },
+      left: ({code}) => finish({kind: "left"}, {code}),
+      crashed: ({why}) => finish({kind: "crashed", why}, {code: CRASHED}),
+      report: finish,
+      failed: finish,
+      lost: finish,
+    };
+    interpreter.hear = (message) => takes[message.kind]?.(message);
+    interpreter.send({kind: "check", ...asked, past});
+  });
+}
+
+// The student's code is about to run: a check begins, or the import of a module.
+function isBegun(line) {
+  const [kind] = Object.keys(JSON.parse(line));
+  return kind === "Started" || kind === "Importing";
+}

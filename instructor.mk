@@ -38,7 +38,7 @@ classroom: $(READY) ## a hand-out for GitHub Classroom (CHAPTERS=2 OUT=dir)
 gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
 
-site: $(READY) ## the course as static pages, needs Node.js (OUT=dir SOLUTIONS=1)
+site: $(READY) ## the course as a site; needs Node.js (OUT=dir SOLUTIONS=1)
 	@$(RUN) -m web --out "$(or $(OUT),build/site)" $(if $(SOLUTIONS),--with-solutions)
 
 # == For those who work on the companion itself ==

@@ -56,7 +56,7 @@ def still_name(scene: str, settings: str) -> str:
 
 def still(name: str, settings: str) -> str:
     """Return a picture of a scene with settings such as "rate=30 mass=1"."""
-    values: dict[str, object] = dict(word.split("=", 1) for word in settings.split())
+    values = dict(word.split("=", 1) for word in settings.split())
     scene = load(name)(**values)
     while not settings and scene.time < MOMENT:
         scene.play(scene.time)

@@ -19,7 +19,7 @@ export function reader() {
     env.level = Number(tokens[i].tag[1]);
     return self.renderToken(tokens, i, options);
   };
-  md.renderer.rules.table_open = () => '<div class="scroll" tabindex="0" role="region" aria-label="Table"><table>';
+  md.renderer.rules.table_open = () => '<div class="scroll" tabindex="0" role="group" aria-label="Table"><table>';
   md.renderer.rules.table_close = () => "</table></div>";
   md.renderer.rules.fence = (tokens, i, _, env) => {
     const {info, content} = tokens[i];

@@ -3,7 +3,7 @@
 
 const MORE = 1; // s beyond the limit of a check, for a loop that Python cannot interrupt
 const SILENCE = 10; // s beyond it in which nothing is told between two checks
-const CRASHED = -11; // as a process would end that has overrun its stack
+const CRASHED = -11; // as a process ends that has overrun its stack
 const nothing = () => undefined;
 
 // Return the report on what is asked. `next` promises the interpreter to go on with. `onProgress` hears
@@ -16,7 +16,11 @@ export async function runChecks(asked, next, {onProgress = nothing, onTrouble = 
     if (end.kind === "report") return end.report;
     if (end.kind === "failed" || end.kind === "lost") throw new Error(end.why);
     interpreter.end("It was checking something that did not end.");
-    if (end.kind === "crashed" && !end.during) throw new Error(`Python stopped: ${end.why}`);
+    if (end.kind !== "crashed") continue;
+    // A browser's stack is small. What overruns it is run again with fewer nested calls, of which
+    // Python says that they are too many.
+    if (!end.during) throw new Error(`Python stopped: ${end.why}`);
+    asked = {...asked, shallow: true};
   }
 }
 
@@ -35,6 +39,7 @@ function attempt(interpreter, asked, past, {onProgress, onTrouble}) {
     };
     const finish = (end, how = {}) => {
       const during = process !== null;
+      if (end.kind === "crashed") process = null; // it did not happen
       close(how);
       interpreter.hear = () => undefined;
       resolve({...end, during});
@@ -60,7 +65,7 @@ function attempt(interpreter, asked, past, {onProgress, onTrouble}) {
         takes.trouble({failure});
       },
       left: ({code}) => finish({kind: "left"}, {code}),
-      crashed: ({why}) => finish({kind: "crashed", why}, {code: CRASHED}),
+      crashed: ({why}) => (asked.shallow && process ? finish({kind: "left"}, {code: CRASHED}) : finish({kind: "crashed", why})),
       report: finish,
       failed: finish,
       lost: finish,

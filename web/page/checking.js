@@ -3,7 +3,7 @@
 import {button, el} from "./dom.js";
 import {engines} from "./python.js";
 import {failureOf, lineOf} from "./report.js";
-import {chaptersGiven, keep, numbersOf} from "./results.js";
+import {chaptersGiven, keep} from "./results.js";
 import {ownerOf, panels} from "./turn.js";
 import {workspace} from "./workspace.js";
 
@@ -25,6 +25,7 @@ export async function runChecks(panel, exercise) {
       exercise,
       given: chaptersGiven(),
       seed: "1",
+      onTrouble: (failure) => (clearTimeout(slow), panel.troubled?.(failure)),
       onProgress: (done, of) => (clearTimeout(slow), panel.say(`Checking ... ${done} of ${of}`)),
     });
     await keep(report, panel.data.exercises);
@@ -46,12 +47,18 @@ export async function check(panel) {
   const report = await runChecks(panel, panel.id);
   if (!report) return;
   const own = report.results.find(({id}) => id === panel.id);
-  if (report.passed) panel.say(`All checks of ${panel.id} pass${onGiven()}. ${lineOf(own)}`, "good");
+  if (report.passed) panel.say(`${report.summary} ${lineOf(own)}`, "good");
   else panel.say(lineOf(own));
   const before = report.results.filter(({id, state}) => id !== panel.id && !["passed", "works"].includes(state));
   const parts = [];
   if (before.length) parts.push(el("p", {}, `${panel.id} builds on ${before.map(({id, state}) => `${id} (${state})`).join(", ")}.`));
   showReport(panel, report, parts);
+}
+
+// Show what is wrong with a check that did not end, while the others still run.
+export async function showTrouble(panel, failure) {
+  panel.result.replaceChildren(failureOf(failure, panel.level, await stepsFor({failure}, panel)));
+  panel.result.hidden = false;
 }
 
 // Show a report below the buttons of a panel.
@@ -63,11 +70,6 @@ export async function showReport(panel, report, parts) {
   }
   panel.result.replaceChildren(...parts);
   panel.result.hidden = !parts.length;
-}
-
-export function onGiven() {
-  const given = chaptersGiven();
-  return given.length ? ` on the reference's chapter${given.length > 1 ? "s" : ""} ${numbersOf(given)}` : "";
 }
 
 // Buttons for what comes next: the line of the failure, and a nudge.

@@ -17,7 +17,7 @@ export async function startLabPage() {
     ...options,
     changed: remember,
     opened: (spec) => lab.say(""),
-    troubled: (words, place) => (lab.say(""), options.troubled(words, place)),
+    troubled: (words, place) => (lab.say(""), options.troubled(words, place)), // it has started, too
   });
   listenToKeys(lab, document);
   const open = (name, values, rivals) => {
@@ -29,6 +29,8 @@ export async function startLabPage() {
     $("question").textContent = scene.question;
     $("lesson").replaceChildren(el("a", {href: `${chapter.name}.html`}, `Lesson: chapter ${chapter.number}`));
     lab.open(scene.name, values, rivals);
+    const still = {src: `stills/${scene.name}.svg`, width: 640, height: 400, alt: "A still picture of the scene."};
+    lab.$("stage").replaceChildren(el("img", still)); // until Python has started
     lab.say("Python is starting. This takes some seconds, once.");
   };
   const given = chaptersGiven();

@@ -6,7 +6,7 @@ import {Engines} from "./engines.js";
 let pool = null;
 
 export function engines() {
-  pool ??= new Engines({base: site("./")});
+  pool ??= new Engines({base: site("./"), worker: site(`assets/${WORKER}`)});
   return pool;
 }
 

@@ -31,7 +31,7 @@ export function tableOf(results, titles) {
     ),
   );
   const table = el("table", {}, el("thead", {}, el("tr", {}, head)), el("tbody", {}, body));
-  return el("div", {className: "scores", tabIndex: 0, role: "region", "aria-label": "Exercises and their states"}, table);
+  return el("div", {className: "scores", tabIndex: 0, role: "group", "aria-label": "Exercises and their states"}, table);
 }
 
 // A bar of points, with the same in words.

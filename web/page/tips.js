@@ -10,7 +10,7 @@ export function startTips() {
     const tip = document.getElementById(link.getAttribute("aria-describedby"));
     if (!tip) return;
     shown = {tip, link};
-    document.body.append(tip); // out of the hidden list
+    document.querySelector("main").append(tip); // out of the hidden list
     const box = link.getBoundingClientRect();
     const left = Math.min(box.left, document.documentElement.clientWidth - tip.offsetWidth - 8);
     const below = box.bottom + tip.offsetHeight + 8 < innerHeight;

@@ -1,7 +1,7 @@
 // Your turn: the panel of one exercise, with its editor and its buttons.
 
 import {functionsOf, namesIn} from "./bodies.js";
-import {check} from "./checking.js";
+import {check, showTrouble} from "./checking.js";
 import {chapterOf} from "./course.js";
 import {button, el, whenNear} from "./dom.js";
 import {warmUp} from "./python.js";
@@ -107,6 +107,10 @@ class Turn {
   say(words, kind = "") {
     this.status.textContent = words;
     this.status.className = `note ${kind}`;
+  }
+
+  troubled(failure) {
+    showTrouble(this, failure);
   }
 
   // Show the next hint, and how many are left.

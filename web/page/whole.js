@@ -1,11 +1,11 @@
 // The panel of a whole chapter: check everything, and take earlier chapters from the reference.
 
-import {onGiven, runChecks, showReport} from "./checking.js";
+import {runChecks, showReport, showTrouble} from "./checking.js";
 import {chapterOf} from "./course.js";
-import {button, el, whenNear} from "./dom.js";
+import {button, count, el, whenNear} from "./dom.js";
 import {warmUp} from "./python.js";
 import {meter, tableOf} from "./report.js";
-import {chaptersGiven, pointsOf, results, setGiven} from "./results.js";
+import {chaptersGiven, pointsOf, results, setGiven, shown} from "./results.js";
 import {workspace} from "./workspace.js";
 
 export function startWhole(section) {
@@ -58,10 +58,15 @@ class Whole {
     return el("fieldset", {className: "given"}, el("legend", {}, "Take these chapters from the reference, not from my own work"), boxes);
   }
 
+  troubled(failure) {
+    showTrouble(this, failure);
+  }
+
   async check() {
     const report = await runChecks(this, null);
     if (!report) return;
-    this.say(report.passed ? `All checks pass${onGiven()}.` : `${report.earned ?? "-"} of ${report.points} points.`, report.passed ? "good" : "");
+    if (report.passed) this.say(report.summary, "good");
+    else this.say(`${shown(report.earned)} of ${count(report.points, "point")}.`);
     const titles = Object.fromEntries(this.data.exercises.map(({id, title}) => [id, title]));
     await showReport(this, report, [tableOf(report.results, titles)]);
   }

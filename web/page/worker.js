@@ -17,6 +17,8 @@ const POLLS = 16; // of Python, between two looks at the clock
 const SIGALRM = 14;
 const quiet = () => undefined;
 
+console.error = quiet; // Pyodide says there what the page is told below, by say
+
 let receive = null;
 let deadline = Infinity;
 let polls = 0;

@@ -1,7 +1,7 @@
 """Pack what Pyodide needs: course.zip, and Python's own library, both compiled where that helps.
 
-The course is a hand-out of all chapters, with the parts of pytest and of the tools that a check or a
-scene imports. Two builds of the same sources give the same bytes.
+The course is a hand-out of all chapters, with the parts of pytest and of the tools that a check or
+a scene imports. Two builds of the same sources give the same bytes.
 """
 
 from __future__ import annotations
@@ -45,16 +45,16 @@ def pack(out: Path, *, with_solutions: bool = False) -> None:
 
 def _stage_course(folder: Path, *, with_solutions: bool) -> None:
     """Put the files of the course into a folder: what students get, and our Python for browsers."""
-    with tempfile.TemporaryDirectory(prefix="handout-") as name:
-        handout = Path(name) / "handout"
+    with tempfile.TemporaryDirectory(prefix="handout-") as place:
+        handout = Path(place) / "handout"
         with contextlib.redirect_stdout(io.StringIO()):  # it says what an instructor wants to know
             make_handout(load_chapters(), [], handout)
         _copy_tree(ROOT / "web" / "python", handout / "web" / "python", "*.py")
         (handout / "web" / "__init__.py").write_text('"""The course in a browser."""\n')
         for part in CHECKED:
             _copy_tree(handout / part, folder / part, "*")
-        for file in ("pyproject.toml", "stubs.lock", "LICENSE"):
-            shutil.copyfile(handout / file, folder / file)
+        for name in ("pyproject.toml", "stubs.lock", "LICENSE"):
+            shutil.copyfile(handout / name, folder / name)
         roots = [*handout.glob("web/python/**/*.py"), *handout.glob("lab/scenes/*.py")]
         roots += handout.glob("tests/**/*.py")
         for file in imported_by(roots, [handout], OURS):

@@ -12,7 +12,7 @@ from autograder.manifest import Chapter
 
 LIBRARY = [Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "platstdlib")]
 # Python may have its library in a zip beside that: in a browser it does.
-LIBRARY.append(LIBRARY[0].with_name("python{0.major}{0.minor}.zip".format(sys.version_info)))
+LIBRARY.append(LIBRARY[0].with_name(f"python{''.join(map(str, sys.version_info[:2]))}.zip"))
 PACKAGES = ("site-packages", "dist-packages")  # they may lie inside the library's folder
 
 

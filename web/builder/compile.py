@@ -1,8 +1,8 @@
 """Runs in Pyodide under Node: compile /in/library and the course, and write the zips into /out.
 
-To import what is compiled takes a fifth of the time. The student's modules, the checks and the scenes
-stay source code: tracebacks show it, or the list of scenes is read from it. To compile the checks of
-a chapter takes a tenth of a second, and would add 0.8 MB.
+To import what is compiled takes a fifth of the time. The student's modules, the checks and the
+scenes stay source code: tracebacks show it, and the list of scenes is read from it. Compiled checks
+would save a tenth of a second, once a chapter, and add 0.8 MB.
 """
 
 import importlib.util

@@ -7,12 +7,17 @@ const CRASHED = -11; // as a process ends that has overrun its stack
 const nothing = () => undefined;
 
 // Return the report on what is asked. `next` promises the interpreter to go on with. `onProgress` hears
-// how many checks are done, of how many; `onTrouble` hears at once of one that did not end.
+// how many checks are done, of how many; `onTrouble` hears at once of the first that did not end.
 export async function runChecks(asked, next, {onProgress = nothing, onTrouble = nothing}) {
   const past = [];
+  const first = (failure) => {
+    onTrouble(failure);
+    hear.onTrouble = nothing;
+  };
+  const hear = {onProgress, onTrouble: first};
   for (;;) {
     const interpreter = await next();
-    const end = await attempt(interpreter, asked, past, {onProgress, onTrouble});
+    const end = await attempt(interpreter, asked, past, hear);
     if (end.kind === "report") return end.report;
     if (end.kind === "failed" || end.kind === "lost") throw new Error(end.why);
     interpreter.end("It was checking something that did not end.");
@@ -25,7 +30,7 @@ export async function runChecks(asked, next, {onProgress = nothing, onTrouble = 
 }
 
 // Have one interpreter check, as far as it comes, and add what it tells to the past.
-function attempt(interpreter, asked, past, {onProgress, onTrouble}) {
+function attempt(interpreter, asked, past, hear) {
   return new Promise((resolve) => {
     let process = null;
     let timer = null;
@@ -58,8 +63,8 @@ function attempt(interpreter, asked, past, {onProgress, onTrouble}) {
         wait(isBegun(line) ? MORE : SILENCE);
       },
       ended: () => close({}),
-      progress: ({done, of}) => onProgress(done, of),
-      trouble: ({failure}) => failure && onTrouble(failure),
+      progress: ({done, of}) => hear.onProgress(done, of),
+      trouble: ({failure}) => failure && hear.onTrouble(failure),
       hung: ({stack, failure}) => {
         finish({kind: "hung"}, {stack});
         takes.trouble({failure});

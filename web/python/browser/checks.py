@@ -40,7 +40,7 @@ def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
     engine = [CHAPTERS]
     if exercise and exercise.kind == "written":
         return report_of_written(chapter, exercise, engine)
-    processes = Processes(request["past"])
+    processes = Processes(request["past"], shallow=request.get("shallow", False))
     run = partial(run_checks, seed=request["seed"], judge=processes.judge)
     with with_given(given, engine) as folders:
         report = report_on(chapter, exercise, folders, given, run, Progress(processes))

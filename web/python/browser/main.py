@@ -54,7 +54,7 @@ def _answer(message: dict[str, Any]) -> None:
             link = links.setdefault(number, Link(folder))
             post("answers", answers=link.receive(asked))
         case {"kind": "close", "link": int(number)}:
-            if link := links.pop(number, None):
-                link.close()
+            if number in links:
+                links.pop(number).close()
         case _:
             raise ValueError(f"a message of no known kind: {message!r:.200}")

@@ -45,8 +45,9 @@ class Past:
 class Processes:
     """The processes of a check, in the order in which they are run."""
 
-    def __init__(self, past: list[dict[str, Any]]) -> None:
+    def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
         self.past = [Past(**one) for one in past]
+        self.shallow = shallow
 
     @property
     def is_live(self) -> bool:
@@ -66,7 +67,7 @@ class Processes:
 
         with tempfile.TemporaryDirectory(prefix="checks-") as folder:
             watchdog.explain = lambda stack: {"failure": failure_of_hang(run, stack)}
-            ending = run_here(run.config(Path(folder)), tell)
+            ending = run_here(run.config(Path(folder)), tell, shallow=self.shallow)
         post("ended")
         return ending
 
@@ -88,10 +89,8 @@ def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
         return None
     check, order = run.checks[run.current.name], run.order
     why = explain_hang(stack, run.limit, order.engine)
-    verdict = Verdict(
-        check.name, check.exercise, check.weight, "failed", why, robust=check.robust
-    )
+    verdict = Verdict(check.name, check.exercise, check.weight, "failed", why, robust=check.robust)
     result = result_of(order.chapter.exercise(check.exercise), [verdict])
     os.chdir(ROOT)  # the student's code was elsewhere
     failure = failure_of(order.chapter, result, order.engine)
-    return failure and failure_to_page(failure)
+    return failure_to_page(failure) if failure else None

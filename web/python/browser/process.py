@@ -10,7 +10,6 @@ import io
 import os
 import re
 import sys
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -22,12 +21,13 @@ from autograder.checks.arrange import Config
 from autograder.checks.in_process import InProcess, Tell
 from autograder.checks.judge import MOST_STDERR, Ending
 from autograder.checks.students_code import StudentsCode
-from autograder.checks.surroundings import leave_home
+from autograder.checks.surroundings import Depth, leave_home
 from autograder.checks.verdicts import Recorder, pytest_arguments
 from autograder.manifest import ROOT
 from web.python.browser.watchdog import watchdog
 
 OF_A_RUN = re.compile(r"ch\d\d_\w+|tests|conftest")  # packages whose modules one run imports
+SHALLOW = 250  # nested calls, each through an operator, that fit on the stack of every browser
 code = StudentsCode([], {})  # whose acts are limited: the engine that is checked
 
 
@@ -69,8 +69,11 @@ class BrowserRecorder(Recorder):
         return None if named else True
 
 
-def run_here(config: Config, tell: Tell) -> Ending:
-    """Run the checks that a configuration names, and tell what becomes of them."""
+def run_here(config: Config, tell: Tell, *, shallow: bool) -> Ending:
+    """Run the checks that a configuration names, and tell what becomes of them.
+
+    With ``shallow`` the student's code may nest fewer calls than where it is graded.
+    """
     said = io.StringIO()
     with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
         os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
@@ -82,6 +85,8 @@ def run_here(config: Config, tell: Tell) -> Ending:
             config.arranged.graded,
             apart=False,
         )
+        if shallow:
+            engine.depth = Depth(SHALLOW)
         pytest.main(pytest_arguments(config), plugins=[BrowserRecorder(config, tell, engine)])
     return Ending(stderr=said.getvalue()[-MOST_STDERR:].strip())
 

@@ -42,15 +42,13 @@ def report_to_page(
         "earned": earned,
         "points": points,
         "results": _results(report, engine),
-        "failure": failure and failure_to_page(failure),
+        "failure": failure_to_page(failure) if failure else None,
         "notes": notes,
         "finish": [words for words, _ in end_of(reports, exercise, engine, given)],
     }
 
 
-def report_of_written(
-    chapter: Chapter, exercise: Exercise, engine: list[Path]
-) -> dict[str, Any]:
+def report_of_written(chapter: Chapter, exercise: Exercise, engine: list[Path]) -> dict[str, Any]:
     """Return what there is to tell of a written exercise, which has no checks."""
     report = Report(chapter, [result_of(exercise, [])], [], [])
     question = next(one for one in questions_of(chapter, engine) if one.exercise == exercise)

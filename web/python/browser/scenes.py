@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 from autograder.checks.given import with_given
 from autograder.checks.students_code import graded_files
@@ -21,7 +20,7 @@ from lab.broken_off import TIME_LIMIT, why_it_broke_off
 from lab.host import Host, Message
 from studies.reason import reason
 from web.python.browser.folder import CHAPTERS, Folder
-from web.python.browser.process import code, forget_folders
+from web.python.browser.process import SHALLOW, code, forget_folders
 from web.python.browser.watchdog import watchdog
 
 NOT_HERE = {"pymunk": "pymunk is not available in the browser."}
@@ -81,6 +80,7 @@ class Link:
     def _at_work(self) -> Iterator[None]:
         """Have the engine of this link be the one that is imported and limited."""
         code.change(*self.known)
+        sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]
         sys.dont_write_bytecode = True  # it would be taken for that of a file saved a moment later
         sys.modules.update(self.modules)

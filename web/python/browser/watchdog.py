@@ -1,9 +1,9 @@
 """Notice that the time is up in a student's code, in the one thread that a worker has.
 
-No other thread and no alarm can interrupt it. But Python asks the worker, some thousands of times in
-a second, whether a signal has come. From when the time is up, the worker says SIGALRM, and Python
-calls ``Watchdog.hear`` in the middle of whatever the code is doing. The page then ends the worker. A
-loop inside a function of C, such as sum, never asks: the page ends that a second later.
+No other thread and no alarm can interrupt it. But Python asks the worker, thousands of times in a
+second, whether a signal has come. When the time is up, the worker answers with SIGALRM, and Python
+calls ``Watchdog.hear`` in the middle of whatever the code is doing. The page then ends the worker.
+A loop inside a function of C, such as sum, never asks: the page ends that a second later.
 """
 
 from __future__ import annotations

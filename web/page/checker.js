@@ -7,7 +7,8 @@ const CRASHED = -11; // as a process ends that has overrun its stack
 const nothing = () => undefined;
 
 // Return the report on what is asked. `next` promises the interpreter to go on with. `onProgress` hears
-// how many checks are done, of how many; `onTrouble` hears at once of the first that did not end.
+// how many checks are done, of how many. `onTrouble` hears of a failure that is known while the rest is
+// not: of the first check that did not end, or of what is found before earlier chapters are checked.
 export async function runChecks(asked, next, {onProgress = nothing, onTrouble = nothing}) {
   const past = [];
   const first = (failure) => {
@@ -37,9 +38,9 @@ function attempt(interpreter, asked, past, hear) {
     const close = (how) => {
       clearTimeout(timer);
       if (!process) return;
-      const {lines, left, begun} = process;
+      const {run, lines, left, begun} = process;
       const seconds = (performance.now() - begun) / 1000;
-      past.push({lines, left, seconds, stack: "", silent: false, code: 0, ...how});
+      past.push({run, lines, left, seconds, stack: "", silent: false, code: 0, ...how});
       process = null;
     };
     const finish = (end, how = {}) => {
@@ -54,8 +55,8 @@ function attempt(interpreter, asked, past, hear) {
       timer = setTimeout(() => finish({kind: "silent"}, {silent: true}), 1000 * (process.limit + more));
     };
     const takes = {
-      process: ({limit, left}) => {
-        process = {limit, left, lines: [], begun: performance.now()};
+      process: ({run, limit, left}) => {
+        process = {run, limit, left, lines: [], begun: performance.now()};
         wait(SILENCE);
       },
       event: ({line}) => {

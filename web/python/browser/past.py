@@ -31,9 +31,11 @@ from web.python.browser.watchdog import watchdog
 class Past:
     """A process that another worker has had: what it told, and how it ended.
 
-    It began ``left`` seconds before the time for all checks was used up, and took ``seconds``.
+    ``run`` says which checks of which chapter it was to run. It began ``left`` seconds before the
+    time for all of them was used up, and took ``seconds``.
     """
 
+    run: str
     lines: list[str]
     left: float
     seconds: float
@@ -56,10 +58,14 @@ class Processes:
 
     def judge(self, run: Run) -> Ending:
         """Have a run take what its next process tells."""
-        if self.past:
-            return self._repeat(run)
+        order = run.order
+        # Folders with given modules have another name each time.
+        key = f"{order.chapter.name} on {len(order.engine)}: {' '.join(order.exercises)}"
+        for past in self.past:
+            if past.run == key:
+                return self._repeat(run, past)
         left = run.deadline - time.monotonic()
-        post("process", limit=run.limit, left=left)
+        post("process", run=key, limit=run.limit, left=left)
 
         def tell(event: Event) -> None:
             post("event", line=write_event(event))
@@ -71,15 +77,14 @@ class Processes:
         post("ended")
         return ending
 
-    def _repeat(self, run: Run) -> Ending:
+    def _repeat(self, run: Run, past: Past) -> Ending:
         """Have a run take what a process told before, as if it were told now."""
-        past = self.past[0]
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds
         if past.silent and len(self.past) == 1:
             post("trouble", failure=failure_of_hang(run, ""))
-        del self.past[0]
+        self.past.remove(past)
         return Ending(past.stack, past.silent, past.code)
 
 

@@ -19,7 +19,7 @@ export function reader() {
     env.level = Number(tokens[i].tag[1]);
     return self.renderToken(tokens, i, options);
   };
-  md.renderer.rules.table_open = () => '<div class="scroll" tabindex="0" role="group" aria-label="Table"><table>';
+  md.renderer.rules.table_open = () => '<div class="scroll" data-scrolls="Table"><table>';
   md.renderer.rules.table_close = () => "</table></div>";
   md.renderer.rules.fence = (tokens, i, _, env) => {
     const {info, content} = tokens[i];
@@ -60,13 +60,14 @@ export function textOf(inline) {
 }
 
 export function formula(tex, display) {
-  return temml.renderToString(tex, {displayMode: display, throwOnError: true});
+  const math = temml.renderToString(tex, {displayMode: display, throwOnError: true});
+  return display ? `<div class="formula" data-scrolls="Formula">${math}</div>` : math;
 }
 
-// A listing that can be scrolled with the keyboard; Python's is colored.
+// A listing; Python's is colored.
 export function code(language, content) {
   const html = ["python", "pycon"].includes(language) ? colored(content) : escape(content);
-  return `<pre tabindex="0"><code>${html}</code></pre>\n`;
+  return `<pre data-scrolls="Listing"><code>${html}</code></pre>\n`;
 }
 
 function colored(content) {

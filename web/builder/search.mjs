@@ -2,12 +2,8 @@
 
 import MiniSearch from "minisearch";
 
+import {OPTIONS} from "../page/words.js";
 import {textOf} from "./markdown.mjs";
-
-const TOO_COMMON = new Set("a an and are as at be but by for from has have if in is it its not of on or that the then this to was what when which with you your".split(" "));
-
-// What the page that searches must know as well: see search.js.
-export const OPTIONS = {fields: ["heading", "text"], storeFields: []};
 
 // Return the sections of a page from its tokens: anchor, heading, and words.
 export function sectionsOf(tokens, page, title) {
@@ -24,13 +20,7 @@ export function sectionsOf(tokens, page, title) {
 // Return the index and where each of its entries leads, as data for search.js.
 export function indexOf(sections, titles) {
   const pages = [...new Set(sections.map(({page}) => page))];
-  const index = new MiniSearch({
-    ...OPTIONS,
-    processTerm: (word) => {
-      const plain = word.toLowerCase();
-      return TOO_COMMON.has(plain) || /^[\d.]+$/.test(plain) ? null : plain;
-    },
-  });
+  const index = new MiniSearch(OPTIONS);
   index.addAll(sections.map(({heading, text}, id) => ({id, heading, text})));
   return {
     index: index.toJSON(),

@@ -70,7 +70,7 @@ export class Editor {
         name.endsWith(".py") ? python() : [],
         readOnly ? [] : highlights(namesIn(this.exercise, path)),
         EditorState.readOnly.of(readOnly),
-        EditorView.contentAttributes.of({"aria-label": label, spellcheck: "false"}),
+        EditorView.contentAttributes.of({"aria-label": label, spellcheck: "false", tabindex: "0"}),
         keymap.of([
           {key: "Mod-Enter", run: () => (this.onCheck(), true)},
           {key: "Mod-s", run: () => (this.onCheck(), true)},

@@ -18,6 +18,19 @@ document.addEventListener("keydown", (event) => {
 const contents = document.querySelector(".contents details");
 if (contents && matchMedia("(max-width: 1099px)").matches) contents.open = false;
 
+// What is too wide for its place can be scrolled with the keyboard.
+const wide = new ResizeObserver((entries) => {
+  for (const {target} of entries) {
+    const scrolls = target.scrollWidth > target.clientWidth;
+    const needed = {tabindex: "0", role: "group", "aria-label": target.dataset.scrolls};
+    for (const [name, value] of Object.entries(needed)) {
+      if (scrolls) target.setAttribute(name, value);
+      else target.removeAttribute(name);
+    }
+  }
+});
+document.querySelectorAll("[data-scrolls]").forEach((element) => wide.observe(element));
+
 startTips();
 
 const {chapter} = document.body.dataset;

@@ -4,6 +4,7 @@ import MiniSearch from "minisearch";
 
 import {packed} from "./course.js";
 import {button, count, el} from "./dom.js";
+import {OPTIONS} from "./words.js";
 
 const MOST = 20;
 let dialog = null;
@@ -59,6 +60,6 @@ async function search(query) {
 let loading = null;
 
 function data() {
-  loading ??= packed("search").then(({index, ...rest}) => ({...rest, index: MiniSearch.loadJS(index, {fields: ["heading", "text"]})}));
+  loading ??= packed("search").then(({index, ...rest}) => ({...rest, index: MiniSearch.loadJS(index, OPTIONS)}));
   return loading;
 }

@@ -10,6 +10,7 @@ from autograder.checks.given import with_given
 from autograder.checks.runner import run_checks
 from autograder.checks.verdict import Verdict
 from autograder.manifest import Chapter, Exercise, load_chapters
+from autograder.message import Kind
 from autograder.scores import results_of
 from autograder.student.check import report_on
 from autograder.student.failure import failure_of
@@ -38,7 +39,8 @@ class Progress(ProgressBar):
 class Runs:
     """Runs checks. What it finds in other chapters than the asked one, it remembers.
 
-    Before it runs another chapter, which takes seconds, it shows what was found in this one.
+    Before it runs another chapter, which takes seconds, it shows what was found in this one. It
+    runs none where a loop did not end: that failure names its line, and others would wait for it.
     """
 
     def __init__(
@@ -58,6 +60,8 @@ class Runs:
         if chapter == self.chapter:
             self.found = self.run(chapter, engine, seed=self.seed, **options)
             return self.found
+        if any(verdict.message.kind is Kind.HUNG for verdict in self.found):
+            return []
         if not self.shown:
             self.show(engine)
         return self.memory(chapter, engine, **options)
